@@ -1,0 +1,82 @@
+// The heart: from which sides is a surface point accessible? (Priyadarshi & Gupta 2006, sections 2.2 and 2.3.)
+//
+// The +d map holds, per texel, the facet that faces -d and lies furthest along +d; the -d map its mirror image. A point
+// is blocked along +d exactly if that facet lies further along +d, that is, if the point is on the outer side of the
+// facet's plane: the same test serves both maps, and planes are evaluated at the sample, not at the texel's centre.
+#include "common/facets.glsl"
+#include "common/map_frame.glsl"
+
+uniform usampler2D t_map_plus;  // facet + 1, 0 where no facet is
+uniform usampler2D t_map_minus;
+
+const uint k_accessible_plus = 1u;
+const uint k_accessible_minus = 2u;
+
+#ifdef SYMMETRIC_KERNEL
+// The paper's own test: depths compared at the texel; near-vertical points pass if any texel of the kernel passes.
+uniform sampler2D t_depth_plus;
+uniform sampler2D t_depth_minus;
+uniform int u_kernel_radius;  // texels
+
+bool lit(sampler2D depth, ivec2 texel, float point_depth) {
+  int size = int(u_map_size);
+  if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)))) return true;
+  return point_depth <= texelFetch(depth, texel, 0).r;
+}
+
+uint accessible_at(vec3 point, uint facet, vec2 shift) {
+  uint class_of_facet = facet_class(facet);
+  ivec2 texel = ivec2(floor(map_position(point) + shift));
+  float depth_plus = map_depth(point, 1.0);
+  float depth_minus = map_depth(point, -1.0);
+  if (class_of_facet == k_up) return lit(t_depth_plus, texel, depth_plus) ? k_accessible_plus : 0u;
+  if (class_of_facet == k_down) return lit(t_depth_minus, texel, depth_minus) ? k_accessible_minus : 0u;
+  uint bits = 0u;
+  for (int dy = -u_kernel_radius; dy <= u_kernel_radius; ++dy) {
+    for (int dx = -u_kernel_radius; dx <= u_kernel_radius; ++dx) {
+      if (lit(t_depth_plus, texel + ivec2(dx, dy), depth_plus)) bits |= k_accessible_plus;
+      if (lit(t_depth_minus, texel + ivec2(dx, dy), depth_minus)) bits |= k_accessible_minus;
+    }
+  }
+  return bits;
+}
+#else
+uniform float u_lateral;  // lateral tolerance in the unit frame
+
+// Rounding of n.x - c at coordinates up to 0.5 in single precision. A facet that touches the point counts as in its
+// way: between surfaces that coincide no mold comes in.
+const float k_plane_rounding = 2.5e-7;
+
+uint map_entry(usampler2D map, ivec2 texel) {
+  int size = int(u_map_size);
+  bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(size)));
+  return inside ? texelFetch(map, texel, 0).r : 0u;
+}
+
+bool outside_of(uint entry, vec3 point) {
+  if (entry == 0u) return false;
+  vec4 plane = facet_plane(entry - 1u);
+  return dot(plane.xyz, point) - plane.w > -k_plane_rounding;
+}
+
+// The outer side of a near-vertical facet, perpendicular to the parting direction.
+vec3 outward(vec3 normal) { return normalize(normal - dot(normal, u_direction) * u_direction); }
+
+uint accessible_at(vec3 point, uint facet, vec2 shift) {
+  uint class_of_facet = facet_class(facet);
+  bool near_vertical = class_of_facet == k_near_vertical;
+  vec3 at = point;
+  if (near_vertical) at += u_lateral * outward(facet_plane(facet).xyz);
+  ivec2 texel = ivec2(floor(map_position(at) + shift));
+  uint plus = map_entry(t_map_plus, texel);
+  uint minus = map_entry(t_map_minus, texel);
+  bool blocked_plus = outside_of(plus, at);
+  bool blocked_minus = outside_of(minus, at);
+  uint bits = (blocked_plus ? 0u : k_accessible_plus) | (blocked_minus ? 0u : k_accessible_minus);
+  if (near_vertical) return plus != 0u && minus != 0u && bits == 3u ? 0u : bits;
+  return bits & (class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
+}
+#endif
+
+// Accessibility of `point` on `facet`: a sum of k_accessible_plus and k_accessible_minus.
+uint accessible_from(vec3 point, uint facet) { return accessible_at(point, facet, vec2(0.0)); }

@@ -1,0 +1,19 @@
+// A visible fragment in two words. First: facet + 1 (0: background), top bit set if its back is seen. Second: the
+// smooth normal in 15 + 15 bits, and the accessibility bits where the mold is opened.
+#include "common/octahedral.glsl"
+
+const uint k_back_bit = 0x80000000u;
+
+uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible) {
+  uvec2 steps = uvec2((to_octahedral(normal) * 0.5 + 0.5) * 32767.0 + 0.5);
+  return uvec2((facet + 1u) | (front ? 0u : k_back_bit), steps.x | steps.y << 15 | accessible << 30);
+}
+
+uint surface_facet(uvec2 surface) { return (surface.x & ~k_back_bit) - 1u; }
+bool surface_shows_back(uvec2 surface) { return (surface.x & k_back_bit) != 0u; }
+uint surface_accessible(uvec2 surface) { return surface.y >> 30; }
+
+vec3 surface_normal(uvec2 surface) {
+  vec2 steps = vec2(uvec2(surface.y, surface.y >> 15) & 32767u);
+  return from_octahedral(steps / 32767.0 * 2.0 - 1.0);
+}

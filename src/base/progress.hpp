@@ -1,0 +1,30 @@
+// Progress and cancelling of long work. The worker reports, the owner watches from any thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string_view>
+
+namespace moldlight {
+
+/// Shared between the thread that works and the one that waits. Default-constructed: never cancelled, nobody
+/// listens.
+class Progress {
+ public:
+  /// Called from the working thread with a stage ("reading", "welding", …) and its done share in [0, 1].
+  using Listener = std::function<void(std::string_view stage, double fraction)>;
+
+  Progress() = default;
+  explicit Progress(Listener listener) : listener_(std::move(listener)) {}
+
+  /// Throws Cancelled once cancel() was called; call it at least every 50 ms of work.
+  void report(std::string_view stage, double fraction) const;
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+ private:
+  Listener listener_;
+  std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace moldlight

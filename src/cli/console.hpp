@@ -1,0 +1,62 @@
+// What the program says: results on stdout and nothing else there; progress, log and warnings on stderr.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace moldlight::cli {
+
+enum class Verbosity : std::uint8_t { quiet, normal, verbose };
+
+/// Safe to use from several threads.
+class Console {
+ public:
+  Console();
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
+
+  /// Results to stdout, at once; throws Error where it cannot be written.
+  void result(std::string_view text);
+  /// One line; not when quiet.
+  void warning(std::string_view sentence);
+  /// One line; only when verbose.
+  void log(std::string_view line);
+  /// One line that says why the program fails; always.
+  void failure(std::string_view sentence);
+  /// What is being done: a line that is redrawn on a terminal, one log line a stage elsewhere.
+  void progress(std::string_view stage, double fraction);
+  /// What a line of progress says, for a terminal of so many columns; 0 elsewhere.
+  using ProgressText = std::function<std::string(std::string_view stage, double fraction, int columns)>;
+  /// From now on progress() says this, also where stderr is no terminal: there a line every other second at
+  /// most, for work that takes long. Called from whichever thread reports.
+  void set_progress_text(ProgressText text);
+
+  /// stdout is a terminal and NO_COLOR is not set.
+  [[nodiscard]] bool colour() const { return colour_; }
+
+ private:
+  void line(std::string_view text);
+  void plain_progress(std::string_view stage, double fraction);
+  void clear_progress();
+
+  std::mutex mutex_;
+  Verbosity verbosity_ = Verbosity::normal;
+  bool colour_ = false;
+  bool terminal_ = false;  // stderr
+  bool progress_shown_ = false;
+  std::string stage_;
+  ProgressText progress_text_;
+  std::chrono::steady_clock::time_point drawn_;
+};
+
+/// The text with control characters replaced, so that it stays one line and cannot steer a terminal.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+}  // namespace moldlight::cli

@@ -1,0 +1,68 @@
+#include "cli/outputs.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+
+namespace moldlight::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(a, error), second = fs::weakly_canonical(b, error);
+  return !first.empty() && first == second;
+}
+
+/// A device or pipe may be named twice, and is not opened before it is written.
+bool is_special(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
+
+void check_output_files(const std::string& part, const std::vector<OutputFile>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const OutputFile& file = files[i];
+    if (file.path.empty() || is_special(file.path)) continue;
+    if (file.path == "-") {
+      throw UsageError(fmt::format("{}: only --json can go to stdout; name a file", file.flag));
+    }
+    if (same_file(file.path, part)) {
+      throw UsageError(fmt::format("{}: {} is the part itself; name another file", file.flag, file.path));
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (files[k].path.empty() || !same_file(files[k].path, file.path)) continue;
+      throw UsageError(fmt::format("{} and {} name one file, {}", files[k].flag, file.flag, file.path));
+    }
+    const AtomicFile attempt(file.path);
+  }
+}
+
+void check_output_folder(const std::string& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error);
+  while (!there.empty() && !fs::exists(there, error) && there != there.parent_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, error)) {
+    throw FileError(folder, "", fmt::format("cannot be made a folder: {} is none", there.string()));
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) {
+    throw FileError(folder, "",
+                    fmt::format("cannot be written to: {}: {}", there.string(), std::strerror(errno)));
+  }
+}
+
+}  // namespace moldlight::cli

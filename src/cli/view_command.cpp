@@ -1,0 +1,119 @@
+// moldlight view: the window, or its picture where there is no display.
+#include <charconv>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/method_flags.hpp"
+#include "cli/outputs.hpp"
+#include "gui/screenshot.hpp"
+#include "gui/shipped_parts.hpp"
+#include "gui/store/state_folder.hpp"
+#include "gui/window.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+struct ViewFlags {
+  std::string part;
+  ReadOptions reading;
+  gui::PartNotes notes;
+  gui::WindowSettings window;
+  std::string settings, screenshot, script, size = "1280x720";
+  float scale = 1.0F;
+  bool settings_given = false;
+};
+
+glm::ivec2 parse_size(const std::string& text) {
+  constexpr int k_most = 16384;
+  glm::ivec2 size(0);
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.x);
+  const bool between = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = between ? std::from_chars(width.ptr + 1, end, size.y) : width;
+  if (!between || height.ec != std::errc() || height.ptr != end || size.x < 320 || size.y < 240 ||
+      size.x > k_most || size.y > k_most) {
+    throw UsageError(
+        fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, 320x240 at least", text));
+  }
+  return size;
+}
+
+std::string read_whole(const std::string& path) {
+  auto text = gui::read_text(path);
+  if (!text) throw FileError(path, "", "cannot be read");
+  return *text;
+}
+
+int run(const ViewFlags& flags) {
+  if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script goes with --screenshot");
+  std::optional<gui::PartNotes> notes;
+  if (flags.settings_given) notes = flags.notes;
+  if (flags.screenshot.empty()) {
+    gui::run_window({.part = flags.part, .reading = flags.reading, .notes = notes});
+    return 0;
+  }
+  check_output_files(flags.part, {{"--screenshot", flags.screenshot}});
+  gui::OffscreenOptions window;
+  window.size = parse_size(flags.size);
+  window.content_scale = flags.scale;
+  window.user.window = flags.window;
+  window.reading = flags.reading;
+  window.shipped_parts = gui::shipped_parts();
+  gui::take_screenshot({.part = flags.part,
+                        .output = flags.screenshot,
+                        .script = flags.script.empty() ? std::string() : read_whole(flags.script),
+                        .notes = notes,
+                        .window = window});
+  return 0;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& program, Request& request) {
+  CLI::App* command = program.add_subcommand("view", "Open the window: the part, its regions, live");
+  const auto flags = std::make_shared<ViewFlags>();
+  command->add_option("PART", flags->part,
+                      "Part file, known by its content; without one the window asks for it");
+  // Read before the other flags, which then change single settings of it.
+  command
+      ->add_option_function<std::string>(
+          "--settings",
+          [flags](const std::string& path) {
+            flags->notes = gui::parse_part_notes(read_whole(path), flags->notes);
+            flags->settings_given = true;
+          },
+          "Settings and bookmarks as the window saves them, or a JSON object of settings")
+      ->option_text("FILE.json")
+      ->trigger_on_parse();
+  command
+      ->add_option("--screenshot", flags->screenshot,
+                   "Write the window's picture and open none; needs no display")
+      ->option_text("OUT.png");
+  command->add_option("--size", flags->size, "Size of that picture [default 1280x720]")->option_text("WxH");
+  command
+      ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
+      ->option_text("FACTOR")
+      ->check(CLI::Range(0.5F, 4.0F));
+  command->add_option("--script", flags->script, "Play these input events before the picture is taken")
+      ->option_text("EVENTS.json");
+  add_method_flags(*command, flags->notes.method);
+  add_option_flags(*command, gui::look_options(), flags->notes.look);
+  add_option_flags(*command, gui::window_options(), flags->window);
+  command->callback([command, flags, &request] {
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string name = option->get_name();
+      const auto names = [&](const auto& entry) { return entry.flag == name; };
+      flags->settings_given =
+          flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
+                                                            std::ranges::any_of(gui::look_options(), names)));
+    }
+    request.body = [flags](Console&, const Progress&) { return run(*flags); };
+  });
+}
+
+}  // namespace moldlight::cli

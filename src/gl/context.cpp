@@ -1,0 +1,92 @@
+#include "gl/context.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "gl/headless_backends.hpp"
+#include "gl/mesa_environment.hpp"
+
+namespace moldlight::gl {
+
+namespace {
+
+// The libraries behind the backends do not know of each other, yet Mesa's share one dispatch table per
+// thread: whoever binds must know whom to release first.
+thread_local Context* current_context = nullptr;
+
+std::string text(const Functions& gl, GLenum name) {
+  const auto* value = reinterpret_cast<const char*>(gl.GetString(name));
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
+Context::~Context() { CHECK(owner_ == std::thread::id()); }
+
+void Context::make_current() {
+  if (current_context == this) return;
+  CHECK(owner_ == std::thread::id());
+  if (current_context != nullptr) current_context->release_current();
+  bind();
+  owner_ = std::this_thread::get_id();
+  current_context = this;
+}
+
+void Context::release_current() {
+  if (current_context != this) return;
+  unbind();
+  owner_ = std::thread::id();
+  current_context = nullptr;
+}
+
+void Context::initialise(std::string backend, const Functions::ProcAddress& address) {
+  make_current();
+  try {
+    functions_ = Functions::load(address);
+    GLint major = 0, minor = 0;
+    functions_.GetIntegerv(GL_MAJOR_VERSION, &major);
+    functions_.GetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor < 33) {
+      throw Error(fmt::format("the driver has OpenGL {}, 3.3 is needed", text(functions_, GL_VERSION)));
+    }
+    backend_ = std::move(backend);
+    renderer_ = text(functions_, GL_RENDERER);
+  } catch (...) {
+    release_current();
+    throw;
+  }
+}
+
+std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
+                                                 const HeadlessLibraries& libraries) {
+  using Create = std::unique_ptr<Context> (*)(const std::vector<std::string>&);
+  struct Attempt {
+    const char* name;
+    HeadlessBackend belongs_to;
+    Create create;
+    const std::vector<std::string>& names;
+  };
+  const Attempt attempts[] = {
+      {"EGL device", HeadlessBackend::egl, create_egl_device_context, libraries.egl},
+      {"EGL surfaceless", HeadlessBackend::egl, create_egl_surfaceless_context, libraries.egl},
+      {"OSMesa", HeadlessBackend::osmesa, create_osmesa_context, libraries.osmesa},
+  };
+  prepare_mesa_environment();
+  std::string reasons;
+  for (const Attempt& attempt : attempts) {
+    if (backend != HeadlessBackend::automatic && backend != attempt.belongs_to) continue;
+    try {
+      return attempt.create(attempt.names);
+    } catch (const Error& error) {
+      reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", attempt.name, error.what());
+    }
+  }
+  throw Error(fmt::format(
+      "no OpenGL 3.3 context without a window ({}); install {}", reasons,
+      backend == HeadlessBackend::osmesa ? "libosmesa6" : "libegl1 and libgl1-mesa-dri, or a GPU driver"));
+}
+
+}  // namespace moldlight::gl

@@ -1,0 +1,66 @@
+// OpenGL contexts: the interface that windows share with the contexts without a window (EGL device, EGL
+// surfaceless, OSMesa), and the making of the latter.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gl/functions.hpp"
+
+namespace moldlight::gl {
+
+/// A GL 3.3 (or later) core context. There may be no default framebuffer: draw to framebuffer objects only. A
+/// thread has one current context at most and a context is current on one thread at most; both are CHECKed.
+class Context {
+ public:
+  virtual ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// Makes the context current on the calling thread, after releasing the one that was. Costs nothing if it
+  /// already is.
+  void make_current();
+  /// Releases it from the calling thread, so that another one may take it; nothing happens if it is not
+  /// current here.
+  void release_current();
+
+  [[nodiscard]] const Functions& functions() const { return functions_; }
+  /// "EGL device", "EGL surfaceless", "OSMesa" or "window".
+  [[nodiscard]] const std::string& backend() const { return backend_; }
+  /// GL_RENDERER.
+  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+
+ protected:
+  Context() = default;
+  /// Makes the context current, loads the functions and reads the strings. The constructor of a derived class
+  /// calls it last; throws Error where the driver has less than OpenGL 3.3.
+  void initialise(std::string backend, const Functions::ProcAddress& address);
+
+  /// The backend's own calls; throw Error with the reason. The destructor of a derived class calls
+  /// release_current() before it destroys what unbind() needs.
+  virtual void bind() = 0;
+  virtual void unbind() noexcept = 0;
+
+ private:
+  Functions functions_;
+  std::string backend_, renderer_;
+  std::thread::id owner_;  // the thread on which it is current; none when default-constructed
+};
+
+enum class HeadlessBackend { automatic, egl, osmesa };
+
+/// File names under which the libraries are looked for, the first that opens is taken.
+struct HeadlessLibraries {
+  std::vector<std::string> egl = {"libEGL.so.1"};
+  std::vector<std::string> osmesa = {"libOSMesa.so.8", "libOSMesa.so.6"};
+};
+
+/// Creates a context and makes it current. Automatic tries EGL device, EGL surfaceless and OSMesa in this
+/// order; egl the first two. No X server is contacted. Throws Error that lists what was tried and why each
+/// failed.
+[[nodiscard]] std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
+                                                               const HeadlessLibraries& libraries = {});
+
+}  // namespace moldlight::gl

@@ -1,0 +1,119 @@
+// The GL entry points that moldlight uses, loaded for one context: no global state, no loader library.
+#pragma once
+
+#include <functional>
+
+#include <GL/glcorearb.h>
+
+namespace moldlight::gl {
+
+// X(<member>, <typedef>): gl.<member>(…) is gl<member>(…). Keep it to what OpenGL 3.3 core has.
+#define MOLDLIGHT_GL_FUNCTIONS(X)                                            \
+  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                   \
+  X(AttachShader, PFNGLATTACHSHADERPROC)                                     \
+  X(BeginTransformFeedback, PFNGLBEGINTRANSFORMFEEDBACKPROC)                 \
+  X(BindBuffer, PFNGLBINDBUFFERPROC)                                         \
+  X(BindBufferBase, PFNGLBINDBUFFERBASEPROC)                                 \
+  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                               \
+  X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                             \
+  X(BindTexture, PFNGLBINDTEXTUREPROC)                                       \
+  X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                               \
+  X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                   \
+  X(BlendFunc, PFNGLBLENDFUNCPROC)                                           \
+  X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                           \
+  X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                               \
+  X(BufferData, PFNGLBUFFERDATAPROC)                                         \
+  X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                                   \
+  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                 \
+  X(Clear, PFNGLCLEARPROC)                                                   \
+  X(ClearBufferfv, PFNGLCLEARBUFFERFVPROC)                                   \
+  X(ClearBufferiv, PFNGLCLEARBUFFERIVPROC)                                   \
+  X(ClearBufferuiv, PFNGLCLEARBUFFERUIVPROC)                                 \
+  X(ClearColor, PFNGLCLEARCOLORPROC)                                         \
+  X(ClearDepth, PFNGLCLEARDEPTHPROC)                                         \
+  X(ColorMask, PFNGLCOLORMASKPROC)                                           \
+  X(CompileShader, PFNGLCOMPILESHADERPROC)                                   \
+  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                   \
+  X(CreateShader, PFNGLCREATESHADERPROC)                                     \
+  X(CullFace, PFNGLCULLFACEPROC)                                             \
+  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                                   \
+  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)                         \
+  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                                   \
+  X(DeleteQueries, PFNGLDELETEQUERIESPROC)                                   \
+  X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)                       \
+  X(DeleteShader, PFNGLDELETESHADERPROC)                                     \
+  X(DeleteTextures, PFNGLDELETETEXTURESPROC)                                 \
+  X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                         \
+  X(DepthFunc, PFNGLDEPTHFUNCPROC)                                           \
+  X(DepthMask, PFNGLDEPTHMASKPROC)                                           \
+  X(Disable, PFNGLDISABLEPROC)                                               \
+  X(DrawArrays, PFNGLDRAWARRAYSPROC)                                         \
+  X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)                       \
+  X(DrawBuffers, PFNGLDRAWBUFFERSPROC)                                       \
+  X(DrawElements, PFNGLDRAWELEMENTSPROC)                                     \
+  X(Enable, PFNGLENABLEPROC)                                                 \
+  X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)               \
+  X(EndTransformFeedback, PFNGLENDTRANSFORMFEEDBACKPROC)                     \
+  X(Finish, PFNGLFINISHPROC)                                                 \
+  X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)               \
+  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                     \
+  X(GenBuffers, PFNGLGENBUFFERSPROC)                                         \
+  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                               \
+  X(GenQueries, PFNGLGENQUERIESPROC)                                         \
+  X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                             \
+  X(GenTextures, PFNGLGENTEXTURESPROC)                                       \
+  X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                               \
+  X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                                 \
+  X(GetActiveUniform, PFNGLGETACTIVEUNIFORMPROC)                             \
+  X(GetBufferSubData, PFNGLGETBUFFERSUBDATAPROC)                             \
+  X(GetError, PFNGLGETERRORPROC)                                             \
+  X(GetIntegerv, PFNGLGETINTEGERVPROC)                                       \
+  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                           \
+  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                     \
+  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                             \
+  X(GetShaderiv, PFNGLGETSHADERIVPROC)                                       \
+  X(GetString, PFNGLGETSTRINGPROC)                                           \
+  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)                         \
+  X(LineWidth, PFNGLLINEWIDTHPROC)                                           \
+  X(LinkProgram, PFNGLLINKPROGRAMPROC)                                       \
+  X(PixelStorei, PFNGLPIXELSTOREIPROC)                                       \
+  X(PolygonOffset, PFNGLPOLYGONOFFSETPROC)                                   \
+  X(ReadBuffer, PFNGLREADBUFFERPROC)                                         \
+  X(ReadPixels, PFNGLREADPIXELSPROC)                                         \
+  X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)                       \
+  X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC) \
+  X(Scissor, PFNGLSCISSORPROC)                                               \
+  X(ShaderSource, PFNGLSHADERSOURCEPROC)                                     \
+  X(TexBuffer, PFNGLTEXBUFFERPROC)                                           \
+  X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                         \
+  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                   \
+  X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                   \
+  X(TransformFeedbackVaryings, PFNGLTRANSFORMFEEDBACKVARYINGSPROC)           \
+  X(Uniform1f, PFNGLUNIFORM1FPROC)                                           \
+  X(Uniform1i, PFNGLUNIFORM1IPROC)                                           \
+  X(Uniform1ui, PFNGLUNIFORM1UIPROC)                                         \
+  X(Uniform2f, PFNGLUNIFORM2FPROC)                                           \
+  X(Uniform2i, PFNGLUNIFORM2IPROC)                                           \
+  X(Uniform3f, PFNGLUNIFORM3FPROC)                                           \
+  X(Uniform3fv, PFNGLUNIFORM3FVPROC)                                         \
+  X(Uniform4f, PFNGLUNIFORM4FPROC)                                           \
+  X(UniformMatrix3fv, PFNGLUNIFORMMATRIX3FVPROC)                             \
+  X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                             \
+  X(UseProgram, PFNGLUSEPROGRAMPROC)                                         \
+  X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)                       \
+  X(VertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC)                     \
+  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                       \
+  X(Viewport, PFNGLVIEWPORTPROC)
+
+/// Every entry of one context. Valid while that context is current on the calling thread.
+struct Functions {
+#define MOLDLIGHT_GL_MEMBER(name, type) type name = nullptr;
+  MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_MEMBER)
+#undef MOLDLIGHT_GL_MEMBER
+
+  using ProcAddress = std::function<void*(const char*)>;
+  /// Loads every entry; throws Error naming the first that the driver lacks.
+  [[nodiscard]] static Functions load(const ProcAddress& address);
+};
+
+}  // namespace moldlight::gl

@@ -1,0 +1,161 @@
+#include "gl/objects.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moldlight::gl {
+
+namespace {
+
+const char* error_name(GLenum error) {
+  switch (error) {
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "an unknown error";
+  }
+}
+
+struct PixelLayout {
+  GLenum format, type;
+};
+
+// TexImage2D wants a client format even without data, and it must suit the internal one.
+PixelLayout pixel_layout(GLenum internal_format) {
+  switch (internal_format) {
+    case GL_DEPTH_COMPONENT16:
+    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH_COMPONENT32F:
+      return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    case GL_DEPTH24_STENCIL8:
+      return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
+    case GL_R8UI:
+    case GL_R16UI:
+    case GL_R32UI:
+      return {GL_RED_INTEGER, GL_UNSIGNED_INT};
+    case GL_R32I:
+      return {GL_RED_INTEGER, GL_INT};
+    case GL_RG32UI:
+      return {GL_RG_INTEGER, GL_UNSIGNED_INT};
+    case GL_RGBA8UI:
+    case GL_RGBA16UI:
+    case GL_RGBA32UI:
+      return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    case GL_R8:
+      return {GL_RED, GL_UNSIGNED_BYTE};
+    case GL_R16F:
+    case GL_R32F:
+      return {GL_RED, GL_FLOAT};
+    case GL_RG16F:
+    case GL_RG32F:
+      return {GL_RG, GL_FLOAT};
+    case GL_RGBA16F:
+    case GL_RGBA32F:
+      return {GL_RGBA, GL_FLOAT};
+    default:
+      return {GL_RGBA, GL_UNSIGNED_BYTE};
+  }
+}
+
+GLuint generate(void (*entry)(GLsizei, GLuint*)) {
+  GLuint name = 0;
+  entry(1, &name);
+  return name;
+}
+
+}  // namespace
+
+void delete_buffer(const Functions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
+void delete_texture(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
+void delete_framebuffer(const Functions& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
+void delete_vertex_array(const Functions& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
+void delete_shader(const Functions& gl, GLuint name) { gl.DeleteShader(name); }
+void delete_program(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
+
+Buffer make_buffer(const Functions& gl, GLenum target, std::span<const std::byte> bytes) {
+  Buffer buffer(gl, generate(gl.GenBuffers));
+  gl.BindBuffer(target, buffer.name());
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+  check_errors(gl, "making a buffer");
+  return buffer;
+}
+
+Texture make_buffer_texture(const Functions& gl, GLenum internal_format, const Buffer& buffer) {
+  Texture texture(gl, generate(gl.GenTextures));
+  gl.BindTexture(GL_TEXTURE_BUFFER, texture.name());
+  gl.TexBuffer(GL_TEXTURE_BUFFER, internal_format, buffer.name());
+  check_errors(gl, "making a buffer texture");
+  return texture;
+}
+
+Texture make_texture_2d(const Functions& gl, GLenum internal_format, int width, int height) {
+  GLint largest = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (width < 1 || height < 1 || width > largest || height > largest) {
+    throw Error(
+        fmt::format("the driver has no texture of {} x {} texels, its largest is {} x {}: choose a smaller "
+                    "resolution",
+                    width, height, largest, largest));
+  }
+  Texture texture(gl, generate(gl.GenTextures));
+  gl.BindTexture(GL_TEXTURE_2D, texture.name());
+  const PixelLayout layout = pixel_layout(internal_format);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, layout.format,
+                layout.type, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  check_errors(gl, "making a texture");
+  return texture;
+}
+
+VertexArray make_vertex_array(const Functions& gl) { return {gl, generate(gl.GenVertexArrays)}; }
+
+Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments) {
+  Framebuffer framebuffer(gl, generate(gl.GenFramebuffers));
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  std::vector<GLenum> draw_buffers;
+  for (const GLuint colour : attachments.colours) {
+    const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, colour, 0);
+    draw_buffers.push_back(point);
+  }
+  if (attachments.depth != 0) {
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, attachments.depth, 0);
+  }
+  if (draw_buffers.empty()) draw_buffers.push_back(GL_NONE);
+  gl.DrawBuffers(static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
+  gl.ReadBuffer(draw_buffers.front());
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(fmt::format("the OpenGL driver refuses a framebuffer of {} colours{} (status 0x{:04x})",
+                            attachments.colours.size(), attachments.depth != 0 ? " and depth" : "", status));
+  }
+  check_errors(gl, "making a framebuffer");
+  return framebuffer;
+}
+
+void check_errors(const Functions& gl, const char* where) {
+  const GLenum error = gl.GetError();
+  if (error == GL_NO_ERROR) return;
+  // A lost context reports errors without end, so the rest of the queue is emptied within bounds.
+  for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+  }
+  throw Error(fmt::format("OpenGL reports {} when {}", error_name(error), where));
+}
+
+}  // namespace moldlight::gl

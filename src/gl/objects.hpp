@@ -1,0 +1,83 @@
+// Owning handles of GL objects. Each remembers its context's functions and deletes its object when it goes;
+// that context must be current then.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "gl/functions.hpp"
+
+namespace moldlight::gl {
+
+/// A GL object name with a deleter; movable, not copyable; empty when default-constructed.
+template <void (*Delete)(const Functions&, GLuint)>
+class Handle {
+ public:
+  Handle() = default;
+  Handle(const Functions& gl, GLuint name) : gl_(&gl), name_(name) {}
+  Handle(Handle&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      gl_ = other.gl_;
+      name_ = std::exchange(other.name_, 0);
+    }
+    return *this;
+  }
+  ~Handle() { reset(); }
+
+  void reset() {
+    if (name_ != 0) Delete(*gl_, std::exchange(name_, 0));
+  }
+  [[nodiscard]] GLuint name() const { return name_; }
+  explicit operator bool() const { return name_ != 0; }
+
+ private:
+  const Functions* gl_ = nullptr;
+  GLuint name_ = 0;
+};
+
+void delete_buffer(const Functions& gl, GLuint name);
+void delete_texture(const Functions& gl, GLuint name);
+void delete_framebuffer(const Functions& gl, GLuint name);
+void delete_vertex_array(const Functions& gl, GLuint name);
+void delete_shader(const Functions& gl, GLuint name);
+void delete_program(const Functions& gl, GLuint name);
+
+using Buffer = Handle<delete_buffer>;
+using Texture = Handle<delete_texture>;
+using Framebuffer = Handle<delete_framebuffer>;
+using VertexArray = Handle<delete_vertex_array>;
+
+/// A static buffer with `bytes` in it (GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER or GL_TEXTURE_BUFFER as
+/// target).
+[[nodiscard]] Buffer make_buffer(const Functions& gl, GLenum target, std::span<const std::byte> bytes);
+
+template <typename T>
+[[nodiscard]] Buffer make_buffer(const Functions& gl, GLenum target, std::span<const T> items) {
+  return make_buffer(gl, target, std::as_bytes(items));
+}
+
+/// A buffer texture over `buffer`, as a shader reads it with texelFetch (GL_RGBA32F, GL_R32UI, …).
+[[nodiscard]] Texture make_buffer_texture(const Functions& gl, GLenum internal_format, const Buffer& buffer);
+
+/// An empty 2-D texture without mipmaps, nearest filtering, clamped to its edge. Throws Error where the
+/// driver has no room for it.
+[[nodiscard]] Texture make_texture_2d(const Functions& gl, GLenum internal_format, int width, int height);
+
+[[nodiscard]] VertexArray make_vertex_array(const Functions& gl);
+
+/// What a framebuffer draws to; a zero depth leaves it without depth. Colour k is draw buffer k.
+struct Attachments {
+  std::span<const GLuint> colours;
+  GLuint depth = 0;
+};
+/// A complete framebuffer, left bound to GL_FRAMEBUFFER; throws Error where the driver refuses it.
+[[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments);
+
+/// Throws Error naming `where` if GL reports an error.
+void check_errors(const Functions& gl, const char* where);
+
+}  // namespace moldlight::gl

@@ -1,0 +1,65 @@
+// Shader programs from the embedded files. A name that the program does not have is an error, never silence.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "gl/objects.hpp"
+#include "gl/shader_sources.hpp"
+
+namespace moldlight::gl {
+
+/// Paths below shaders/; `geometry` and `fragment` may be empty. Lines `#include "common/x.glsl"` are
+/// replaced by that file (once a stage). `defines` become `#define NAME VALUE` after the #version line.
+/// `feedback` names the outputs captured by transform feedback, interleaved.
+struct ProgramSources {
+  std::string_view vertex;
+  std::string_view fragment = {};
+  std::string_view geometry = {};
+  std::vector<std::pair<std::string, std::string>> defines = {};
+  std::vector<const char*> feedback = {};
+};
+
+/// Leaves no program in use, so that none is kept alive by that.
+void use_no_program(const Functions& gl);
+
+class Program {
+ public:
+  /// Compiles and links; throws Error with file, line and the driver's first complaint.
+  Program(const Functions& gl, const ProgramSources& sources,
+          std::span<const ShaderFile> files = shader_files());
+
+  void use() const;
+  /// Each sets a uniform of the program in use; CHECKs that the program has an active uniform of that name.
+  /// Element k of an array is "name[k]".
+  void set(std::string_view name, float value) const;
+  void set(std::string_view name, int value) const;
+  void set(std::string_view name, std::uint32_t value) const;
+  void set(std::string_view name, const glm::vec2& value) const;
+  void set(std::string_view name, const glm::ivec2& value) const;
+  void set(std::string_view name, const glm::vec3& value) const;
+  void set(std::string_view name, const glm::vec4& value) const;
+  void set(std::string_view name, const glm::mat4& value) const;
+  /// Binds `texture` to unit `unit` and points the sampler `name` there.
+  void set_texture(std::string_view name, int unit, GLenum target, const Texture& texture) const;
+  [[nodiscard]] bool has(std::string_view name) const { return uniforms_.contains(name); }
+
+ private:
+  [[nodiscard]] GLint location(std::string_view name) const;
+
+  const Functions* gl_;
+  Handle<delete_program> program_;
+  std::string name_;
+  std::map<std::string, GLint, std::less<>> uniforms_;
+};
+
+}  // namespace moldlight::gl

@@ -1,0 +1,38 @@
+// From an embedded shader file to the text that the driver compiles, and from the driver's log back to file
+// and line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gl/shader_sources.hpp"
+
+namespace moldlight::gl {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+/// The text of one stage, and where each of its lines comes from. Kept here rather than in #line directives,
+/// since Mesa forgets their second number in most messages.
+struct ShaderText {
+  struct Origin {
+    std::size_t file;  // index into `files`
+    int line;          // from 1; of a define, that of the #version line
+  };
+  std::string text;
+  std::vector<std::string> files;
+  std::vector<Origin> origins;
+};
+
+/// Puts `defines` after the #version line of `path` and replaces lines `#include "…"` by that file, each file
+/// once. Throws Error for a file that is not in `files` and for a first file without #version.
+[[nodiscard]] ShaderText expand_shader(std::string_view path, const Defines& defines,
+                                       std::span<const ShaderFile> files);
+
+/// One line "shaders/a.frag:12: what is wrong" from a driver's log: its first error, and how many more there
+/// are.
+[[nodiscard]] std::string readable_log(const ShaderText& shader, std::string_view log);
+
+}  // namespace moldlight::gl

@@ -1,0 +1,386 @@
+#include "gui/app.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "base/error.hpp"
+#include "gl/program.hpp"
+#include "gui/command_runner.hpp"
+#include "gui/hover.hpp"
+#include "gui/input/shortcuts.hpp"
+#include "gui/panels/comparison.hpp"
+#include "gui/panels/start_page.hpp"
+#include "gui/panels/sweep_panel.hpp"
+#include "gui/split_overlay.hpp"
+#include "gui/store/state_folder.hpp"
+#include "gui/view_mapping.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
+constexpr double k_glow_s = 0.7;  // of the pulse when an undercut appears
+/// Frames after an event, until ImGui has laid out what the event changed.
+constexpr int k_settle_frames = 3;
+
+}  // namespace
+
+App::App(const gl::Context& context, AppOptions options)
+    : context_(&context),
+      backdrop_(context.functions()),
+      options_(std::move(options)),
+      history_(EditedSettings{}),
+      layout_(options_.user.layout),
+      thumbnails_(context, options_.shipped_parts, options_.wake),
+      loader_(options_.reading, options_.wake),
+      file_watch_(options_.wake),
+      figures_(options_.make_context, options_.wake),
+      sweep_(options_.make_context, options_.wake) {
+  state_.window = options_.user.window;
+  state_.recent = options_.user.recent;
+  state_.shipped = options_.shipped_parts;
+  state_.camera.orientation = standard_orientation(StandardView::isometric);
+}
+
+App::~App() = default;
+
+void App::open(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  loader_.start(error ? path : absolute.lexically_normal().string());
+}
+
+void App::set_notes(const PartNotes& notes) {
+  notes_to_set_ = notes;
+  state_.settings = {notes.method, notes.look};
+  if (!notes.bookmarks.empty()) state_.bookmarks = notes.bookmarks;
+  history_.reset(state_.settings);
+}
+
+void App::say(std::string text, bool failure) {
+  state_.toasts.push_back({std::move(text), failure, now_s_ + (failure ? k_failure_toast_s : k_toast_s)});
+  constexpr std::size_t k_most = 4;
+  if (state_.toasts.size() > k_most) state_.toasts.erase(state_.toasts.begin());
+}
+
+void App::prepare(const FrameInput& input) {
+  now_s_ = input.now_s;
+  size_ = glm::max(input.size, glm::ivec2(1));
+  scale_ = input.content_scale * static_cast<float>(state_.window.ui_scale);
+  imgui_.prepare(state_.window.theme, scale_);
+}
+
+void App::frame(const FrameInput& input) {
+  const Ui& ui = imgui_.begin_frame(now_s_);
+  layout_.begin_frame(size_, scale_);
+  poll_jobs();
+  if (flight_.flying()) state_.camera = flight_.at(now_s_);
+  pick();
+  std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
+  state_.can_undo = history_.can_undo();
+  state_.can_redo = history_.can_redo();
+
+  Edits edits(state_);
+  for (const std::string& path : input.dropped) edits.ask(OpenPart{path});
+  if (!ImGui::GetIO().WantTextInput) {
+    for (const KeyPress& press : input.keys) apply_shortcut(press, state_, edits);
+  }
+  const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
+  viewport_.handle_mouse(ui, state_, scene_frame, edits);
+  const Scene::Thumbnails maps =
+      scene_ && !state_.dialogs.panels_hidden
+          ? scene_->thumbnails(state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112))))
+          : Scene::Thumbnails{};
+  draw_candidates();
+  const std::vector<unsigned> shipped = shipped_pictures(ui);
+  workspace_.draw({ui, state_, edits, layout_},
+                  {.maps = {maps.plus, maps.minus},
+                   .shipped_parts = shipped,
+                   .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
+  if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
+  viewport_.draw_arrow_names(ui, state_, scene_frame);
+  apply(edits);
+  figures_.update(state_, state_.figures, now_s_, !edits.dragging && !turn_.flying());
+  watch_undercut();
+  settle_frames_ = input.keys.empty() && input.dropped.empty() ? settle_frames_ - 1 : k_settle_frames;
+  plan_next_frame();
+}
+
+void App::poll_jobs() {
+  if (auto outcome = loader_.take()) {
+    if (outcome->part) {
+      try {
+        install(std::move(*outcome->part));
+      } catch (const Error& error) {
+        say(error.what(), true);
+      }
+    } else if (!outcome->error.empty()) {
+      say(outcome->error, true);
+    }
+  }
+  state_.loading = loader_.status();
+  if (export_ && export_->done()) {
+    say(export_->error().empty() ? "Exported" : export_->error(), !export_->error().empty());
+    export_.reset();
+  }
+  sweep_.update(state_, state_.sweep, now_s_);
+  if (auto pictures = sweep_.take_pictures(*context_)) {
+    pictures_ = std::move(pictures);
+    settle_frames_ = k_settle_frames;
+  }
+  if (file_watch_.take() && state_.window.auto_reload && !loader_.loading()) {
+    loader_.start(state_.path);
+    say("The part's file has changed; reading it again", false);
+  }
+}
+
+std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
+  if (state_.model || loader_.loading()) return {};
+  thumbnails_.update(static_cast<int>(ui.px(k_start_picture_size)), state_.window.theme);
+  return thumbnails_.textures();
+}
+
+void App::watch_undercut() {
+  const auto& shown = state_.figures.shown;
+  if (!shown || state_.figures.stale) return;
+  const bool has =
+      shown->areas[Region::undercut] > std::max(shown->uncertainty.total, 1e-4 * shown->total_area);
+  if (has && !had_undercut_ && state_.window.motion) glow_start_s_ = now_s_;
+  had_undercut_ = has;
+}
+
+double App::glow() const {
+  const double t = (now_s_ - glow_start_s_) / k_glow_s;
+  return t < 0.0 || t >= 1.0 ? 0.0 : std::sin(t * glm::pi<double>());
+}
+
+void App::install(LoadedPart part) {
+  const bool again = state_.model && part.path == state_.path;
+  if (!again) save();
+  // Built beside the old one, which stays if the GL has no room for the new one.
+  auto scene = std::make_unique<Scene>(*context_, part);
+  scene_ = std::move(scene);
+  state_.model = part.model;
+  state_.extremes = part.geometry.extremes;
+  state_.path = part.path;
+  state_.features = std::move(part.features);
+  pictures_.reset();
+  state_.sweep_choices.compared.reset();
+  turn_.stop();
+  state_.hover.reset();
+  extent_direction_ = glm::dvec3(0.0);
+  file_watch_.watch(part.path);
+  std::erase(state_.recent, part.path);
+  options_.user.recent = state_.recent;
+  options_.user.remember(part.path);
+  state_.recent = options_.user.recent;
+  if (again) return;
+
+  PartNotes notes;
+  const std::string notes_file = options_.persistent ? notes_path(part.path) : std::string();
+  if (notes_to_set_) {
+    notes = *std::exchange(notes_to_set_, std::nullopt);
+  } else if (!notes_file.empty()) {
+    try {
+      if (const auto text = read_text(notes_file)) notes = parse_part_notes(*text, notes);
+    } catch (const Error& error) {
+      say(fmt::format("{}: {}; the part is shown with the usual settings", notes_file, error.what()), true);
+      notes = {};
+    }
+  }
+  saved_notes_ = notes;
+  state_.notes_beside = !notes_file.empty() && notes_file == notes_path_beside(part.path);
+  state_.settings = {notes.method, notes.look};
+  state_.bookmarks = notes.bookmarks;
+  history_.reset(state_.settings);
+  flight_.stop();
+  state_.camera = Camera{};
+  state_.camera.orientation = standard_orientation(StandardView::isometric);
+  fit_frames_ = 3;
+}
+
+void App::pick() {
+  state_.hover.reset();
+  if (!scene_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid()) return;
+  const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  const auto split = split_view();
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= (split ? split->left : size_.x) || pixel.y >= size_.y) return;
+  if (const auto point = scene_->pick(pixel))
+    state_.hover = describe(*state_.model, state_.settings.method, *point);
+}
+
+void App::apply(const Edits& edits) {
+  if (!(edits.camera == state_.camera)) flight_.stop();
+  state_.camera = edits.camera;
+  state_.settings = edits.settings;
+  state_.bookmarks = edits.bookmarks;
+  if (!(state_.window == edits.window)) {
+    state_.window = edits.window;
+    settle_frames_ = k_settle_frames;
+  }
+  state_.dialogs = edits.dialogs;
+  state_.sweep_choices = edits.sweep_choices;
+  const bool held = edits.dragging || ImGui::IsAnyItemActive();
+  if (edits.give_up_drag && (held || viewport_.dragging())) {
+    state_.settings = history_.settled();
+    viewport_.give_up_drag();
+    workspace_.give_up_drag();
+  } else if (!held && !turn_.flying()) {
+    history_.settle(state_.settings);
+  }
+  turn_direction(held);
+  for (const Command& command : edits.commands) {
+    std::visit(CommandRunner{*this}, command);
+    settle_frames_ = k_settle_frames;
+  }
+  if (!state_.model) return;
+  if (const bool split = split_view().has_value(); split != was_split_) {
+    was_split_ = split;
+    CommandRunner{*this}(FitView{});
+  }
+  const glm::dvec3 direction = glm::normalize(state_.settings.method.direction);
+  if (direction != extent_direction_) {
+    extent_ = extent_along(*state_.model, direction);
+    extent_direction_ = direction;
+  }
+  opening_.aim(state_.settings.look.open_mold, now_s_, held || !state_.window.motion);
+  if (fit_frames_ > 0) {
+    --fit_frames_;
+    fit(state_.camera, true);
+  }
+  keep_fitted();
+}
+
+void App::aim_camera(const Camera& camera) {
+  if (state_.window.motion) {
+    flight_.start(state_.camera, camera, now_s_);
+  } else {
+    state_.camera = camera;
+  }
+}
+
+SceneSettings App::scene_settings() const {
+  SceneSettings scene;
+  scene.method = state_.settings.method;
+  scene.view = view_settings(state_.settings.look, state_.settings.method, state_.window.theme, extent_,
+                             opening_.at(now_s_), scale_);
+  scene.camera = state_.camera;
+  scene.marks.undercut_glow = glow();
+  if (state_.hover) {
+    scene.marks.hovered = state_.hover->point.facet;
+    if (state_.hover->blocker) scene.marks.blocking = state_.hover->blocker->facet;
+  }
+  return scene;
+}
+
+bool App::draw(const ViewTarget& target) {
+  refining_ = false;
+  if (const auto split = split_view()) refining_ = pictures_->draw_beside(*split, scene_settings());
+  if (scene_) {
+    refining_ = scene_->draw(target, scene_settings()) || refining_;
+  } else {
+    backdrop_.draw(target.framebuffer, target.size, state_.window.theme);
+  }
+  // ImGui goes back to the program that was in use, which may be deleted by then.
+  gl::use_no_program(context_->functions());
+  imgui_.draw();
+  if (refining_) next_frame_s_ = now_s_;
+  return refining_;
+}
+
+void App::fit(const Camera& camera, bool at_once) {
+  fitted_area_ = fit_area();
+  fitted_ = fitted_to(camera, state_.extremes, state_.settings.method.direction,
+                      state_.settings.look.open_mold, fitted_area_);
+  if (at_once) {
+    flight_.stop();
+    state_.camera = *fitted_;
+  } else {
+    aim_camera(*fitted_);
+  }
+}
+
+void App::keep_fitted() {
+  if (!fitted_ || state_.dialogs.panels_hidden) return;
+  if (!flight_.flying() && !(state_.camera == *fitted_)) {
+    fitted_.reset();
+    return;
+  }
+  const FreeArea area = fit_area();
+  if (area.window == fitted_area_.window && area.max.y == fitted_area_.max.y) return;
+  fit(*fitted_, area.window != fitted_area_.window);
+}
+
+void App::draw_candidates() {
+  candidates_missing_ = false;
+  if (!pictures_ || state_.dialogs.panels_hidden) return;
+  candidates_missing_ = pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
+}
+
+void App::turn_direction(bool held) {
+  if (!turn_.flying()) return;
+  if (held) {
+    turn_.stop();
+    return;
+  }
+  state_.settings.method.direction = turn_.at(now_s_);
+  if (!turn_.flying()) history_.settle(state_.settings);
+  settle_frames_ = k_settle_frames;
+}
+
+std::optional<SplitView> App::split_view() const {
+  const auto& compared = state_.sweep_choices.compared;
+  if (!scene_ || !pictures_ || !compared || *compared >= pictures_->result()->candidates.size())
+    return std::nullopt;
+  const FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
+  return split_view_of(state_.camera, size_, *compared, std::max(area.min.x, size_.x - area.max.x));
+}
+
+FreeArea App::fit_area() const {
+  FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
+  if (!split_view()) return area;
+  // Both halves show what one of them has room for, below the table of their difference.
+  const int side = std::max(area.min.x, size_.x - area.max.x);
+  area.min.x = side;
+  area.max.x = size_.x / 2;
+  area.min.y += static_cast<int>(k_comparison_height * scale_);
+  return area;
+}
+
+void App::plan_next_frame() {
+  next_frame_s_ = std::min({imgui_.wake_s(), figures_.wake_s(), sweep_.wake_s(), k_never});
+  for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
+  if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
+      opening_.moving(now_s_) || glow() > 0.0)
+    next_frame_s_ = now_s_;
+}
+
+std::optional<std::string> App::take_picture_request() {
+  return std::exchange(picture_request_, std::nullopt);
+}
+
+void App::save() {
+  if (!options_.persistent) return;
+  try {
+    options_.user.window = state_.window;
+    options_.user.recent = state_.recent;
+    options_.user.layout = layout_.text();
+    save_user_state(options_.user);
+    const PartNotes notes{state_.settings.method, state_.settings.look, state_.bookmarks};
+    if (!state_.model || notes == saved_notes_) return;
+    const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
+    if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));
+    saved_notes_ = notes;
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,152 @@
+// The window's program without its window: takes input, keeps the state, draws a frame into any framebuffer.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/context.hpp"
+#include "gui/app_state.hpp"
+#include "gui/candidate_pictures.hpp"
+#include "gui/direction_flight.hpp"
+#include "gui/edits.hpp"
+#include "gui/figure_keeper.hpp"
+#include "gui/history.hpp"
+#include "gui/imgui_session.hpp"
+#include "gui/input/keys.hpp"
+#include "gui/jobs/export_job.hpp"
+#include "gui/jobs/file_watch.hpp"
+#include "gui/jobs/load_job.hpp"
+#include "gui/motion.hpp"
+#include "gui/panel_layout.hpp"
+#include "gui/panels/workspace.hpp"
+#include "gui/part_loader.hpp"
+#include "gui/part_thumbnails.hpp"
+#include "gui/scene.hpp"
+#include "gui/store/user_state.hpp"
+#include "gui/sweep_keeper.hpp"
+#include "gui/viewport.hpp"
+#include "render/backdrop_pass.hpp"
+
+namespace moldlight::gui {
+
+struct AppOptions {
+  bool persistent = false;  // remember the user's state and the part's notes
+  ReadOptions reading;
+  UserState user;
+  std::vector<std::string> shipped_parts;
+  std::function<void()> wake = [] {};  // called from other threads when a frame is wanted
+  Measurer::MakeContext make_context;
+};
+
+/// What the platform tells of a frame, beside what it tells ImGui.
+struct FrameInput {
+  glm::ivec2 size{0};          // pixels
+  float content_scale = 1.0F;  // of the monitor
+  double now_s = 0.0;          // rises from frame to frame
+  std::vector<KeyPress> keys;
+  std::vector<std::string> dropped;  // paths
+};
+
+/// `context` must be current at every call and outlive the app.
+class App {
+ public:
+  App(const gl::Context& context, AppOptions options);
+  ~App();
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// Starts to load a part; what is shown stays until it is there.
+  void open(const std::string& path);
+  /// Replaces the settings, for the part that is shown and the next one.
+  void set_notes(const PartNotes& notes);
+  /// Replaces the options of the next sweep.
+  void set_sweep_options(const SweepSettings& options) { state_.sweep_choices.options = options; }
+
+  /// Readies fonts and style; then the platform starts ImGui's frame on its side, then frame() does the rest.
+  void prepare(const FrameInput& input);
+  void frame(const FrameInput& input);
+  /// Draws what frame() left, over the whole target. Returns true while the picture is being refined.
+  bool draw(const ViewTarget& target);
+
+  /// When the next frame is wanted without any input: now_s or earlier means at once, infinity never.
+  [[nodiscard]] double next_frame_s() const { return next_frame_s_; }
+  [[nodiscard]] const AppState& state() const { return state_; }
+  /// Where the controls of the last frame are: a slider or switch by its label, a choice's word as
+  /// "label=word".
+  [[nodiscard]] const std::map<std::string, ControlPlace, std::less<>>& controls() const {
+    return imgui_.controls();
+  }
+  /// True while pictures on the start page are still to come.
+  [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
+  /// True while figures are not there that will be.
+  [[nodiscard]] bool measuring() const { return state_.model && state_.figures.stale; }
+  /// Path of the picture that F12 or the bar asked for since the last call.
+  [[nodiscard]] std::optional<std::string> take_picture_request();
+  void say(std::string text, bool failure);
+  /// Saves what is to be remembered.
+  void save();
+
+ private:
+  struct CommandRunner;
+  void poll_jobs();
+  void install(LoadedPart part);
+  void pick();
+  void apply(const Edits& before_commands);
+  void aim_camera(const Camera& camera);
+  [[nodiscard]] SceneSettings scene_settings() const;
+  void plan_next_frame();
+  [[nodiscard]] std::vector<unsigned> shipped_pictures(const Ui& ui);
+  void watch_undercut();
+  [[nodiscard]] double glow() const;
+  /// What is drawn of a sweep's directions: one of the small pictures a frame.
+  void draw_candidates();
+  void turn_direction(bool held);
+  /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
+  /// grows or the window changes, until the user moves the camera.
+  void fit(const Camera& camera, bool at_once);
+  void keep_fitted();
+  /// What panels leave free of the picture; of its left half when two directions are compared.
+  [[nodiscard]] FreeArea fit_area() const;
+  [[nodiscard]] std::optional<SplitView> split_view() const;
+
+  const gl::Context* context_;
+  BackdropPass backdrop_;
+  AppOptions options_;
+  AppState state_;
+  History<EditedSettings> history_;
+  ImguiSession imgui_;
+  PanelLayout layout_;
+  Workspace workspace_;
+  Viewport viewport_;
+  PartThumbnails thumbnails_;
+  PartLoader loader_;
+  std::unique_ptr<ExportJob> export_;
+  FileWatch file_watch_;
+  FigureKeeper figures_;
+  SweepKeeper sweep_;
+  std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
+  std::unique_ptr<Scene> scene_;
+  Extent extent_;
+  glm::dvec3 extent_direction_{0.0};
+  CameraFlight flight_;
+  DirectionFlight turn_;
+  std::optional<Camera> fitted_;  // where the last fit leads
+  FreeArea fitted_area_;
+  EasedNumber opening_;
+  std::optional<PartNotes> notes_to_set_;
+  PartNotes saved_notes_;
+  std::optional<std::string> picture_request_;
+  glm::ivec2 size_{1};
+  float scale_ = 1.0F;
+  double now_s_ = 0.0, next_frame_s_ = 0.0;
+  int settle_frames_ = 3, fit_frames_ = 0;
+  bool refining_ = false, candidates_missing_ = false, was_split_ = false;
+  bool had_undercut_ = true;  // of the last figures; none is known yet
+  double glow_start_s_ = -1e9;
+};
+
+}  // namespace moldlight::gui

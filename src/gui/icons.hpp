@@ -1,0 +1,37 @@
+// Icons drawn as strokes, so that they are sharp at every scale and need no font.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <imgui.h>
+
+namespace moldlight::gui {
+
+enum class Icon : std::uint8_t {
+  open,
+  export_file,
+  picture,
+  undo,
+  redo,
+  help,
+  settings,
+  reset,
+  flip,
+  bookmark,
+  chevron_down,
+  chevron_up,
+  close,
+  check,
+  alert,
+  folder,
+  file,
+  up,
+  plus,
+  sphere,
+};
+
+/// Draws the icon into a square of `size` pixels around `centre`.
+void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size, ImU32 colour);
+
+}  // namespace moldlight::gui

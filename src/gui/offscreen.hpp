@@ -1,0 +1,84 @@
+// The whole window without a display: the app on a context without a window, fed with recorded input.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/colour_target.hpp"
+#include "gl/context.hpp"
+#include "gui/app.hpp"
+
+namespace moldlight::gui {
+
+struct OffscreenOptions {
+  glm::ivec2 size{1280, 720};
+  float content_scale = 1.0F;
+  UserState user;
+  ReadOptions reading;
+  std::vector<std::string> shipped_parts;
+};
+
+/// One of these a process at a time. Time is counted in frames, so that the same input gives the same
+/// picture.
+class OffscreenWindow {
+ public:
+  /// Throws Error where there is no EGL context.
+  explicit OffscreenWindow(const OffscreenOptions& options);
+  ~OffscreenWindow();
+
+  [[nodiscard]] App& app() { return *app_; }
+  [[nodiscard]] const AppState& state() const { return app_->state(); }
+  [[nodiscard]] const gl::Context& context() const { return *context_; }
+
+  /// Input for the next frame.
+  void move_mouse(const glm::vec2& to) { mouse_ = to; }
+  void set_button(int button, bool down) { buttons_[static_cast<std::size_t>(button)] = down; }
+  void turn_wheel(float notches) { wheel_ += notches; }
+  void press_key(const KeyPress& press);
+  void hold_modifiers(bool ctrl, bool shift, bool alt);
+  void type(const std::string& text) { typed_ += text; }
+  void drop(const std::string& path) { dropped_.push_back(path); }
+  void resize(const glm::ivec2& size);
+  void set_content_scale(float scale) { content_scale_ = scale; }
+
+  /// One frame of 1/60 s; returns true while the picture is being refined.
+  bool frame();
+  void frames(int count);
+  /// Frames until nothing moves and the picture is final. What is measured is not waited for.
+  void settle();
+  /// Waits until the part is loaded or failed, or the figures are measured. Throws Error after a time limit.
+  void wait_until_loaded();
+  void wait_until_measured();
+  /// Waits for the pictures of the start page.
+  void wait_until_prepared();
+  /// Waits until no sweep runs and its directions have their pictures.
+  void wait_until_swept();
+
+  /// The middle of a control (see App::controls). Throws UsageError where there is none of that name.
+  [[nodiscard]] ControlPlace control(std::string_view name) const;
+
+  /// RGBA8, rows from above, of the last frame.
+  [[nodiscard]] std::vector<std::uint8_t> pixels() const { return target_->read(); }
+  [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
+
+ private:
+  void feed_imgui() const;
+
+  std::unique_ptr<gl::Context> context_;
+  std::unique_ptr<gl::ColourTarget> target_;
+  std::unique_ptr<App> app_;
+  float content_scale_;
+  glm::vec2 mouse_{-1.0e6F};
+  std::array<bool, 3> buttons_{};
+  float wheel_ = 0.0F;
+  std::vector<KeyPress> keys_;
+  bool ctrl_ = false, shift_ = false, alt_ = false;
+  std::string typed_;
+  std::vector<std::string> dropped_;
+  double now_s_ = 0.0;
+};
+
+}  // namespace moldlight::gui

@@ -1,0 +1,105 @@
+#include "gui/panels/comparison.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/direction.hpp"
+#include "gui/widgets.hpp"
+#include "session/figures.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_width = 344.0F, k_row = 20.0F;  // layout units
+
+std::string_view shown_name(Region region) {
+  constexpr std::array<std::string_view, k_region_count> k_names = {"Core", "Cavity", "Both", "Undercut"};
+  return k_names[static_cast<std::size_t>(region)];
+}
+
+std::string with_sign(const FigureColumn& column, double value) {
+  std::string text = column.text(std::abs(value));
+  const bool none = text.find_first_not_of("0.") == std::string::npos;
+  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
+}
+
+/// A table of four columns: the name, and three figures set to the right.
+class Rows {
+ public:
+  explicit Rows(const Ui& ui) : ui_(ui), at_(from_im(ImGui::GetCursorScreenPos())), width_(ui.px(k_width)) {}
+
+  void add(std::string_view name, const std::array<std::string, 3>& figures, ImU32 colour,
+           const Region* region, Palette palette) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float text_top = at_.y + 0.5F * (ui_.px(k_row) - ui_.fonts.body.size);
+    if (region != nullptr) {
+      const glm::vec2 min(at_.x, at_.y + ui_.px(5));
+      list.AddRectFilled(im(min), im(min + glm::vec2(ui_.px(10))), packed(region_colour(*region, palette)),
+                         ui_.px(3));
+    }
+    draw_text(list, ui_.fonts.body, {at_.x + ui_.px(18), text_top}, colour, name);
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      const float right = at_.x + width_ - static_cast<float>(2 - k) * ui_.px(88);
+      figure_right(ui_, k == 2 ? ui_.fonts.strong : ui_.fonts.body, right, text_top, figures[k], {},
+                   k == 2 ? ui_.colours->text : colour);
+    }
+    at_.y += ui_.px(k_row);
+  }
+  void finish() {
+    const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+    ImGui::Dummy(ImVec2(width_, at_.y - start.y));
+  }
+
+ private:
+  const Ui& ui_;
+  glm::vec2 at_;
+  float width_;
+};
+
+}  // namespace
+
+void draw_comparison(const PanelContext& context) {
+  const AppState& state = context.state;
+  const auto& compared = state.sweep_choices.compared;
+  if (!compared || !state.sweep.result || *compared >= state.sweep.result->candidates.size()) return;
+  const Ui& ui = context.ui;
+  const SweepCandidate& other = state.sweep.result->candidates[*compared];
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, ui.px(k_bar_height + 8)), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.0F));
+  ImGui::Begin("##Comparison", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  Rows rows(ui);
+  const Palette palette = state.settings.look.palette;
+  const bool known = state.figures.shown && !state.figures.stale;
+  const FigureColumn column(state.model->geometry.total_area);
+  rows.add("", {"left", fmt::format("right, {}", other.rank), "left − right"}, ui.colours->muted, nullptr,
+           palette);
+  for (const Region region : k_regions) {
+    const double right = other.classification.areas[region];
+    const double left = known ? state.figures.shown->areas[region] : 0.0;
+    rows.add(shown_name(region),
+             {known ? grouped(column.text(left)) : "…", grouped(column.text(right)),
+              known ? with_sign(column, left - right) : "…"},
+             ui.colours->text, &region, palette);
+  }
+  const auto doubt = [&](const Classification& result) { return result.uncertainty.total; };
+  rows.add("Undercut ±",
+           {known ? column.text(doubt(*state.figures.shown)) : "…", column.text(doubt(other.classification)),
+            known ? column.text(std::hypot(doubt(*state.figures.shown), doubt(other.classification))) : "…"},
+           ui.colours->muted, nullptr, palette);
+  rows.finish();
+  ImGui::SetCursorScreenPos(ImVec2(start.x - ui.px(6), start.y - ui.px(3)));
+  if (icon_button(ui, "close comparison", Icon::close, "Back to one picture (Esc)")) {
+    context.edits.sweep_choices.compared.reset();
+  }
+  ImGui::End();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,219 @@
+#include "gui/panels/direction_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "gui/direction.hpp"
+#include "gui/direction_ball.hpp"
+#include "gui/widgets.hpp"
+#include "mold/sweep/undercut_scale.hpp"
+#include "session/figures.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_large_ball = 360.0F;  // layout units
+/// A direction within so many degrees of the mouse is told itself; farther ones by what lies around them.
+constexpr double k_told_deg = 1.5;
+
+glm::vec2 screen(const BallPlace& ball, const BallPoint& point) {
+  return ball.centre + ball.radius * glm::vec2(point.at.x, -point.at.y);
+}
+
+ImU32 map_colour(const SweepMap& map, const glm::dvec3& direction, float lit, const BareBall& bare) {
+  const ImU32 base = mixed(bare.dark, bare.light, lit);
+  const DirectionField::Reading reading = map.field.at(direction);
+  if (reading.cover <= 0.0) return base;
+  const ImU32 colour = packed(undercut_scale_colour(undercut_scale(reading.value, map.worst)));
+  // Enough shade to be a ball, too little to be taken for a value.
+  const ImU32 shaded = mixed(colour, IM_COL32(0, 0, 0, 255), 0.22F * (1.0F - lit));
+  return mixed(base, shaded, static_cast<float>(reading.cover));
+}
+
+/// The circle of directions `angle` (radians) away from `axis`, as far as it is on the viewer's side.
+void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
+                 double angle, ImU32 colour, float thickness) {
+  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
+  constexpr int k_steps = 72;
+  glm::vec2 before(0.0F);
+  bool before_front = false;
+  for (int step = 0; step <= k_steps; ++step) {
+    const double turn = 2.0 * glm::pi<double>() * step / k_steps;
+    const BallPoint point = ball_point(
+        camera, std::cos(angle) * axis + std::sin(angle) * (std::cos(turn) * x + std::sin(turn) * y));
+    const glm::vec2 here = screen(ball, point);
+    if (step > 0 && point.front && before_front) list.AddLine(im(before), im(here), colour, thickness);
+    before = here;
+    before_front = point.front;
+  }
+}
+
+std::string area_text(const AppState& state, double area) {
+  return fmt::format("{} {}", grouped(FigureColumn(state.model->geometry.total_area).text(area)),
+                     powered_unit(state.model->part, 2));
+}
+
+std::string share_text(const AppState& state, double area) {
+  const double total = state.model->geometry.total_area;
+  return total > 0.0 ? fmt::format("{:.2f} %", 100.0 * area / total) : std::string();
+}
+
+}  // namespace
+
+void draw_direction_map(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap& map,
+                        const BareBall& bare) {
+  // As fine as the map itself on a large ball; a few pixels on a small one.
+  const int rings = std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48), spokes = 3 * rings;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  const int vertices = (rings + 1) * spokes;
+  list.PrimReserve(rings * spokes * 6, vertices);
+  const unsigned first = list._VtxCurrentIdx;
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double r = std::sin(0.5 * glm::pi<double>() * ring / rings);
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double turn = 2.0 * glm::pi<double>() * spoke / spokes;
+      const glm::dvec2 at(r * std::cos(turn), r * std::sin(turn));
+      const glm::dvec3 seen(at, std::sqrt(std::max(0.0, 1.0 - r * r)));
+      const double lit = std::clamp(glm::dot(seen, glm::normalize(glm::dvec3(-0.5, 0.7, 0.8))), 0.0, 1.0);
+      list.PrimWriteVtx(im(ball.centre + ball.radius * glm::vec2(at.x, -at.y)), white,
+                        map_colour(map, camera.orientation * seen, static_cast<float>(lit), bare));
+    }
+  }
+  const auto index = [&](int ring, int spoke) {
+    list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(ring * spokes + spoke % spokes)));
+  };
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      for (const auto& [up, along] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+        index(ring + up, spoke + along);
+      }
+    }
+  }
+  list.AddCircle(im(ball.centre), ball.radius, bare.dark, 96, 1.5F);
+}
+
+void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera,
+                      const SweepState& sweep) {
+  constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 230), k_light = IM_COL32(255, 255, 255, 240);
+  if (!sweep.result) {
+    return;
+  }
+  for (const SweepCandidate& candidate : sweep.result->candidates) {
+    const bool best = candidate.rank == 1;
+    if (candidate.tie_group != 1 && !best) continue;
+    for (const double sign : {1.0, -1.0}) {
+      const glm::dvec3 direction = sign * candidate.candidate.direction;
+      if (const TiltMargin* tilt = tilt_of(candidate); best && tilt != nullptr && tilt->deg > 0.0) {
+        draw_circle(list, ball, camera, direction, glm::radians(tilt->deg), faded(k_dark, 0.7F),
+                    2.5F * ui.scale);
+        draw_circle(list, ball, camera, direction, glm::radians(tilt->deg), k_light, 1.0F * ui.scale);
+      }
+      const BallPoint point = ball_point(camera, direction);
+      if (!point.front) continue;
+      const ImVec2 at = im(screen(ball, point));
+      if (best) {
+        list.AddCircle(at, 7.0F * ui.scale, k_dark, 0, 3.0F * ui.scale);
+        list.AddCircle(at, 7.0F * ui.scale, k_light, 0, 1.5F * ui.scale);
+      } else {
+        list.AddCircleFilled(at, 3.5F * ui.scale, k_dark);
+        list.AddCircleFilled(at, 2.25F * ui.scale, k_light);
+      }
+    }
+  }
+}
+
+void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
+  const AppState& state = context.state;
+  const Ui& ui = context.ui;
+  const SweepMap& map = *state.sweep.map;
+  std::string heading, text, source;
+  if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
+    heading =
+        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
+    text = fmt::format("undercut {} ± {}", area_text(state, found->undercut),
+                       FigureColumn(state.model->geometry.total_area).text(found->undercut_error));
+    source = fmt::format("{}  ·  {}", share_text(state, found->undercut), candidate_kind_name(found->kind));
+  } else {
+    const DirectionField::Reading reading = map.field.at(direction);
+    heading = direction_text(direction);
+    if (reading.cover > 0.2) {
+      text = fmt::format("undercut about {}", area_text(state, reading.value));
+      source = fmt::format("{}  ·  between scored directions", share_text(state, reading.value));
+    } else {
+      text = "not looked at yet";
+    }
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::TextUnformatted(heading.c_str());
+  }
+  ImGui::TextUnformatted(text.c_str());
+  if (!source.empty()) hint(ui, source);
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float width) {
+  const Ui& ui = context.ui;
+  const SweepMap& map = *context.state.sweep.map;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float height = ui.px(6), gap = ui.px(3);
+  constexpr int k_steps = 24;
+  for (int k = 0; k < k_steps; ++k) {
+    const float left = at.x + std::round(width * static_cast<float>(k) / k_steps);
+    const float right = at.x + std::round(width * static_cast<float>(k + 1) / k_steps);
+    const ImU32 a = packed(undercut_scale_colour(static_cast<double>(k) / k_steps));
+    const ImU32 b = packed(undercut_scale_colour((k + 1.0) / k_steps));
+    list.AddRectFilledMultiColor(ImVec2(left, at.y), ImVec2(right, at.y + height), a, b, b, a);
+  }
+  const float top = at.y + height + gap;
+  draw_text(list, ui.fonts.small, {at.x, top}, ui.colours->muted, "0");
+  const std::string worst = area_text(context.state, map.worst);
+  draw_text(list, ui.fonts.small, {at.x + width - text_size(ui.fonts.small, worst).x, top}, ui.colours->muted,
+            worst);
+  return height + gap + ui.fonts.small.size;
+}
+
+void draw_large_ball(const PanelContext& context, BallDrag& drag) {
+  if (!context.state.sweep_choices.large_ball || !context.state.sweep.map) {
+    drag.active = false;
+    return;
+  }
+  const Ui& ui = context.ui;
+  const FreeArea area = context.layout.free_area(false);
+  const float room = static_cast<float>(area.max.y - area.min.y) - ui.px(120);
+  const float size = std::clamp(ui.px(k_large_ball), ui.px(120), std::max(room, ui.px(120)));
+  ImGui::SetNextWindowPos(
+      ImVec2(static_cast<float>(area.min.x) + ui.px(12), static_cast<float>(area.min.y) + ui.px(8)));
+  ImGui::SetNextWindowSize(ImVec2(size + ui.px(24), 0.0F));
+  ImGui::Begin("##Large ball", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Undercut by direction");
+  }
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x + ui.px(12) - ui.px(k_row_height));
+  if (icon_button(ui, "close ball", Icon::close, "Close the large ball")) {
+    context.edits.sweep_choices.large_ball = false;
+  }
+  draw_ball(context, drag, size);
+  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  const float height = draw_colour_bar(context, at + glm::vec2(0.0F, ui.px(4)), size);
+  ImGui::Dummy(ImVec2(size, height + ui.px(6)));
+  ImGui::End();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,125 @@
+// The parting direction: a ball to grab, fields to type into, the usual axes, bookmarks.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/direction.hpp"
+#include "gui/feature_directions.hpp"
+#include "gui/panels/direction_map.hpp"
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_ball_size = 108.0F, k_bar_width = 120.0F;  // layout units
+
+void draw_axis_buttons(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  MethodSettings& method = context.edits.settings.method;
+  const float gap = ui.px(4);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F);
+  for (const double sign : {1.0, -1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 direction(0.0);
+      direction[axis] = sign;
+      if (axis > 0) ImGui::SameLine(0.0F, gap);
+      const std::string label = fmt::format("{}{}", sign > 0 ? "+" : "−", "XYZ"[axis]);
+      if (button(ui, label, {.width = width, .strong = false, .chosen = method.direction == direction})) {
+        method.direction = direction;
+      }
+    }
+  }
+}
+
+void draw_bookmarks(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  if (!ImGui::BeginPopup("bookmarks")) return;
+  auto& bookmarks = context.edits.bookmarks;
+  {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::TextUnformatted("Bookmarks");
+  }
+  if (button(ui, "Keep this direction", {.width = ui.px(232)})) {
+    const glm::dvec3 direction = tidy(context.edits.settings.method.direction);
+    bookmarks.push_back({.note = direction_text(direction), .direction = direction});
+  }
+  for (std::size_t k = 0; k < bookmarks.size(); ++k) {
+    ImGui::PushID(static_cast<int>(k));
+    if (icon_button(ui, "go", Icon::bookmark, "Take this direction")) {
+      context.edits.settings.method.direction = bookmarks[k].direction;
+    }
+    ImGui::SameLine();
+    std::array<char, 128> note{};
+    std::snprintf(note.data(), note.size(), "%s", bookmarks[k].note.c_str());
+    ImGui::SetNextItemWidth(ui.px(172));
+    if (ImGui::InputTextWithHint("##note", "note", note.data(), note.size())) bookmarks[k].note = note.data();
+    ImGui::SameLine();
+    const bool removed = icon_button(ui, "remove", Icon::close, "Forget it");
+    ImGui::PopID();
+    if (removed) {
+      bookmarks.erase(bookmarks.begin() + static_cast<std::ptrdiff_t>(k));
+      break;
+    }
+  }
+  ImGui::EndPopup();
+}
+
+void draw_fields(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  MethodSettings& method = context.edits.settings.method;
+  const float gap = ui.px(4), room = ImGui::GetContentRegionAvail().x;
+  const float third = std::floor((room - 2.0F * gap) / 3.0F), half = std::floor((room - gap) / 2.0F);
+  glm::dvec3 direction = method.direction;
+  bool typed = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0.0F, gap);
+    const std::string name(1, "xyz"[axis]);
+    typed = number_field(ui, name.c_str(), name, direction[axis], 3, third) || typed;
+  }
+  if (typed && direction != glm::dvec3(0.0)) method.direction = direction;
+  Angles angles = angles_of(method.direction);
+  bool turned = number_field(ui, "azimuth", "az °", angles.azimuth_deg, 1, half);
+  tooltip(ui, "Azimuth", "About z, from x towards y, in degrees.");
+  ImGui::SameLine(0.0F, gap);
+  turned = number_field(ui, "elevation", "el °", angles.elevation_deg, 1, half) || turned;
+  tooltip(ui, "Elevation", "Above the xy plane, in degrees.");
+  if (turned) method.direction = direction_of(angles);
+}
+
+}  // namespace
+
+void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
+  const Ui& ui = context.ui;
+  if (context.layout.begin(ui, "Direction")) {
+    draw_ball(context, drag, ui.px(k_ball_size));
+    const glm::vec2 ball_max = from_im(ImGui::GetItemRectMax());
+    ImGui::SameLine(0.0F, ui.px(12));
+    ImGui::BeginGroup();
+    draw_axis_buttons(context);
+    if (icon_button(ui, "flip", Icon::flip, "Flip: core and cavity change sides (X)")) {
+      context.edits.settings.method.direction = tidy(-context.edits.settings.method.direction);
+    }
+    ImGui::SameLine(0.0F, ui.px(4));
+    if (icon_button(ui, "along", Icon::up, "Look along the parting direction (0)")) {
+      context.edits.ask(LookAlongDirection{});
+    }
+    ImGui::SameLine(0.0F, ui.px(4));
+    if (icon_button(ui, "bookmark", Icon::bookmark, "Bookmarks of directions",
+                    !context.state.bookmarks.empty())) {
+      ImGui::OpenPopup("bookmarks");
+    }
+    draw_bookmarks(context);
+    ImGui::EndGroup();
+    if (context.state.sweep.map && context.state.sweep.map->worst > 0.0) {
+      const float left = ball_max.x + ui.px(12), right = left + ui.px(k_bar_width);
+      draw_colour_bar(context, {left, ball_max.y - ui.px(22)}, right - left);
+    }
+    draw_fields(context);
+  }
+  context.layout.end();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,71 @@
+#include "gui/panels/export_dialog.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr std::string_view k_mesh_formats[] = {"ply", "obj", "stl"};
+
+}  // namespace
+
+Export ExportDialog::chosen() const {
+  const std::string base(base_.data());
+  Export files;
+  if (json_) files.files.json = base + ".json";
+  if (facets_) files.files.facets = base + ".csv";
+  if (faces_) files.files.faces = base + "-faces.csv";
+  if (mesh_) files.files.mesh = base + "." + std::string(k_mesh_formats[mesh_format_]);
+  if (split_) files.files.split_folder = base;
+  if (picture_) files.picture = base + ".png";
+  return files;
+}
+
+void ExportDialog::draw(const PanelContext& context) {
+  if (!context.state.dialogs.exporting || !context.state.model) {
+    open_ = false;
+    return;
+  }
+  if (!open_) {
+    open_ = true;
+    const std::filesystem::path part(context.state.path);
+    std::snprintf(base_.data(), base_.size(), "%s",
+                  (part.parent_path() / (part.stem().string() + "-regions")).string().c_str());
+  }
+  const Ui& ui = context.ui;
+  if (begin_dialog(ui, "Export", {ui.px(480), 0.0F})) {
+    {
+      const FontScope strong(ui.fonts.strong);
+      ImGui::TextUnformatted("Export");
+    }
+    hint(ui, "Files are named after this path:");
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::InputText("##base", base_.data(), base_.size());
+    toggle(ui, "Result as JSON", json_, false);
+    toggle(ui, "Table of facets (CSV)", facets_, false);
+    if (!context.state.model->part.facet_source.empty()) {
+      toggle(ui, "Table of the file's faces (CSV)", faces_, false);
+    }
+    toggle(ui, "Mesh with coloured regions", mesh_, false);
+    if (mesh_) choice(ui, "Format of the mesh", k_mesh_formats, mesh_format_, false);
+    toggle(ui, "One STL a region, in a folder", split_, false);
+    toggle(ui, "Picture with legend", picture_, false);
+    ImGui::Dummy(ImVec2(1, ui.px(4)));
+    if (context.state.figures.stale) hint(ui, "Measuring; the files can be written when it is done.");
+    ImGui::BeginDisabled(context.state.figures.stale || !context.state.figures.shown || base_[0] == 0);
+    if (button(ui, "Export", {.width = ui.px(112), .strong = true})) {
+      context.edits.ask(chosen());
+      context.edits.dialogs.exporting = false;
+    }
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.exporting = false;
+  }
+  end_dialog();
+}
+
+}  // namespace moldlight::gui

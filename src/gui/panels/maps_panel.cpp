@@ -1,0 +1,64 @@
+// The two shadow maps, small and large.
+#include <algorithm>
+
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr const char* caption(bool plus) { return plus ? "from +d" : "from −d"; }
+
+}  // namespace
+
+void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
+  const Ui& ui = context.ui;
+  if (context.layout.begin(ui, "Shadow maps")) {
+    const float gap = ui.px(8);
+    const float size = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2.0F);
+    for (const bool plus : {true, false}) {
+      if (!plus) ImGui::SameLine(0.0F, gap);
+      const bool clicked = ImGui::InvisibleButton(caption(plus), ImVec2(size, size));
+      const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
+                         ui.px(6));
+      if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
+        list.AddImageRounded(texture_id(name), min, max, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE,
+                             ui.px(6));
+      }
+      draw_text(list, ui.fonts.small, {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size},
+                ui.colours->muted, caption(plus));
+      tooltip(ui, plus ? "The map from +d" : "The map from −d",
+              "Second depths: the surface that faces away from this side. Click to see it large.");
+      if (clicked) context.edits.dialogs.large_map = plus;
+    }
+  }
+  context.layout.end();
+}
+
+void draw_large_map(const PanelContext& context, const MapTextures& textures) {
+  if (!context.state.dialogs.large_map) return;
+  const Ui& ui = context.ui;
+  const bool plus = *context.state.dialogs.large_map;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float side = std::floor(0.82F * std::min(window.x, window.y));
+  if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
+    {
+      const FontScope strong(ui.fonts.strong);
+      ImGui::Text("Shadow map %s", caption(plus));
+    }
+    ImGui::SameLine();
+    hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
+      ImGui::GetWindowDrawList()->AddImageRounded(texture_id(name), min, ImVec2(min.x + side, min.y + side),
+                                                  ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(6));
+    }
+    if (ImGui::InvisibleButton("close", ImVec2(side, side))) context.edits.dialogs.large_map.reset();
+  }
+  end_dialog();
+}
+
+}  // namespace moldlight::gui

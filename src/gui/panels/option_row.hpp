@@ -1,0 +1,104 @@
+// One row for one option of a table: the right control for its kind, its tooltip and its reset.
+#pragma once
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+#include "session/option_table.hpp"
+
+namespace moldlight::gui {
+
+/// "1.0°", "3 texel", "2048²": a value with its unit as the window writes it.
+[[nodiscard]] std::string value_text(double value, int decimals, std::string_view unit);
+/// Tooltip and right-click menu of the row just drawn; true when its reset was chosen.
+bool option_menu(const Ui& ui, std::string_view label, std::string_view help, const std::string& value,
+                 const std::string& default_value, bool modified);
+
+/// The nearest of 1, 1.5, 2, 3, 4, 6, 8 …: what map resolutions are.
+[[nodiscard]] double near_power_of_two(double value);
+/// The nearest of 1, 2, 5, 10, 20 …
+[[nodiscard]] double near_round_number(double value);
+
+namespace detail {
+
+[[nodiscard]] inline int decimals_of(double step) {
+  return step >= 1.0 || step <= 0.0 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+}
+
+}  // namespace detail
+
+/// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
+template <typename S>
+bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
+  const S defaults{};
+  const std::string before = option_text(option, settings), standard = option_text(option, defaults);
+  const bool modified = before != standard;
+  S edited = settings;
+  bool changed = std::visit(
+      moldlight::detail::Overloaded{
+          [&](const RealKind<S>& kind) {
+            double& value = edited.*kind.member;
+            const int decimals = detail::decimals_of(kind.step);
+            return slider(ui, option.label, value,
+                          {.min = kind.min,
+                           .max = kind.max,
+                           .step = kind.step,
+                           .text = [&](double v) { return value_text(v, decimals, option.unit); }},
+                          modified);
+          },
+          [&](const OptionalRealKind<S>& kind) {
+            auto& value = edited.*kind.member;
+            double number = value.value_or(0.0);
+            const bool typed = number_field(ui, option.key.data(), option.label, number, 3,
+                                            ImGui::GetContentRegionAvail().x);
+            if (typed) value = number > 0.0 ? std::optional(number) : std::nullopt;
+            return typed;
+          },
+          [&](const IntegerKind<S>& kind) {
+            double number = edited.*kind.member;
+            const bool wide = kind.max > 100 * kind.min;
+            const bool moved = slider(ui, option.label, number,
+                                      {.min = static_cast<double>(kind.min),
+                                       .max = static_cast<double>(kind.max),
+                                       .step = 1.0,
+                                       .logarithmic = wide,
+                                       .snap = !wide                    ? std::function<double(double)>()
+                                               : option.unit == "texel" ? near_power_of_two
+                                                                        : near_round_number,
+                                       .text = [&](double v) { return value_text(v, 0, option.unit); }},
+                                      modified);
+            if (!moved) return false;
+            int whole = static_cast<int>(std::lround(number));
+            if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
+            edited.*kind.member = whole;
+            return true;
+          },
+          [&](const SwitchKind<S>& kind) { return toggle(ui, option.label, edited.*kind.member, modified); },
+          [&](const ChoiceKind<S>& kind) {
+            int index = kind.get(edited);
+            if (!choice(ui, option.label, kind.words, index, modified)) return false;
+            kind.set(edited, index);
+            return true;
+          },
+          [&](const DirectionKind<S>&) { return false; },
+      },
+      option.kind);
+  if (option_menu(ui, option.label, option.help, before, standard, modified)) {
+    set_option(option, edited, standard);
+    changed = true;
+  }
+  if (!changed) return false;
+  const std::string after = option_text(option, edited);
+  try {
+    set_option(option, settings, after);
+  } catch (const UsageError&) {
+    return false;  // a value typed out of range
+  }
+  return after != before;
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,180 @@
+// The legend: the four regions with their measured areas, how sure they are, and whether two ways agree.
+#include <fmt/format.h>
+
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+#include "session/figures.hpp"
+#include "session/option.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_legend_row = 24.0F;
+
+std::string_view meaning(Region region) {
+  switch (region) {
+    case Region::core:
+      return "Accessible along +d only: the core's half forms it.";
+    case Region::cavity:
+      return "Accessible along −d only: the cavity's half forms it.";
+    case Region::both:
+      return "Accessible along +d and along −d: either half may form it.";
+    case Region::undercut:
+      break;
+  }
+  return "Accessible along neither: it needs a side action, another direction or another shape.";
+}
+
+std::string_view shown_name(Region region) {
+  switch (region) {
+    case Region::core:
+      return "Core";
+    case Region::cavity:
+      return "Cavity";
+    case Region::both:
+      return "Both";
+    case Region::undercut:
+      break;
+  }
+  return "Undercut";
+}
+
+void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const glm::vec2& min) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float size = ui.px(12);
+  const glm::vec2 max = min + glm::vec2(size);
+  list.AddRectFilled(im(min), im(max), packed(region_colour(region, look.palette)), ui.px(3));
+  if (region != Region::undercut || !look.hatching) return;
+  list.PushClipRect(im(min), im(max), true);
+  for (float offset = -size; offset < size; offset += ui.px(5)) {
+    list.AddLine(ImVec2(min.x + offset, max.y), ImVec2(min.x + offset + size, min.y), IM_COL32(0, 0, 0, 110),
+                 1.5F * ui.scale);
+  }
+  list.PopClipRect();
+}
+
+/// What was measured, and how it is written.
+struct Legend {
+  const Classification& result;
+  FigureColumn column;
+  std::string unit;
+  float alpha = 1.0F;  // pale while stale
+};
+
+std::string with_minus(std::string number) {
+  return number.starts_with('-') ? "−" + number.substr(1) : number;
+}
+
+void copy_menu(const char* id, double value) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
+  if (!ImGui::BeginPopup(id)) return;
+  const std::string text = real_text(value);
+  if (ImGui::MenuItem(fmt::format("Copy {}", text).c_str())) ImGui::SetClipboardText(text.c_str());
+  ImGui::EndPopup();
+}
+
+/// A line "name … value unit", with a place in front for a mark.
+glm::vec2 begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
+  ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_legend_row)));
+  const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
+  draw_text(list, ui.fonts.body, {min.x + ui.px(26), 0.5F * (min.y + max.y - ui.fonts.body.size)}, colour,
+            name);
+  return min;
+}
+
+void draw_region(const PanelContext& context, const Legend& legend, Region region) {
+  const Ui& ui = context.ui;
+  const double area = legend.result.areas[region];
+  const double share = legend.result.total_area > 0.0 ? area / legend.result.total_area : 0.0;
+  const std::string name(region_name(region));
+  const glm::vec2 min = begin_line(ui, name.c_str(), shown_name(region), ui.colours->text);
+  draw_swatch(ui, region, context.state.settings.look, min + glm::vec2(ui.px(6), ui.px(6)));
+  const float right = ImGui::GetItemRectMax().x - ui.px(6);
+  const float top = min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size);
+  const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
+  figure_right(ui, ui.fonts.strong, right, top, fmt::format("{:.1f} %", 100.0 * share), {}, strong);
+  figure_right(ui, ui.fonts.body, right - ui.px(60), top, grouped(legend.column.text(area)), {}, quiet);
+  tooltip(ui, shown_name(region), fmt::format("{}\n{} {}", meaning(region), real_text(area), legend.unit));
+  copy_menu(name.c_str(), area);
+}
+
+void draw_total(const PanelContext& context, const Legend& legend) {
+  const Ui& ui = context.ui;
+  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  ImGui::Dummy(ImVec2(1.0F, ui.px(3)));
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x, at.y + ui.px(1)),
+                                      ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.px(1)),
+                                      ui.colours->line);
+  const glm::vec2 min = begin_line(ui, "total", "Total", ui.colours->muted);
+  const float right = ImGui::GetItemRectMax().x - ui.px(6);
+  const float top = min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size);
+  figure_right(ui, ui.fonts.body, right, top, {}, legend.unit, ui.colours->muted);
+  figure_right(ui, ui.fonts.body, right - ui.px(60), top,
+               grouped(legend.column.text(legend.result.total_area)), {}, ui.colours->muted);
+  copy_menu("total", legend.result.total_area);
+}
+
+void draw_uncertainty(const PanelContext& context, const Legend& legend) {
+  const Ui& ui = context.ui;
+  const UndercutUncertainty& doubt = legend.result.uncertainty;
+  const glm::vec2 min = begin_line(ui, "uncertainty", "Undercut ±", ui.colours->muted);
+  figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
+               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size), legend.column.text(doubt.total), {},
+               faded(ui.colours->text, legend.alpha));
+  tooltip(ui, "How far the undercut area may be off",
+          fmt::format(
+              "95 % level. From the number of samples: {}; from samples that exact rays checked: {}; from "
+              "samples that stayed in doubt: {}.",
+              figure(doubt.sampling), figure(doubt.audit), figure(doubt.unsettled)));
+  copy_menu("uncertainty", doubt.total);
+}
+
+void draw_check(const PanelContext& context, const Legend& legend) {
+  const Ui& ui = context.ui;
+  const ProjectedUndercut& hidden = legend.result.projected;
+  const bool agrees = hidden.agrees();
+  const glm::vec2 min = begin_line(ui, "check", agrees ? "Two ways agree" : "Two ways differ",
+                                   agrees ? ui.colours->muted : ui.colours->warning);
+  draw_icon(*ImGui::GetWindowDrawList(), agrees ? Icon::check : Icon::alert,
+            min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
+            faded(agrees ? ui.colours->text : ui.colours->warning, legend.alpha));
+  figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
+               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size),
+               with_minus(legend.column.text(hidden.gap)), {}, faded(ui.colours->text, legend.alpha));
+  tooltip(ui, "Hidden area, found in two ways",
+          fmt::format(
+              "The area, seen along d, of what is hidden from both sides: {} from the regions, {} from the "
+              "part's shadow alone. {}",
+              figure(hidden.surface), figure(hidden.identity),
+              agrees ? "They agree."
+                     : "They differ: the mesh is open or wound badly, or the maps are too coarse."));
+  copy_menu("check", hidden.gap);
+}
+
+}  // namespace
+
+void draw_regions_panel(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Figures& figures = context.state.figures;
+  if (context.layout.begin(ui, "Regions")) {
+    if (figures.shown) {
+      const Classification& result = *figures.shown;
+      const Legend legend{.result = result,
+                          .column = FigureColumn(result.total_area),
+                          .unit = context.state.model ? powered_unit(context.state.model->part, 2) : "",
+                          .alpha = figures.stale ? 0.4F : 1.0F};
+      for (const Region region : k_regions) draw_region(context, legend, region);
+      draw_total(context, legend);
+      draw_uncertainty(context, legend);
+      draw_check(context, legend);
+    } else {
+      hint(ui, figures.error.empty() ? "Measuring …" : figures.error);
+    }
+  }
+  context.layout.end();
+}
+
+}  // namespace moldlight::gui

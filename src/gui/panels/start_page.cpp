@@ -1,0 +1,114 @@
+// What the window shows before there is a part: where to drop one, recent files, the shipped parts.
+#include "gui/panels/start_page.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr float k_width = 520.0F, k_drop_height = 148.0F;  // layout units
+constexpr std::size_t k_recent_shown = 6;
+
+void draw_drop_zone(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const glm::vec2 size(ui.px(k_width), ui.px(k_drop_height));
+  const bool clicked = ImGui::InvisibleButton("drop", im(size));
+  const glm::vec2 min = from_im(ImGui::GetItemRectMin());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hovered = ImGui::IsItemHovered();
+  list.AddRectFilled(im(min), im(min + size), hovered ? ui.colours->field_hovered : ui.colours->field,
+                     ui.px(10));
+  list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
+  const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
+    draw_text(list, font, {min.x + 0.5F * (size.x - text_size(font, text).x), min.y + ui.px(top)}, colour,
+              text);
+  };
+  draw_icon(list, Icon::open, min + glm::vec2(0.5F * size.x, ui.px(38)), ui.px(30), ui.colours->muted);
+  centred(ui.fonts.title, 62, ui.colours->text, "Drop a part here");
+  centred(ui.fonts.body, 102, ui.colours->muted, "or click to choose one: STL, OBJ, PLY, OFF, 3MF, STEP");
+  if (clicked) context.edits.dialogs.browser = true;
+}
+
+void draw_recent(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  if (context.state.recent.empty()) return;
+  hint(ui, "RECENT");
+  const std::size_t count = std::min(context.state.recent.size(), k_recent_shown);
+  for (std::size_t k = 0; k < count; ++k) {
+    const fs::path path = context.state.recent[k];
+    ImGui::PushID(static_cast<int>(k));
+    const bool clicked = ImGui::InvisibleButton("recent", ImVec2(ui.px(k_width), ui.px(k_row_height)));
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, ui.colours->field, ui.px(6));
+    const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
+    const std::string name = fitted(ui.fonts.body, path.filename().string(), ui.px(220));
+    draw_icon(list, Icon::file, {min.x + ui.px(14), 0.5F * (min.y + max.y)}, ui.px(13), ui.colours->muted);
+    draw_text(list, ui.fonts.body, {min.x + ui.px(30), top}, ui.colours->text, name);
+    const std::string folder = fitted(ui.fonts.small, path.parent_path().string(), ui.px(240));
+    draw_text(list, ui.fonts.small,
+              {max.x - ui.px(8) - text_size(ui.fonts.small, folder).x,
+               0.5F * (min.y + max.y - ui.fonts.small.size)},
+              ui.colours->faint, folder);
+    if (clicked) context.edits.ask(OpenPart{path.string()});
+    ImGui::PopID();
+  }
+  ImGui::Dummy(ImVec2(1, ui.px(10)));
+}
+
+void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbnails) {
+  const Ui& ui = context.ui;
+  const auto& shipped = context.state.shipped;
+  if (shipped.empty()) return;
+  hint(ui, "TRY ONE OF THESE");
+  const float gap = ui.px(8);
+  const float width = ui.px(k_start_picture_size);
+  for (std::size_t k = 0; k < std::min<std::size_t>(shipped.size(), 4); ++k) {
+    if (k > 0) ImGui::SameLine(0.0F, gap);
+    ImGui::PushID(static_cast<int>(k));
+    const bool clicked = ImGui::InvisibleButton("shipped", ImVec2(width, width));
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
+                       ui.px(8));
+    if (k < thumbnails.size() && thumbnails[k] != 0) {
+      list.AddImageRounded(texture_id(thumbnails[k]), ImVec2(min.x, min.y), ImVec2(max.x, max.y - ui.px(10)),
+                           ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(8));
+    }
+    std::string name = fs::path(shipped[k]).stem().string();
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const glm::vec2 text = text_size(ui.fonts.small, name);
+    draw_text(list, ui.fonts.small, {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y},
+              ui.colours->muted, name);
+    if (clicked) context.edits.ask(OpenPart{shipped[k]});
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails) {
+  if (context.state.model || context.state.dialogs.browser) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.5F * window.y), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::Begin("Start", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  draw_drop_zone(context);
+  ImGui::Dummy(ImVec2(1, context.ui.px(12)));
+  draw_recent(context);
+  draw_shipped(context, thumbnails);
+  ImGui::End();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,102 @@
+// The line about the surface under the cursor, and cards for what goes on: loading, messages.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+#include "session/figures.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr ImGuiWindowFlags k_card = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+
+std::string facet_line(const Hover& hover) {
+  const double draft = std::abs(hover.draft_deg) < 0.05 ? 0.0 : hover.draft_deg;
+  return fmt::format("facet {}  ·  draft {}{:.1f}°  ·  {}", grouped(std::to_string(hover.point.facet)),
+                     draft < 0.0 ? "−" : "", std::abs(draft), region_name(hover.point.region));
+}
+
+std::string blocker_line(const AppState& state, const Blocker& blocker) {
+  return fmt::format("blocked by facet {}, {} {} {}", grouped(std::to_string(blocker.facet)),
+                     fmt::format("{:.4g}", blocker.distance), length_unit(state.model->part),
+                     blocker.above ? "above" : "below");
+}
+
+}  // namespace
+
+void draw_status(const PanelContext& context) {
+  if (!context.state.hover || !context.state.model) return;
+  const Ui& ui = context.ui;
+  const Hover& hover = *context.state.hover;
+  const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
+  ImGui::SetNextWindowPos(
+      ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), static_cast<float>(area.max.y) - ui.px(12)),
+      ImGuiCond_Always, ImVec2(0.5F, 1.0F));
+  ImGui::Begin("Status", nullptr, k_card | ImGuiWindowFlags_NoInputs);
+  const std::string line = facet_line(hover);
+  ImGui::TextUnformatted(line.c_str());
+  if (hover.blocker) {
+    const std::string reason = blocker_line(context.state, *hover.blocker);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.colours->muted);
+    ImGui::TextUnformatted(reason.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::End();
+}
+
+void draw_loading(const PanelContext& context) {
+  if (!context.state.loading) return;
+  const Ui& ui = context.ui;
+  const Loading& loading = *context.state.loading;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.62F * window.y), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::Begin("Loading", nullptr, k_card);
+  const float width = ui.px(320);
+  {
+    const FontScope strong(ui.fonts.strong);
+    const std::string name =
+        fitted(ui.fonts.strong, std::filesystem::path(loading.path).filename().string(), width);
+    ImGui::TextUnformatted(name.c_str());
+  }
+  hint(ui, loading.status.stage);
+  progress_bar(ui, loading.status.fraction, width);
+  ImGui::Dummy(ImVec2(1, ui.px(2)));
+  if (button(ui, "Cancel", {.width = width})) context.edits.ask(CancelLoading{});
+  ImGui::End();
+}
+
+void draw_toasts(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
+  float top = ui.px(k_bar_height + 12);
+  int number = 0;
+  for (const Toast& toast : state.toasts) {
+    const float width = std::min(ui.px(460), static_cast<float>(area.max.x - area.min.x) - ui.px(24));
+    ImGui::SetNextWindowPos(ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), top), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.0F));
+    ImGui::SetNextWindowBgAlpha(0.97F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
+    ImGui::Begin(fmt::format("Toast {}", number++).c_str(), nullptr, k_card);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_icon(*ImGui::GetWindowDrawList(), toast.failure ? Icon::alert : Icon::check,
+              {at.x + ui.px(8), at.y + 0.5F * ui.fonts.body.size}, ui.px(14),
+              toast.failure ? ui.colours->warning : ui.colours->muted);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(26), at.y));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - ui.px(60));
+    ImGui::TextUnformatted(toast.text.c_str());
+    ImGui::PopTextWrapPos();
+    top += ImGui::GetWindowHeight() + ui.px(8);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) context.edits.ask(DismissToasts{});
+    ImGui::End();
+    ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,136 @@
+#include "gui/panels/sweep_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/direction.hpp"
+#include "gui/ui.hpp"
+#include "session/figures.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+std::string area(const AppState& state, double value) {
+  return grouped(FigureColumn(state.model->geometry.total_area).text(value));
+}
+
+double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
+
+double share(const SweepCandidate& candidate) {
+  const double total = candidate.classification.total_area;
+  return total > 0.0 ? undercut(candidate) / total : 0.0;
+}
+
+/// "+z" for an axis, else three numbers.
+std::string short_direction(const glm::dvec3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0)
+      return fmt::format("{}{}", direction[axis] > 0.0 ? "+" : "−", "XYZ"[axis]);
+  }
+  return direction_text(direction);
+}
+
+std::string tilt_text(const AppState&, const SweepCandidate& candidate) {
+  const TiltMargin* tilt = tilt_of(candidate);
+  if (tilt == nullptr) return "–";
+  return fmt::format("{}{:.1f}°", tilt->at_least() ? "≥" : "", tilt->deg);
+}
+
+std::string reason_of(const CandidateSource& source) {
+  return source.reason.empty() ? std::string(candidate_kind_name(source.kind)) : source.reason;
+}
+
+using C = SweepCandidate;
+using A = AppState;
+
+constexpr std::array<SweepColumn, 11> k_columns = {{
+    {.name = "", .help = "", .width = 56, .right = false, .text = nullptr, .key = nullptr},
+    {.name = "#",
+     .help = "Rank; = marks directions that tie within the uncertainty.",
+     .width = 30,
+     .right = false,
+     .text = [](const A& state,
+                const C& c) { return fmt::format("{}{}", c.rank, ties(*state.sweep.result, c) ? " =" : ""); },
+     .key = [](const C& c) { return static_cast<double>(c.rank); }},
+    {.name = "direction",
+     .help = "",
+     .width = 132,
+     .right = false,
+     .text = [](const A&, const C& c) { return short_direction(c.candidate.direction); },
+     .key = nullptr},
+    {.name = "undercut",
+     .help = "Undercut area, as measured with the settings of the method.",
+     .width = 58,
+     .text = [](const A& state, const C& c) { return area(state, undercut(c)); },
+     .key = undercut},
+    {.name = "±",
+     .help = "How far the undercut area may be off, 95 % level.",
+     .width = 42,
+     .text = [](const A& state, const C& c) { return area(state, c.classification.uncertainty.total); },
+     .key = [](const C& c) { return c.classification.uncertainty.total; }},
+    {.name = "%",
+     .help = "Undercut, per cent of the part's area.",
+     .width = 42,
+     .text = [](const A&, const C& c) { return fmt::format("{:.2f}", 100.0 * share(c)); },
+     .key = share},
+    {.name = "depth",
+     .help = "Draw depth: the part's extent along the direction.",
+     .width = 48,
+     .text = [](const A& state,
+                const C& c) { return FigureColumn(state.model->frame.diagonal * 10.0).text(c.draw_depth); },
+     .key = [](const C& c) { return c.draw_depth; }},
+    {.name = "shadow",
+     .help = "Projected area, on which the clamp force acts.",
+     .width = 64,
+     .text = [](const A& state, const C& c) { return area(state, c.projected_area); },
+     .key = [](const C& c) { return c.projected_area; }},
+    {.name = "patches",
+     .help = "Connected patches of undercut surface.",
+     .width = 46,
+     .text = [](const A&, const C& c) { return fmt::format("{}", c.patches); },
+     .key = [](const C& c) { return static_cast<double>(c.patches); }},
+    {.name = "tilt",
+     .help = "Tilt margin: how far the pull may lean before the undercut grows.",
+     .width = 44,
+     .text = tilt_text,
+     .key =
+         [](const C& c) {
+           const TiltMargin* tilt = tilt_of(c);
+           return tilt == nullptr ? -1.0 : tilt->deg;
+         }},
+    {.name = "why",
+     .help = "",
+     .width = 0,
+     .right = false,
+     .text = [](const A&, const C& c) { return first_reason(c); },
+     .key = nullptr},
+}};
+
+}  // namespace
+
+std::span<const SweepColumn> sweep_columns() { return k_columns; }
+
+bool ties(const SweepResult& result, const SweepCandidate& candidate) {
+  return std::any_of(result.candidates.begin(), result.candidates.end(), [&](const SweepCandidate& other) {
+    return other.rank != candidate.rank && other.tie_group == candidate.tie_group;
+  });
+}
+
+std::string first_reason(const SweepCandidate& candidate) {
+  return candidate.candidate.sources.empty() ? std::string() : reason_of(candidate.candidate.sources.front());
+}
+
+std::string all_reasons(const SweepCandidate& candidate) {
+  std::string text;
+  for (const CandidateSource& source : candidate.candidate.sources) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", candidate_kind_name(source.kind),
+                        reason_of(source));
+  }
+  return text;
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,133 @@
+// The thin bar on top: the part's name with recent files, and what is done with it.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr float k_resting_alpha = 0.55F;  // of the bar while the mouse is in the scene
+
+void draw_recent(const PanelContext& context) {
+  if (!ImGui::BeginPopup("recent")) return;
+  const Ui& ui = context.ui;
+  const auto offer = [&](const std::string& path) {
+    const std::string name = fmt::format("{}##{}", fs::path(path).filename().string(), path);
+    if (ImGui::MenuItem(name.c_str())) context.edits.ask(OpenPart{path});
+    tooltip(ui, {}, path);
+  };
+  if (!context.state.recent.empty()) hint(ui, "Recent");
+  for (const std::string& path : context.state.recent) offer(path);
+  if (!context.state.shipped.empty()) hint(ui, "Shipped with moldlight");
+  for (const std::string& path : context.state.shipped) offer(path);
+  ImGui::EndPopup();
+}
+
+void draw_part_name(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  if (!state.model) return;
+  const std::string file = fs::path(state.path).filename().string();
+  const std::string name = fitted(ui.fonts.body, file, ui.px(260));
+  const float width = text_size(ui.fonts.body, name).x + ui.px(36);
+  if (button(ui, fmt::format("{}##part", name), {.width = width})) ImGui::OpenPopup("recent");
+  const ImVec2 max = ImGui::GetItemRectMax(), min = ImGui::GetItemRectMin();
+  draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down, {max.x - ui.px(11), 0.5F * (min.y + max.y)},
+            ui.px(9), ui.colours->muted);
+  tooltip(ui, file, state.path);
+  draw_recent(context);
+  ImGui::SameLine(0.0F, ui.px(10));
+  const Part& part = state.model->part;
+  const std::string facts = fmt::format("{} facets   {}", grouped(std::to_string(part.mesh.facets.size())),
+                                        part.unit.empty() ? "" : part.unit);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(ImVec2(text_size(ui.fonts.small, facts).x, ui.px(k_row_height)));
+  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+            {at.x, at.y + 0.5F * (ui.px(k_row_height) - ui.fonts.small.size)}, ui.colours->muted, facts);
+  if (!state.model->warnings.empty()) {
+    ImGui::SameLine(0.0F, ui.px(6));
+    icon_button(ui, "warnings", Icon::alert, fmt::format("{}", fmt::join(state.model->warnings, "\n")));
+  }
+}
+
+void draw_left(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = text_size(ui.fonts.strong, "moldlight").x;
+  ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
+  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.strong,
+            {at.x, at.y + 0.5F * (ui.px(k_row_height) - ui.fonts.strong.size)}, ui.colours->text,
+            "moldlight");
+  ImGui::SameLine(0.0F, ui.px(16));
+  draw_part_name(context);
+}
+
+void draw_right(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  Edits& edits = context.edits;
+  const bool part = context.state.model != nullptr;
+  const float step = ui.px(4);
+  const int count = part ? 7 : 3;
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
+                       static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
+  if (icon_button(ui, "open", Icon::open, "Open a part (Ctrl+O)")) edits.dialogs.browser = true;
+  if (part) {
+    ImGui::SameLine(0.0F, step);
+    if (icon_button(ui, "export", Icon::export_file, "Export what was measured (Ctrl+E)"))
+      edits.dialogs.exporting = true;
+    ImGui::SameLine(0.0F, step);
+    if (icon_button(ui, "picture", Icon::picture, "Save a picture with the legend (F12)"))
+      edits.ask(TakePicture{});
+    ImGui::SameLine(0.0F, step + ui.px(16));
+    ImGui::BeginDisabled(!context.state.can_undo);
+    if (icon_button(ui, "undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(Undo{});
+    ImGui::EndDisabled();
+    ImGui::SameLine(0.0F, step);
+    ImGui::BeginDisabled(!context.state.can_redo);
+    if (icon_button(ui, "redo", Icon::redo, "Redo (Ctrl+Y)")) edits.ask(Redo{});
+    ImGui::EndDisabled();
+  }
+  ImGui::SameLine(0.0F, step);
+  if (icon_button(ui, "help", Icon::help, "Keys and mouse (H)", context.state.dialogs.help)) {
+    edits.dialogs.help = !edits.dialogs.help;
+  }
+  ImGui::SameLine(0.0F, step);
+  if (icon_button(ui, "settings", Icon::settings, "Window settings", context.state.dialogs.settings)) {
+    edits.dialogs.settings = !edits.dialogs.settings;
+  }
+}
+
+}  // namespace
+
+void draw_top_bar(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool near = io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model;
+  ImGui::SetNextWindowPos(ImVec2(0, 0));
+  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x, ui.px(k_bar_height)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(ui.px(16), 0.5F * (ui.px(k_bar_height) - ui.px(k_row_height))));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, near ? 1.0F : k_resting_alpha);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, near ? ui.colours->panel : IM_COL32(0, 0, 0, 0));
+  ImGui::Begin("Bar", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  draw_left(context);
+  draw_right(context);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(5);
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,111 @@
+// The view cube: shows how the part is turned, and turns it to the side that is clicked.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "gui/panels/panels.hpp"
+#include "gui/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+struct Side {
+  std::string_view name;
+  StandardView view;
+  glm::dvec3 normal, right, up;  // as its name is read
+};
+
+const std::array<Side, 6> k_sides = {{
+    {"FRONT", StandardView::front, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+    {"BACK", StandardView::back, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+    {"LEFT", StandardView::left, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+    {"RIGHT", StandardView::right, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+    {"TOP", StandardView::top, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+    {"BOTTOM", StandardView::bottom, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+}};
+
+/// Where a side lies on the screen: a parallelogram.
+struct Face {
+  glm::vec2 centre{0.0F}, right{0.0F}, up{0.0F};  // pixels; half edges
+  double facing = 0.0;
+
+  [[nodiscard]] std::array<glm::vec2, 4> corners() const {
+    return {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
+  }
+  [[nodiscard]] bool contains(const glm::vec2& point) const {
+    const float area = right.x * up.y - right.y * up.x;
+    if (std::abs(area) < 1.0F) return false;
+    const glm::vec2 from = point - centre;
+    const float u = (from.x * up.y - from.y * up.x) / area, v = (right.x * from.y - right.y * from.x) / area;
+    return std::abs(u) <= 1.0F && std::abs(v) <= 1.0F;
+  }
+};
+
+Face face_of(const Side& side, const Camera& camera, const glm::vec2& centre, float half) {
+  const auto screen = [&](const glm::dvec3& v) {
+    const glm::dvec3 seen = glm::conjugate(camera.orientation) * v;
+    return glm::vec2(seen.x, -seen.y) * half;
+  };
+  return {centre + screen(side.normal), screen(side.right), screen(side.up),
+          (glm::conjugate(camera.orientation) * side.normal).z};
+}
+
+/// Text that lies on the face: drawn flat, then its vertices are moved onto the parallelogram.
+void draw_name(const Ui& ui, ImDrawList& list, const Face& face, float half, std::string_view name,
+               ImU32 colour) {
+  const int first = list.VtxBuffer.Size;
+  const glm::vec2 size = text_size(ui.fonts.small, name);
+  // Drawn in place, as what lies outside the window is left out.
+  const glm::vec2 corner = face.centre - 0.5F * size;
+  list.AddText(ui.fonts.small.font, ui.fonts.small.size, im(corner), colour, name.data(),
+               name.data() + name.size());
+  for (int k = first; k < list.VtxBuffer.Size; ++k) {
+    ImVec2& at = list.VtxBuffer[k].pos;
+    const glm::vec2 on_face((at.x - face.centre.x) / half, (face.centre.y - at.y) / half);
+    at = im(face.centre + on_face.x * face.right + on_face.y * face.up);
+  }
+}
+
+}  // namespace
+
+void draw_view_cube(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
+  const float size = ui.px(84), half = ui.px(22);
+  const glm::vec2 corner(static_cast<float>(area.max.x) - size - ui.px(8), ui.px(k_bar_height + 8));
+  ImGui::SetNextWindowPos(im(corner));
+  ImGui::SetNextWindowSize(ImVec2(size, size));
+  ImGui::Begin("View cube", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::SetCursorScreenPos(im(corner));
+  const bool clicked = ImGui::InvisibleButton("cube", ImVec2(size, size));
+  const bool hovered = ImGui::IsItemHovered();
+  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos), centre = corner + glm::vec2(0.5F * size);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool dark = context.state.window.theme == Theme::dark;
+  for (const Side& side : k_sides) {
+    const Face face = face_of(side, context.state.camera, centre, half);
+    if (face.facing <= 0.01) continue;
+    const bool under_mouse = hovered && face.contains(mouse);
+    const auto corners = face.corners();
+    const ImU32 lit =
+        dark ? mixed(IM_COL32(60, 64, 70, 240), IM_COL32(120, 126, 134, 240), static_cast<float>(face.facing))
+             : mixed(IM_COL32(190, 195, 200, 240), IM_COL32(252, 252, 253, 240),
+                     static_cast<float>(face.facing));
+    list.AddQuadFilled(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]),
+                       under_mouse ? ui.colours->accent : lit);
+    list.AddQuad(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]), IM_COL32(0, 0, 0, 60), 1.0F);
+    if (face.facing > 0.25) {
+      draw_name(ui, list, face, half, side.name, under_mouse ? ui.colours->on_accent : ui.colours->text);
+    }
+    if (under_mouse && clicked) context.edits.ask(LookFrom{standard_orientation(side.view)});
+  }
+  ImGui::End();
+}
+
+}  // namespace moldlight::gui

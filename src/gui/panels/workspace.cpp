@@ -1,0 +1,38 @@
+#include "gui/panels/workspace.hpp"
+
+#include "gui/panels/comparison.hpp"
+#include "gui/panels/direction_map.hpp"
+#include "gui/panels/start_page.hpp"
+
+namespace moldlight::gui {
+
+void Workspace::draw(const PanelContext& context, const Textures& textures) {
+  const Dialogs& dialogs = context.state.dialogs;
+  if (!dialogs.panels_hidden) {
+    draw_top_bar(context);
+    if (context.state.model) {
+      draw_direction_panel(context, ball_);
+      draw_method_panel(context, more_method_);
+      draw_maps_panel(context, textures.maps);
+      draw_regions_panel(context);
+      draw_look_panel(context);
+      sweep_.draw(context, textures.candidates);
+      draw_large_ball(context, large_ball_);
+      draw_comparison(context);
+    }
+  }
+  if (context.state.model) {
+    draw_view_cube(context);
+    draw_status(context);
+  }
+  draw_start_page(context, textures.shipped_parts);
+  draw_loading(context);
+  draw_large_map(context, textures.maps);
+  browser_.draw(context);
+  export_.draw(context);
+  draw_settings(context);
+  draw_help(context);
+  draw_toasts(context);
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,70 @@
+#include "gui/scene.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace moldlight::gui {
+
+namespace {
+
+/// Whether both draw the same maps; the rest of the settings is about measuring.
+bool same_maps(const MethodSettings& a, const MethodSettings& b) {
+  return a.direction == b.direction && a.tau_deg == b.tau_deg && a.kernel == b.kernel &&
+         a.tolerance == b.tolerance && a.kernel_shape == b.kernel_shape &&
+         a.edge_thickness == b.edge_thickness && a.resolution == b.resolution;
+}
+
+}  // namespace
+
+Extent extent_along(const PartModel& model, const glm::dvec3& direction) {
+  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) {
+    const double height = glm::dot(vertex, direction);
+    extent.min = std::min(extent.min, height);
+    extent.max = std::max(extent.max, height);
+  }
+  const double middle = glm::dot(model.frame.center, direction);
+  return {(extent.min - middle) / model.frame.diagonal, (extent.max - middle) / model.frame.diagonal};
+}
+
+Scene::Scene(const gl::Context& context, const LoadedPart& part)
+    : context_(&context),
+      model_(part.model),
+      classifier_(context, part.model),
+      view_(context.functions(), part.geometry),
+      map_picture_(context.functions()) {}
+
+bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
+  if (!maps_of_ || !same_maps(*maps_of_, settings.method)) {
+    classifier_.draw_maps(settings.method);
+    maps_of_ = settings.method;
+    thumbnails_stale_ = true;
+  }
+  drawn_ = true;
+  return view_.draw(target, classifier_.buffers(), classifier_.maps(), settings.camera, settings.view,
+                    settings.marks);
+}
+
+std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
+  if (!drawn_) return std::nullopt;
+  return view_.pick(pixel);
+}
+
+Scene::Thumbnails Scene::thumbnails(int size_px) {
+  if (!maps_of_) return {};
+  if (!plus_ || plus_->size().x != size_px) {
+    plus_.emplace(context_->functions(), glm::ivec2(size_px));
+    minus_.emplace(context_->functions(), glm::ivec2(size_px));
+    thumbnails_stale_ = true;
+  }
+  if (thumbnails_stale_) {
+    map_picture_.draw(plus_->framebuffer(), plus_->size(), classifier_.maps(), true);
+    map_picture_.draw(minus_->framebuffer(), minus_->size(), classifier_.maps(), false);
+    thumbnails_stale_ = false;
+  }
+  return {plus_->texture(), minus_->texture()};
+}
+
+}  // namespace moldlight::gui

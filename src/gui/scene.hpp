@@ -1,0 +1,61 @@
+// The part in the window: its buffers, maps and picture on the window's context, drawn anew only as far as
+// something changed.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gl/colour_target.hpp"
+#include "gl/context.hpp"
+#include "gui/app_state.hpp"
+#include "gui/jobs/load_job.hpp"
+#include "render/map_picture.hpp"
+#include "session/classifier.hpp"
+
+namespace moldlight::gui {
+
+/// Extent of a part along a unit direction, unit frame.
+struct Extent {
+  double min = 0.0, max = 0.0;
+};
+[[nodiscard]] Extent extent_along(const PartModel& model, const glm::dvec3& direction);
+
+/// What the picture shows, beside the part.
+struct SceneSettings {
+  MethodSettings method;
+  ViewSettings view;
+  Camera camera;
+  ViewMarks marks;
+};
+
+/// Needs its context current at every call.
+class Scene {
+ public:
+  Scene(const gl::Context& context, const LoadedPart& part);
+
+  /// Draws over the whole target, which is bound afterwards. Returns true while drawing the same again would
+  /// refine the picture.
+  bool draw(const ViewTarget& target, const SceneSettings& settings);
+  /// What the picture last drawn shows at a pixel.
+  [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
+  /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.
+  struct Thumbnails {
+    unsigned plus = 0, minus = 0;
+  };
+  [[nodiscard]] Thumbnails thumbnails(int size_px);
+
+  [[nodiscard]] const std::shared_ptr<const PartModel>& model() const { return model_; }
+
+ private:
+  const gl::Context* context_;
+  std::shared_ptr<const PartModel> model_;
+  Classifier classifier_;
+  PartView view_;
+  MapPicture map_picture_;
+  std::optional<MethodSettings> maps_of_;  // the settings for which the maps were drawn
+  std::optional<gl::ColourTarget> plus_, minus_;
+  bool thumbnails_stale_ = true;
+  bool drawn_ = false;
+};
+
+}  // namespace moldlight::gui

@@ -1,0 +1,24 @@
+// The window's picture without a display, and its frame times.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gui/offscreen.hpp"
+#include "gui/store/part_notes.hpp"
+
+namespace moldlight::gui {
+
+struct ScreenshotOptions {
+  std::string part;  // empty: the start page
+  std::string output;
+  std::string script;  // JSON text; empty for none
+  std::optional<PartNotes> notes;
+  OffscreenOptions window;
+};
+
+/// Loads and measures the part, plays the script and writes the last frame as PNG. Throws Error; a part that
+/// cannot be loaded is one.
+void take_screenshot(const ScreenshotOptions& options);
+
+}  // namespace moldlight::gui

@@ -1,0 +1,95 @@
+#include "gui/store/part_notes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "gui/direction.hpp"
+#include "gui/store/state_folder.hpp"
+#include "session/method_options.hpp"
+#include "session/option_table.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* k_schema = "moldlight.view/1";
+
+/// FNV-1a: names of files in the state folder stay the same from run to run.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t value = 14695981039346656037U;
+  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return value;
+}
+
+Bookmark parse_bookmark(const Json& json) {
+  if (!json.is_object() || !json.contains("direction") || !json["direction"].is_array() ||
+      json["direction"].size() != 3) {
+    throw UsageError("settings: a bookmark has no direction of three numbers");
+  }
+  Bookmark bookmark;
+  std::string text;
+  for (const Json& item : json["direction"]) text += (text.empty() ? "" : ",") + item.dump();
+  bookmark.direction = tidy(parse_direction(text, "settings: a bookmark's direction"));
+  if (json.contains("note") && json["note"].is_string()) bookmark.note = json["note"].get<std::string>();
+  return bookmark;
+}
+
+}  // namespace
+
+std::string part_notes_json(const PartNotes& notes, const std::string& part_path) {
+  Json json;
+  json["schema"] = k_schema;
+  json["part"] = part_path;
+  json["settings"] = options_json(method_options(), notes.method);
+  json["look"] = options_json(look_options(), notes.look);
+  json["bookmarks"] = Json::array();
+  for (const Bookmark& bookmark : notes.bookmarks) {
+    const glm::dvec3& d = bookmark.direction;
+    json["bookmarks"].push_back({{"note", bookmark.note}, {"direction", {d.x, d.y, d.z}}});
+  }
+  // A note in an unknown encoding must not keep the rest from being saved.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw UsageError("settings: not a JSON object");
+  if (!json.contains("schema")) {
+    set_options(method_options(), notes.method, json);
+    return notes;
+  }
+  if (json["schema"] != k_schema) {
+    throw UsageError(fmt::format("settings: the schema is {}, not {}", json["schema"].dump(), k_schema));
+  }
+  if (json.contains("settings")) set_options(method_options(), notes.method, json["settings"]);
+  if (json.contains("look")) set_options(look_options(), notes.look, json["look"]);
+  if (json.contains("bookmarks")) {
+    notes.bookmarks.clear();
+    for (const Json& bookmark : json["bookmarks"]) notes.bookmarks.push_back(parse_bookmark(bookmark));
+  }
+  return notes;
+}
+
+std::string notes_path_beside(const std::string& part_path) { return part_path + ".moldlight.json"; }
+
+std::string notes_path(const std::string& part_path) {
+  std::error_code error;
+  if (const std::string beside = notes_path_beside(part_path); fs::is_regular_file(beside, error))
+    return beside;
+  const auto folder = state_folder();
+  if (!folder) return {};
+  fs::path whole = fs::weakly_canonical(part_path, error);
+  if (error) whole = part_path;
+  return (*folder / "parts" / fmt::format("{}-{:016x}.json", whole.stem().string(), hash(whole.string())))
+      .string();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,44 @@
+// What the user has set and noted for one part: settings and bookmarks, in a small JSON beside or away from
+// it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "gui/look_settings.hpp"
+#include "session/settings.hpp"
+
+namespace moldlight::gui {
+
+/// A parting direction worth coming back to.
+struct Bookmark {
+  std::string note;
+  glm::dvec3 direction{0, 0, 1};  // unit
+
+  bool operator==(const Bookmark&) const = default;
+};
+
+struct PartNotes {
+  MethodSettings method;
+  LookSettings look;
+  std::vector<Bookmark> bookmarks;
+
+  bool operator==(const PartNotes&) const = default;
+};
+
+/// Schema moldlight.view/1.
+[[nodiscard]] std::string part_notes_json(const PartNotes& notes, const std::string& part_path);
+/// Takes what part_notes_json writes, and an object of the method's settings alone. What the text does not
+/// say stays as in `notes`. Throws UsageError that says what is wrong.
+[[nodiscard]] PartNotes parse_part_notes(std::string_view json, PartNotes notes);
+
+/// "<part>.moldlight.json" beside the part; used if it exists.
+[[nodiscard]] std::string notes_path_beside(const std::string& part_path);
+/// The file of this part's notes: beside it where one exists, else in the user's state folder; empty where
+/// there is neither.
+[[nodiscard]] std::string notes_path(const std::string& part_path);
+
+}  // namespace moldlight::gui

@@ -1,0 +1,75 @@
+#include "gui/store/user_state.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "gui/store/state_folder.hpp"
+#include "session/option_table.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_recent_limit = 12;
+
+}  // namespace
+
+void UserState::remember(const std::string& path) {
+  std::erase(recent, path);
+  recent.insert(recent.begin(), path);
+  if (recent.size() > k_recent_limit) recent.resize(k_recent_limit);
+}
+
+std::string user_state_json(const UserState& state) {
+  Json json;
+  json["schema"] = "moldlight.window/1";
+  json["settings"] = options_json(window_options(), state.window);
+  json["recent"] = state.recent;
+  return json.dump(2) + "\n";
+}
+
+UserState parse_user_state(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw UsageError("the saved window settings are no JSON object");
+  UserState state;
+  if (json.contains("settings") && json["settings"].is_object()) {
+    for (const auto& [key, value] : json["settings"].items()) {
+      try {
+        set_options(window_options(), state.window, Json{{key, value}});
+      } catch (const UsageError&) {
+        // Written by another version: the default does.
+      }
+    }
+  }
+  if (json.contains("recent") && json["recent"].is_array()) {
+    for (const Json& path : json["recent"]) {
+      if (path.is_string() && state.recent.size() < k_recent_limit)
+        state.recent.push_back(path.get<std::string>());
+    }
+  }
+  return state;
+}
+
+UserState load_user_state() {
+  const auto folder = state_folder();
+  if (!folder) return {};
+  UserState state;
+  try {
+    if (const auto text = read_text(*folder / "window.json")) state = parse_user_state(*text);
+  } catch (const Error&) {
+    state = {};
+  }
+  if (auto layout = read_text(*folder / "imgui.ini")) state.layout = std::move(*layout);
+  return state;
+}
+
+void save_user_state(const UserState& state) {
+  const auto folder = state_folder();
+  if (!folder) return;
+  write_text(*folder / "window.json", user_state_json(state));
+  if (!state.layout.empty()) write_text(*folder / "imgui.ini", state.layout);
+}
+
+}  // namespace moldlight::gui

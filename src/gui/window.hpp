@@ -1,0 +1,22 @@
+// The window on the desktop (GLFW): waits for events, draws when something changed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gui/store/part_notes.hpp"
+#include "io/read_options.hpp"
+
+namespace moldlight::gui {
+
+struct WindowOptions {
+  std::string part;  // empty: the start page
+  ReadOptions reading;
+  std::optional<PartNotes> notes;  // settings given on the command line
+};
+
+/// Runs until the window is closed. Throws Error that names the commands which need no window, where there is
+/// no display or no OpenGL.
+void run_window(const WindowOptions& options);
+
+}  // namespace moldlight::gui

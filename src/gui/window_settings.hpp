@@ -1,0 +1,26 @@
+// How the window looks and behaves for this user, whatever the part.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/view_settings.hpp"
+#include "session/option.hpp"
+
+namespace moldlight::gui {
+
+enum class NavigationPreset : std::uint8_t { standard, solidworks, fusion, blender };
+
+struct WindowSettings {
+  Theme theme = Theme::dark;
+  double ui_scale = 1.0;  // [0.5, 3], on top of the monitor's content scale
+  NavigationPreset navigation = NavigationPreset::standard;
+  bool motion = true;       // camera flights and fades
+  bool auto_reload = true;  // when the part's file changes
+
+  bool operator==(const WindowSettings&) const = default;
+};
+
+[[nodiscard]] std::span<const Option<WindowSettings>> window_options();
+
+}  // namespace moldlight::gui

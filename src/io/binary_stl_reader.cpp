@@ -1,0 +1,91 @@
+#include <array>
+#include <bit>
+#include <cstring>
+#include <vector>
+
+#include "io/memory_check.hpp"
+#include "io/stl_reader.hpp"
+#include "mesh/weld.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_header_bytes = 84;
+constexpr std::size_t k_facet_bytes = 50;
+constexpr std::size_t k_normal_bytes = 12;
+constexpr std::size_t k_facets_between_reports = 1 << 18;
+
+static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
+
+std::uint32_t declared_facets(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return count;
+}
+
+/// The size and the count disagree: says both, and what is likely.
+[[noreturn]] void fail_by_size(const ReadContext& context) {
+  const std::size_t size = context.bytes().size();
+  if (size < k_header_bytes) {
+    context.fail(fmt::format("byte {}", size),
+                 "ends inside the {} bytes of the binary STL header; export the part again", k_header_bytes);
+  }
+  const std::uint64_t declared = declared_facets(context.bytes());
+  const std::size_t held = (size - k_header_bytes) / k_facet_bytes;
+  const std::size_t rest = (size - k_header_bytes) % k_facet_bytes;
+  if (rest == 0) {
+    context.fail("byte 80",
+                 "the header declares {} facets, but the file's size is that of {}; export the part again",
+                 declared, held);
+  }
+  if (declared > held) {
+    context.fail(fmt::format("facet {}", held),
+                 "the file ends inside this facet, {} are declared; export the part again", declared);
+  }
+  context.fail(fmt::format("byte {}", k_header_bytes + declared * k_facet_bytes),
+               "{} bytes follow the {} facets that the header declares; export the part again",
+               size - k_header_bytes - declared * k_facet_bytes, declared);
+}
+
+}  // namespace
+
+bool binary_stl_size_fits(std::string_view bytes) {
+  if (bytes.size() < k_header_bytes) return false;
+  return bytes.size() == k_header_bytes + std::uint64_t{declared_facets(bytes)} * k_facet_bytes;
+}
+
+Part read_binary_stl(const ReadContext& context) {
+  const std::string_view bytes = context.bytes();
+  if (!binary_stl_size_fits(bytes)) fail_by_size(context);
+  const std::size_t count = declared_facets(bytes);
+  if (count == 0) context.fail("byte 80", "holds no facets; export the part again");
+  context.check_facet_count(count);
+  check_memory(context.path, count * (3 * sizeof(glm::dvec3) + sizeof(std::array<VertexIndex, 3>)));
+
+  std::vector<glm::dvec3> corners;
+  corners.reserve(3 * count);
+  for (std::size_t facet = 0; facet < count; ++facet) {
+    if (facet % k_facets_between_reports == 0) {
+      context.progress.report("reading facets", static_cast<double>(facet) / static_cast<double>(count));
+    }
+    float xyz[9];
+    std::memcpy(xyz, bytes.data() + k_header_bytes + facet * k_facet_bytes + k_normal_bytes, sizeof xyz);
+    for (const float value : xyz) {
+      if (!is_usable_coordinate(static_cast<double>(value))) {
+        context.fail(fmt::format("facet {}", facet), "a coordinate is {}; export the part again", value);
+      }
+    }
+    for (int corner = 0; corner < 3; ++corner) {
+      corners.emplace_back(xyz[3 * corner], xyz[3 * corner + 1], xyz[3 * corner + 2]);
+    }
+  }
+  context.contents.release();
+
+  Part part;
+  part.mesh = weld_corners(corners);
+  part.bodies = {{"", 0, static_cast<FacetIndex>(count)}};
+  return part;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,50 @@
+#include "io/facet_csv.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "io/atomic_file.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace moldlight {
+
+void write_facet_csv(const std::string& path, const FacetTable& table) {
+  CHECK(table.areas.size() == table.fractions.size());
+  CHECK(table.numbers.empty() || table.numbers.size() == table.areas.size());
+  AtomicFile file(path);
+  file.write("facet,area,core,cavity,both,undercut\n");
+  std::string row;
+  for (std::size_t facet = 0; facet < table.areas.size(); ++facet) {
+    const auto& [core, cavity, both, undercut] = table.fractions[facet];
+    const std::uint64_t number = table.numbers.empty() ? facet : table.numbers[facet];
+    const bool in_file = table.numbers.empty() || number != k_no_facet;
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "{},{},{},{},{},{}\n",
+                   in_file ? static_cast<std::int64_t>(number) : -1, table.areas[facet], core, cavity, both,
+                   undercut);
+    file.write(row);
+  }
+  file.commit();
+}
+
+void write_face_csv(const std::string& path, std::span<const SourceAreas> faces) {
+  AtomicFile file(path);
+  file.write("face,area,core,cavity,both,undercut\n");
+  std::string row;
+  for (const SourceAreas& face : faces) {
+    const double area = face.areas.total();
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "{},{}", face.source, area);
+    for (const Region region : k_regions) {
+      // Seven digits are what the shares of the facets have.
+      fmt::format_to(std::back_inserter(row), ",{}",
+                     static_cast<float>(area > 0.0 ? face.areas[region] / area : 0.0));
+    }
+    file.write(row += '\n');
+  }
+  file.commit();
+}
+
+}  // namespace moldlight

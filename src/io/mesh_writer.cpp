@@ -1,0 +1,179 @@
+#include "io/mesh_writer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/file_format.hpp"
+#include "io/text_scanner.hpp"
+
+namespace moldlight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY and STL are written as numbers lie in memory");
+
+template <typename T>
+void append_bytes(std::string& bytes, const T& value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+std::string description(const ColouredMesh& coloured) {
+  return "moldlight mold-piece regions" +
+         (coloured.unit.empty() ? "" : ", unit " + clean_name(coloured.unit));
+}
+
+void write_ply(const std::string& path, const ColouredMesh& coloured) {
+  const TriangleMesh& mesh = coloured.mesh;
+  AtomicFile file(path);
+  file.write(
+      fmt::format("ply\nformat binary_little_endian 1.0\ncomment {}\n"
+                  "comment region: 0 core, 1 cavity, 2 both, 3 undercut\n"
+                  "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+                  "element face {}\nproperty list uchar uint vertex_indices\n"
+                  "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar region\n"
+                  "end_header\n",
+                  description(coloured), mesh.vertices.size(), mesh.facets.size()));
+  std::string row;
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    row.clear();
+    for (int axis = 0; axis < 3; ++axis) append_bytes(row, vertex[axis]);
+    file.write(row);
+  }
+  for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
+    const Region region = coloured.regions[facet];
+    const Colour colour = region_colour(region, coloured.palette);
+    row.assign(1, '\3');
+    append_bytes(row, mesh.facets[facet]);
+    for (const std::uint8_t value : {colour.r, colour.g, colour.b, static_cast<std::uint8_t>(region)}) {
+      append_bytes(row, value);
+    }
+    file.write(row);
+  }
+  file.commit();
+}
+
+std::string material_library(Palette palette) {
+  std::string text = "# moldlight mold-piece regions\n";
+  for (const Region region : k_regions) {
+    const Colour colour = region_colour(region, palette);
+    text += fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nillum 1\n", region_name(region),
+                        colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
+  }
+  return text;
+}
+
+void write_obj(const std::string& path, const ColouredMesh& coloured) {
+  const TriangleMesh& mesh = coloured.mesh;
+  const std::string library_path = fs::path(path).replace_extension(".mtl").string();
+  AtomicFile library(library_path);
+  library.write(material_library(coloured.palette));
+  AtomicFile file(path);
+  file.write(
+      fmt::format("# {}\nmtllib {}\n", description(coloured), fs::path(library_path).filename().string()));
+  std::string row;
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "v {} {} {}\n", vertex.x, vertex.y, vertex.z);
+    file.write(row);
+  }
+  for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
+    row.clear();
+    if (facet == 0 || coloured.regions[facet] != coloured.regions[facet - 1]) {
+      fmt::format_to(std::back_inserter(row), "usemtl {}\n", region_name(coloured.regions[facet]));
+    }
+    const auto& corners = mesh.facets[facet];
+    fmt::format_to(std::back_inserter(row), "f {} {} {}\n", std::uint64_t{corners[0]} + 1,
+                   std::uint64_t{corners[1]} + 1, std::uint64_t{corners[2]} + 1);
+    file.write(row);
+  }
+  library.commit();
+  file.commit();
+}
+
+std::uint16_t stl_colour(Colour colour) {
+  const auto five_bits = [](std::uint8_t value) { return static_cast<unsigned>((value * 31 + 127) / 255); };
+  return static_cast<std::uint16_t>(0x8000u | five_bits(colour.r) << 10 | five_bits(colour.g) << 5 |
+                                    five_bits(colour.b));
+}
+
+/// Binary STL of the facets that `takes` lets through.
+template <typename Filter>
+void write_stl(const std::string& path, const ColouredMesh& coloured, std::size_t count,
+               const Filter& takes) {
+  const TriangleMesh& mesh = coloured.mesh;
+  AtomicFile file(path);
+  std::string row = description(coloured);
+  row.resize(80, ' ');
+  append_bytes(row, static_cast<std::uint32_t>(count));
+  file.write(row);
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const Region region = coloured.regions[facet];
+    if (!takes(region)) continue;
+    row.assign(12, '\0');  // readers take the normal from the corners' order where it is zero
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::dvec3& point = mesh.corner(facet, corner);
+      for (int axis = 0; axis < 3; ++axis) append_bytes(row, static_cast<float>(point[axis]));
+    }
+    append_bytes(row, stl_colour(region_colour(region, coloured.palette)));
+    file.write(row);
+  }
+  file.commit();
+}
+
+}  // namespace
+
+void check_mesh_extension(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == "ply" || extension == "obj" || extension == "stl") return;
+  throw UsageError(path + ": a mesh is written as .ply, .obj or .stl; change the extension");
+}
+
+void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured) {
+  CHECK(coloured.regions.size() == coloured.mesh.facets.size());
+  check_mesh_extension(path);
+  const std::string extension = lower_extension(path);
+  if (extension == "ply") {
+    write_ply(path, coloured);
+  } else if (extension == "obj") {
+    write_obj(path, coloured);
+  } else {
+    write_stl(path, coloured, coloured.mesh.facets.size(), [](Region) { return true; });
+  }
+}
+
+std::vector<std::string> write_region_stls(const std::string& folder, const std::string& stem,
+                                           const ColouredMesh& coloured) {
+  CHECK(coloured.regions.size() == coloured.mesh.facets.size());
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
+  std::vector<std::string> paths;
+  for (const Region region : k_regions) {
+    const std::string path =
+        (fs::path(folder) / fmt::format("{}_{}.stl", stem, region_name(region))).string();
+    const auto count = std::count(coloured.regions.begin(), coloured.regions.end(), region);
+    if (count == 0) {
+      fs::remove(path, error);
+      if (error) throw FileError(path, "", "is out of date and cannot be removed: " + error.message());
+      continue;
+    }
+    write_stl(path, coloured, static_cast<std::size_t>(count),
+              [region](Region other) { return other == region; });
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,41 @@
+// Writing a part with its facets coloured by region. Facet k of the file is facet k of the mesh.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "mold/region.hpp"
+
+namespace moldlight {
+
+/// What is written; mesh and regions outlive it.
+struct ColouredMesh {
+  const TriangleMesh& mesh;
+  std::span<const Region> regions;  // one a facet
+  Palette palette = Palette::paper;
+  std::string unit = {};  // named in a comment where the format has comments; may be empty
+};
+
+/// Writes by the extension of `path`, files replaced whole or not at all:
+/// .ply  binary little endian, coordinates in double; per face red, green, blue and `region` (0 core, 1
+/// cavity, 2 both,
+///       3 undercut);
+/// .obj  one material a region, in a .mtl file beside it;
+/// .stl  binary, coordinates in float; the colour of each facet is in its attribute: bit 15 set, 5 bits each
+/// of red
+///       (10-14), green (5-9) and blue (0-4), as VisCAM and most viewers read it.
+/// Throws UsageError for another extension, FileError where it cannot be written.
+void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
+
+/// Throws UsageError where write_coloured_mesh would for the extension: to be asked before long work.
+void check_mesh_extension(const std::string& path);
+
+/// Writes the facets of each region to <folder>/<stem>_core.stl, …_cavity.stl, …_both.stl, …_undercut.stl
+/// (coloured binary STL), making the folder. A region without facets gets no file, and a former file of its
+/// name goes. Returns the paths.
+std::vector<std::string> write_region_stls(const std::string& folder, const std::string& stem,
+                                           const ColouredMesh& coloured);
+
+}  // namespace moldlight

@@ -1,0 +1,19 @@
+// PNG files (libpng).
+#pragma once
+
+#include <string>
+
+#include "base/image.hpp"
+
+namespace moldlight {
+
+/// The bytes of a PNG file; without an alpha channel where every pixel is opaque.
+[[nodiscard]] std::string png_bytes(const Image& image);
+
+/// Replaces the file whole or not at all; throws FileError.
+void write_png(const std::string& path, const Image& image);
+
+/// Reads a PNG of any kind as RGBA; throws FileError.
+[[nodiscard]] Image read_png(const std::string& path);
+
+}  // namespace moldlight

@@ -1,0 +1,24 @@
+// How a part file is read, and what is made of the part at once.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "mesh/repair.hpp"
+
+namespace moldlight {
+
+struct ReadOptions {
+  std::uint64_t max_facets = 200'000'000;  // a file with more is an error, [1, 1'400'000'000]
+
+  // STEP only: how close the facets keep to the CAD surface.
+  double linear_deflection = 0.0;       // distance in the file's unit; 0: 0.0005 of the part's diagonal
+  double angular_deflection_deg = 5.0;  // angle between neighbouring chords, (0, 90]
+
+  // What is made of it then, in this order.
+  std::string unit = {};      // see set_unit; empty: as the file says
+  std::string body = "all";   // see select_body
+  RepairOptions repair = {};  // see repair_part
+};
+
+}  // namespace moldlight

@@ -1,0 +1,134 @@
+#include "io/step_reader.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "io/child_process.hpp"
+#include "io/step_result.hpp"
+#include "io/text_scanner.hpp"
+#include "mesh/weld.hpp"
+
+namespace moldlight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view k_end_mark = "END-ISO-10303-21";
+constexpr std::uint64_t k_base_memory_bytes = std::uint64_t{3} << 30;
+constexpr std::uint64_t k_memory_bytes_a_byte = 100;
+constexpr std::chrono::seconds k_base_time{120};
+constexpr std::uint64_t k_bytes_a_second = 50'000;
+
+/// Path of moldlight-step: beside this program, or where an installation keeps helpers.
+std::optional<std::string> find_reading_program() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* place :
+       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"}) {
+    const std::string program = (folder / place).string();
+    if (::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return std::nullopt;
+}
+
+std::string run_reading_program(const ReadContext& context, std::uint64_t file_bytes) {
+  const auto program = find_reading_program();
+  if (!program) {
+    context.fail("",
+                 "is a STEP file, and this build has no STEP support (the program moldlight-step is "
+                 "missing); export the part as STL");
+  }
+  ChildCommand command;
+  command.program = *program;
+  command.result_descriptor = k_step_result_descriptor;
+  command.time_limit = k_base_time + std::chrono::seconds(file_bytes / k_bytes_a_second);
+  command.arguments = {
+      fs::absolute(context.path).string(), fmt::format("{}", context.options.linear_deflection),
+      fmt::format("{}", context.options.angular_deflection_deg), std::to_string(context.options.max_facets),
+      std::to_string(k_base_memory_bytes + k_memory_bytes_a_byte * file_bytes)};
+  const auto child = run_child(command, context.progress);
+  if (!child) context.fail("", "cannot be read: {} does not start", *program);
+  if (child->signal == SIGINT) throw Cancelled();
+  if (child->timed_out) {
+    context.fail("", "takes more than {} s to read; coarsen the deflection or export the part as STL",
+                 command.time_limit.count());
+  }
+  if (child->exit_code != 0) {
+    context.fail("",
+                 "breaks the STEP reader OpenCASCADE (signal {}); repair it in the CAD program or export STL",
+                 child->signal);
+  }
+  return child->bytes;
+}
+
+constexpr const char* k_broken =
+    "breaks the STEP reader OpenCASCADE; repair it in the CAD program or export STL";
+
+/// The reading program may have been broken by its file in ways that leave it running.
+void check_result(const ReadContext& context, const StepResult& result) {
+  context.check_facet_count(result.facets.size());
+  std::uint64_t covered = 0;
+  for (const StepBody& body : result.bodies) {
+    if (body.facets == 0 || body.facets > result.facets.size() - covered) context.fail("", "{}", k_broken);
+    covered += body.facets;
+  }
+  if (covered == 0 || covered != result.facets.size() || result.faces.size() != covered) {
+    context.fail("", "{}", k_broken);
+  }
+  for (std::size_t i = 0; i < result.vertices.size(); ++i) {
+    const auto& [x, y, z] = result.vertices[i];
+    if (is_usable_point({x, y, z})) continue;
+    context.fail(fmt::format("vertex {}", i), "is ({}, {}, {}); export the part as STL", x, y, z);
+  }
+  for (const auto& facet : result.facets) {
+    for (const std::uint32_t corner : facet) {
+      if (corner >= result.vertices.size()) context.fail("", "{}", k_broken);
+    }
+  }
+}
+
+}  // namespace
+
+Part read_step(const ReadContext& context) {
+  const std::string_view bytes = context.bytes();
+  const std::string_view tail = bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 4096));
+  if (tail.find(k_end_mark) == std::string_view::npos) {
+    context.fail(fmt::format("byte {}", bytes.size()),
+                 "the STEP file ends without '{}'; export the part again", k_end_mark);
+  }
+  const std::uint64_t file_bytes = bytes.size();
+  context.contents.release();
+  return part_of_step_result(context, run_reading_program(context, file_bytes));
+}
+
+Part part_of_step_result(const ReadContext& context, std::string_view bytes) {
+  StepResult result;
+  try {
+    result = StepResult::from_bytes(bytes);
+  } catch (const std::out_of_range&) {
+    context.fail("", "{}", k_broken);
+  }
+  if (!result.error.empty()) context.fail("", "{}", clean_name(result.error));
+  check_result(context, result);
+
+  Part part;
+  part.unit = clean_name(result.unit);
+  for (const std::string& warning : result.warnings) part.warnings.push_back(clean_name(warning));
+  FacetIndex first = 0;
+  for (const StepBody& body : result.bodies) {
+    part.bodies.push_back({clean_name(body.name), first, static_cast<FacetIndex>(body.facets)});
+    first += part.bodies.back().facet_count;
+  }
+  for (const auto& [x, y, z] : result.vertices) part.mesh.vertices.emplace_back(x, y, z);
+  part.mesh.facets = std::move(result.facets);
+  part.facet_source = std::move(result.faces);
+  part.mesh = weld_vertices(part.mesh);
+  return part;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,140 @@
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/edge_table.hpp"
+#include "mesh/repair_steps.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr HalfEdgeIndex k_no_half_edge = std::numeric_limits<HalfEdgeIndex>::max();
+constexpr int k_flatten_passes = 8;
+
+/// Keeps the facets that `stays` says, in order; returns how many went.
+std::size_t keep_facets(MeshInRepair& state, const std::vector<bool>& stays) {
+  std::size_t kept = 0;
+  for (std::size_t facet = 0; facet < stays.size(); ++facet) {
+    if (!stays[facet]) continue;
+    state.mesh.facets[kept] = state.mesh.facets[facet];
+    state.origin[kept] = state.origin[facet];
+    state.body[kept] = state.body[facet];
+    ++kept;
+  }
+  state.mesh.facets.resize(kept);
+  state.origin.resize(kept);
+  state.body.resize(kept);
+  return stays.size() - kept;
+}
+
+/// The half-edge that runs the other way along the same edge, where just two facets use it.
+std::vector<HalfEdgeIndex> opposite_half_edges(const TriangleMesh& mesh) {
+  std::vector<HalfEdgeIndex> opposite(3 * mesh.facets.size(), k_no_half_edge);
+  EdgeTable(mesh).for_each_edge([&](VertexIndex, std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    const HalfEdgeIndex a = uses[0].half_edge, b = uses[1].half_edge;
+    if (start_vertex(mesh, a) == start_vertex(mesh, b)) return;
+    opposite[a] = b;
+    opposite[b] = a;
+  });
+  return opposite;
+}
+
+bool has_area(const TriangleMesh& mesh, FacetIndex facet) {
+  const glm::dvec3& a = mesh.corner(facet, 0);
+  return glm::length(glm::cross(mesh.corner(facet, 1) - a, mesh.corner(facet, 2) - a)) > 0.0;
+}
+
+int longest_edge(const TriangleMesh& mesh, FacetIndex facet) {
+  int longest = 0;
+  double length = -1.0;
+  for (int edge = 0; edge < 3; ++edge) {
+    const double this_length = glm::distance(mesh.corner(facet, edge), mesh.corner(facet, (edge + 1) % 3));
+    if (this_length > length) {
+      length = this_length;
+      longest = edge;
+    }
+  }
+  return longest;
+}
+
+}  // namespace
+
+std::size_t drop_collapsed_facets(MeshInRepair& state) {
+  std::vector<bool> stays;
+  for (const auto& facet : state.mesh.facets) stays.push_back(!is_collapsed(facet));
+  return keep_facets(state, stays);
+}
+
+std::size_t flatten_facets_without_area(MeshInRepair& state) {
+  TriangleMesh& mesh = state.mesh;
+  std::size_t flattened = 0;
+  for (int pass = 0; pass < k_flatten_passes; ++pass) {
+    const std::vector<HalfEdgeIndex> opposite = opposite_half_edges(mesh);
+    std::vector<bool> changed(mesh.facets.size(), false);
+    const std::size_t before = flattened;
+    for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+      if (changed[facet] || is_collapsed(mesh.facets[facet]) || has_area(mesh, facet)) continue;
+      const HalfEdgeIndex edge = 3 * facet + static_cast<HalfEdgeIndex>(longest_edge(mesh, facet));
+      if (opposite[edge] == k_no_half_edge) continue;
+      const FacetIndex across = facet_of(opposite[edge]);
+      if (changed[across] || !has_area(mesh, across)) continue;
+      const VertexIndex from = start_vertex(mesh, edge), to = end_vertex(mesh, edge);
+      const VertexIndex third = mesh.facets[facet][(edge % 3 + 2) % 3];
+      const VertexIndex tip = mesh.facets[across][(opposite[edge] % 3 + 2) % 3];
+      if (tip == third) continue;
+      // The facet across runs from `to` to `from`; its halves meet in the edge from the tip to the third
+      // corner.
+      mesh.facets[across] = {to, third, tip};
+      mesh.facets[facet] = {third, from, tip};
+      state.origin[facet] = state.origin[across];
+      changed[facet] = changed[across] = true;
+      ++flattened;
+    }
+    if (flattened == before) break;
+  }
+  return flattened;
+}
+
+std::size_t drop_duplicate_facets(MeshInRepair& state) {
+  struct Entry {
+    std::array<VertexIndex, 3> sorted;
+    FacetIndex facet;
+    bool odd;  // winding against the sorted one
+  };
+  std::vector<Entry> entries;
+  for (FacetIndex facet = 0; facet < state.mesh.facets.size(); ++facet) {
+    std::array<VertexIndex, 3> corners = state.mesh.facets[facet];
+    if (is_collapsed(corners)) continue;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const bool odd = corners[1] > corners[2];
+    if (odd) std::swap(corners[1], corners[2]);
+    entries.push_back({corners, facet, odd});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.sorted != b.sorted ? a.sorted < b.sorted : a.facet < b.facet;
+  });
+  std::vector<bool> stays(state.mesh.facets.size(), true);
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    std::ptrdiff_t even = 0;
+    while (end < entries.size() && entries[end].sorted == entries[begin].sorted)
+      even += entries[end++].odd ? -1 : 1;
+    if (end - begin == 1) continue;
+    for (std::size_t i = begin; i < end; ++i) stays[entries[i].facet] = false;
+    if (even == 0) continue;
+    const auto kept = std::find_if(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end(),
+                                   [&](const Entry& entry) { return entry.odd == (even < 0); });
+    stays[kept->facet] = true;
+  }
+  return keep_facets(state, stays);
+}
+
+std::size_t count_open_edges(const TriangleMesh& mesh) {
+  std::size_t count = 0;
+  EdgeTable(mesh).for_each_edge(
+      [&](VertexIndex, std::span<const EdgeUse> uses) { count += uses.size() == 1 ? 1 : 0; });
+  return count;
+}
+
+}  // namespace moldlight

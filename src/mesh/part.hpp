@@ -1,0 +1,32 @@
+// A part as read from a file: its mesh and what the file says about it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace moldlight {
+
+/// A body of the file (STL solid, OBJ group or object, 3MF item, STEP solid): a run of facets.
+struct Body {
+  std::string name;
+  FacetIndex first_facet = 0;
+  FacetIndex facet_count = 0;
+};
+
+struct Part {
+  std::string file;    // as the user gave it
+  std::string format;  // "STL binary", "STL ASCII", "OBJ", …
+  std::string unit;    // "mm", "in", …; empty where the file does not say
+  TriangleMesh mesh;
+  std::vector<Body> bodies;                 // at least one, covering all facets in order
+  std::vector<std::uint32_t> facet_source;  // number of the file's polygon (OBJ, PLY, OFF) or CAD face (STEP)
+                                            // that each facet comes from; empty where each facet is its own
+  std::vector<std::string> warnings;        // one sentence each, for the user
+  std::vector<std::uint32_t> file_facets = {};  // number in the file of each facet, k_no_facet for one that a
+                                                // repair added; empty where facet k is facet k of the file
+  std::vector<std::string> repairs = {};        // what a repair did, one sentence each
+};
+
+}  // namespace moldlight

@@ -1,0 +1,44 @@
+// The triangle mesh: a plain value, in file order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace moldlight {
+
+using VertexIndex = std::uint32_t;
+using FacetIndex = std::uint32_t;
+
+/// Marks "no facet", so a mesh holds at most 2^32 - 2 facets.
+inline constexpr FacetIndex k_no_facet = std::numeric_limits<FacetIndex>::max();
+
+/// Triangles over shared vertices. Facet k is facet k of the file; corners run counter-clockwise seen from
+/// outside. Coordinates are finite and in the part's own unit.
+struct TriangleMesh {
+  std::vector<glm::dvec3> vertices;
+  std::vector<std::array<VertexIndex, 3>> facets;
+
+  /// Corner `corner` (0, 1, 2) of facet `facet`.
+  [[nodiscard]] const glm::dvec3& corner(FacetIndex facet, int corner) const {
+    return vertices[facets[facet][static_cast<std::size_t>(corner)]];
+  }
+};
+
+/// Axis-aligned box; min > max for a mesh without facets.
+struct Bounds {
+  glm::dvec3 min{std::numeric_limits<double>::infinity()};
+  glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+
+  [[nodiscard]] glm::dvec3 center() const;
+  /// Length of the box's diagonal; 0 for a mesh without facets.
+  [[nodiscard]] double diagonal() const;
+};
+
+/// Box of the vertices that facets use.
+[[nodiscard]] Bounds bounds(const TriangleMesh& mesh);
+
+}  // namespace moldlight

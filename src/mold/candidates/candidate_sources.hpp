@@ -1,0 +1,47 @@
+// The sources of candidate directions, one function each. All are deterministic; none merges what it finds
+// with others.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/adjacency.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mold/candidates/candidate.hpp"
+#include "mold/candidates/normal_histogram.hpp"
+
+namespace moldlight {
+
+/// x, y, z.
+[[nodiscard]] std::vector<Candidate> coordinate_axis_candidates();
+
+/// Axes of the surface's second moments; those that are not determined (equal moments) are left out.
+[[nodiscard]] std::vector<Candidate> principal_axis_candidates(const TriangleMesh& mesh,
+                                                               const FacetGeometry& geometry);
+
+/// Normals that much area shares, at most `most` of them. `total_area` is that of all cells.
+[[nodiscard]] std::vector<Candidate> plane_candidates(const std::vector<NormalCell>& cells, double total_area,
+                                                      std::size_t most);
+
+/// Axes of cylinders, cones and holes, full turns first, at most `most` of them.
+[[nodiscard]] std::vector<Candidate> revolution_candidates(const FacetGeometry& geometry,
+                                                           const Adjacency& adjacency, std::size_t most);
+
+/// Directions perpendicular to much facet area: every normal votes for its great circle of directions; the
+/// best are refined to the least-squares perpendicular of the facets within a shrinking band. At most `most`
+/// of them.
+[[nodiscard]] std::vector<Candidate> perpendicular_candidates(const std::vector<NormalCell>& cells,
+                                                              double total_area, std::size_t most);
+
+/// Normals of the largest facets of the convex hull, at most `most`; none for a part without volume.
+[[nodiscard]] std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most);
+
+/// `count` directions of even density with z > 0 (Fibonacci lattice), the same in every run.
+[[nodiscard]] std::vector<glm::dvec3> fibonacci_half_sphere(std::size_t count);
+[[nodiscard]] std::vector<Candidate> uniform_candidates(std::size_t count);
+
+/// Directions as given, of any length but zero; their sense is kept.
+[[nodiscard]] std::vector<Candidate> user_candidates(std::span<const glm::dvec3> directions);
+
+}  // namespace moldlight

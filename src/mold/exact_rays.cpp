@@ -1,0 +1,139 @@
+#include "mold/exact_rays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include <embree3/rtcore.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// How far below its facet a surface point's ray starts: a few roundings of a coordinate of 0.5 in single
+/// precision.
+constexpr float k_start_below = 5e-7F;
+constexpr std::size_t k_rays_at_once = 256;
+constexpr float k_unlimited = std::numeric_limits<float>::infinity();
+
+/// Drops hits of facets that face away from the ray's origin.
+void keep_facing(const RTCFilterFunctionNArguments* arguments) {
+  CHECK(arguments->N == 1);
+  if (arguments->valid[0] == 0) return;
+  const RTCRay* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+  const RTCHit* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+  const float facing = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
+  if (facing >= 0.0F) arguments->valid[0] = 0;
+}
+
+RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float reach) {
+  RTCRay ray{};
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tnear = 0.0F;
+  ray.tfar = reach;
+  ray.mask = ~0U;
+  return ray;
+}
+
+RTCIntersectContext make_context(bool facing_only) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (facing_only) context.filter = keep_facing;
+  return context;
+}
+
+}  // namespace
+
+struct ExactRays::Scene {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  ~Scene() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  [[nodiscard]] bool occluded(RTCRay ray, bool facing_only) const {
+    RTCIntersectContext context = make_context(facing_only);
+    rtcOccluded1(scene, &context, &ray);
+    return ray.tfar < 0.0F;
+  }
+};
+
+ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positions)
+    : scene_(std::make_unique<Scene>()) {
+  CHECK(positions.size() == mesh.vertices.size());
+  scene_->device = rtcNewDevice(nullptr);
+  if (scene_->device == nullptr) throw Error("exact rays: Embree has no device on this machine");
+  scene_->scene = rtcNewScene(scene_->device);
+  rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT |
+                                                             RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  if (!mesh.facets.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(glm::vec3), positions.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(mesh.facets[0]), mesh.facets.size());
+    if (vertices == nullptr || indices == nullptr)
+      throw Error("exact rays: not enough memory for the search tree");
+    std::memcpy(vertices, positions.data(), positions.size_bytes());
+    std::memcpy(indices, mesh.facets.data(), mesh.facets.size() * sizeof(mesh.facets[0]));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene_->scene);
+  if (rtcGetDeviceError(scene_->device) != RTC_ERROR_NONE) {
+    throw Error("exact rays: Embree could not build its search tree; switch exact rays off or free memory");
+  }
+}
+
+ExactRays::~ExactRays() = default;
+ExactRays::ExactRays(ExactRays&&) noexcept = default;
+ExactRays& ExactRays::operator=(ExactRays&&) noexcept = default;
+
+bool ExactRays::surface_point_blocked(const glm::vec3& origin, const glm::vec3& normal,
+                                      const glm::vec3& direction, float reach) const {
+  return scene_->occluded(make_ray(origin - k_start_below * normal, direction, reach), true);
+}
+
+bool ExactRays::blocked(const glm::vec3& origin, const glm::vec3& direction) const {
+  return scene_->occluded(make_ray(origin, direction, k_unlimited), false);
+}
+
+void ExactRays::blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,
+                        std::span<std::uint8_t> answers) const {
+  CHECK(answers.size() == origins.size());
+  std::array<RTCRay, k_rays_at_once> rays;
+  for (std::size_t done = 0; done < origins.size(); done += k_rays_at_once) {
+    const std::size_t count = std::min(k_rays_at_once, origins.size() - done);
+    for (std::size_t i = 0; i < count; ++i) rays[i] = make_ray(origins[done + i], direction, k_unlimited);
+    RTCIntersectContext context = make_context(false);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded1M(scene_->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRay));
+    for (std::size_t i = 0; i < count; ++i) answers[done + i] = rays[i].tfar < 0.0F ? 1 : 0;
+  }
+}
+
+std::optional<ExactRays::Hit> ExactRays::first_hit(const glm::vec3& origin, const glm::vec3& direction,
+                                                   bool facing_only) const {
+  RTCIntersectContext context = make_context(facing_only);
+  RTCRayHit rayhit{};
+  rayhit.ray = make_ray(origin, direction, k_unlimited);
+  rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_->scene, &context, &rayhit);
+  if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{rayhit.hit.primID, rayhit.ray.tfar};
+}
+
+}  // namespace moldlight

@@ -1,0 +1,23 @@
+// The frame of the two shadow maps of a parting direction.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace moldlight {
+
+/// The direction at length one; one that has it already comes back to the bit, so that a direction that was
+/// printed in full means the same when it is read again. Throws UsageError for a zero or non-finite
+/// direction.
+[[nodiscard]] glm::dvec3 unit_direction(const glm::dvec3& direction);
+
+/// Right-handed orthonormal axes; z is the parting direction.
+struct MapFrame {
+  glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+};
+
+/// Frame for a direction of any length but zero. The axes x and y are twisted about z by a fixed odd angle,
+/// so that walls along the coordinate axes do not fall on whole rows of texels at once: the error of one wall
+/// is then not that of all. Throws UsageError for a zero or non-finite direction.
+[[nodiscard]] MapFrame map_frame(const glm::dvec3& direction);
+
+}  // namespace moldlight

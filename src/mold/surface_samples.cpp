@@ -1,0 +1,57 @@
+#include "mold/surface_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::uint64_t k_least_samples_per_facet = 4;
+// 1/p and 1/p^2 of the plastic number p (p^3 = p + 1), as fractions of 2^64: integer steps keep every sample
+// exact.
+constexpr std::uint64_t k_step_u = 0xC13FA9A902A6328FULL;
+constexpr std::uint64_t k_step_v = 0x91E10DA5C79E7B1DULL;
+
+/// Scatters consecutive numbers over 64 bits (a bijection).
+std::uint64_t scatter(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15ULL;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31);
+}
+
+double fraction(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+}  // namespace
+
+TrianglePlace triangle_place(std::uint64_t index) {
+  const double u = fraction(index * k_step_u), v = fraction(index * k_step_v);
+  return u + v > 1.0 ? TrianglePlace{1.0 - u, 1.0 - v} : TrianglePlace{u, v};
+}
+
+SurfaceSamples sample_surface(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
+                              std::uint64_t wanted) {
+  SurfaceSamples set;
+  set.first.reserve(mesh.facets.size() + 1);
+  set.first.push_back(0);
+  const double density = geometry.total_area > 0.0 ? static_cast<double>(wanted) / geometry.total_area : 0.0;
+  for (const double area : geometry.areas) {
+    const auto share = static_cast<std::uint64_t>(std::llround(area * density));
+    set.first.push_back(set.first.back() + (area > 0.0 ? std::max(share, k_least_samples_per_facet) : 0));
+  }
+  set.samples.reserve(set.first.back());
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const glm::dvec3& a = mesh.corner(facet, 0);
+    const glm::dvec3 ab = mesh.corner(facet, 1) - a;
+    const glm::dvec3 ac = mesh.corner(facet, 2) - a;
+    const std::uint64_t start = scatter(facet);
+    for (std::uint64_t i = set.first[facet]; i < set.first[facet + 1]; ++i) {
+      const TrianglePlace place = triangle_place(start + (i - set.first[facet]));
+      set.samples.push_back({frame.to_unit(a + place.u * ab + place.v * ac), facet});
+    }
+  }
+  return set;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,51 @@
+// Scoring one parting direction quickly, for ranking many. Final figures never come from here.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/vec3.hpp>
+
+#include "mold/region.hpp"
+
+namespace moldlight {
+
+/// Model units squared.
+struct DirectionScore {
+  RegionValues areas;
+  double undercut_error = 0.0;  // 95 % level: sampling, and what the method leaves in doubt
+  /// Lower bound of the undercut area that holds whatever the samples hit: the projected undercut from the
+  /// shadow's area (method: sum |n.d| A - 2 S), less its error; 0 where the scorer has none.
+  double undercut_bound = 0.0;
+  double shadow_area = 0.0;  // of the part along the direction
+  bool given_up = false;  // the areas are rough: the scorer stopped early, see DirectionScorer::give_up_above
+
+  [[nodiscard]] double undercut() const { return areas[Region::undercut]; }
+  /// Undercut areas that it is surely (at the 95 % level) not below and not above.
+  [[nodiscard]] double optimistic() const { return std::max(undercut_bound, undercut() - undercut_error); }
+  [[nodiscard]] double pessimistic() const { return undercut() + undercut_error; }
+};
+
+/// One thread's scorer. The same direction and limit give the same score to the bit, whatever was scored
+/// before and on whichever thread.
+class DirectionScorer {
+ public:
+  virtual ~DirectionScorer() = default;
+  DirectionScorer(const DirectionScorer&) = delete;
+  DirectionScorer& operator=(const DirectionScorer&) = delete;
+
+  /// Score for a unit direction.
+  [[nodiscard]] virtual DirectionScore score(const glm::dvec3& direction) = 0;
+
+  /// From now on a direction whose undercut is certain to be above `undercut` may be given up early.
+  void give_up_above(double undercut) { limit_ = undercut; }
+
+ protected:
+  DirectionScorer() = default;
+  [[nodiscard]] double limit() const { return limit_; }
+
+ private:
+  double limit_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace moldlight

@@ -1,0 +1,34 @@
+// Which scorer is the fastest for an error: scan-converted maps or exact rays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace moldlight {
+
+enum class ScoringMethod : std::uint8_t { scan, rays };
+
+/// A scorer's settings and what is to be expected of it. Errors are standard errors of the undercut area, as
+/// shares of the part's area.
+struct ScoringPlan {
+  ScoringMethod method = ScoringMethod::scan;
+  int resolution = 512;                 // of the maps
+  double scan_samples = 20'000;         // ScanScorerSettings::samples
+  double ray_samples = 100'000;         // of the whole part
+  double scan_ms = 0.0, rays_ms = 0.0;  // expected time of a direction on one core, by either method
+
+  /// The method and why, for the user.
+  [[nodiscard]] std::string reason() const;
+};
+
+/// Error to expect of so many surface samples, each decided by exact rays.
+[[nodiscard]] double ray_error(double samples);
+
+/// The method that takes less time for this error. The rule, with figures from parts of 5,000 to 500,000
+/// facets in tests/bench/speed.cpp: a map costs by the facet and by the texel, a ray hardly by the facet;
+/// maps err as resolution^-1.25 and rays as samples^-0.75. So rays win for a coarse look at large parts
+/// alone. `closed`: the part is; otherwise only rays know what hides what.
+[[nodiscard]] ScoringPlan choose_engine(std::size_t facets, double wanted_error, bool closed);
+
+}  // namespace moldlight

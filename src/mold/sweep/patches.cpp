@@ -1,0 +1,57 @@
+#include "mold/sweep/patches.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace moldlight {
+
+namespace {
+constexpr double k_least_share = 1e-5;  // of the part's area
+}
+
+UndercutPatches undercut_patches(std::span<const std::array<float, k_region_count>> facet_fractions,
+                                 const FacetGeometry& geometry, const Adjacency& adjacency) {
+  constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
+  UndercutPatches patches;
+  patches.of_facet.assign(facet_fractions.size(), k_no_facet);
+  std::vector<FacetIndex> queue;
+  for (FacetIndex seed = 0; seed < facet_fractions.size(); ++seed) {
+    if (facet_fractions[seed][k_undercut] < 0.5F || patches.of_facet[seed] != k_no_facet) continue;
+    const auto patch = static_cast<FacetIndex>(patches.areas.size());
+    double area = 0.0;
+    queue.assign(1, seed);
+    patches.of_facet[seed] = patch;
+    while (!queue.empty()) {
+      const FacetIndex facet = queue.back();
+      queue.pop_back();
+      area += geometry.areas[facet] * static_cast<double>(facet_fractions[facet][k_undercut]);
+      for (const FacetIndex next : adjacency.across[facet]) {
+        if (next == k_no_facet || patches.of_facet[next] != k_no_facet) continue;
+        if (facet_fractions[next][k_undercut] < 0.5F) continue;
+        patches.of_facet[next] = patch;
+        queue.push_back(next);
+      }
+    }
+    patches.areas.push_back(area);
+  }
+
+  std::vector<FacetIndex> order(patches.areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](FacetIndex a, FacetIndex b) { return patches.areas[a] > patches.areas[b]; });
+  std::vector<FacetIndex> number(order.size(), k_no_facet);
+  std::vector<double> areas;
+  for (const FacetIndex patch : order) {
+    if (patches.areas[patch] < k_least_share * geometry.total_area) break;
+    number[patch] = static_cast<FacetIndex>(areas.size());
+    areas.push_back(patches.areas[patch]);
+  }
+  for (FacetIndex& patch : patches.of_facet) {
+    if (patch != k_no_facet) patch = number[patch];
+  }
+  patches.areas = std::move(areas);
+  patches.count = patches.areas.size();
+  return patches;
+}
+
+}  // namespace moldlight

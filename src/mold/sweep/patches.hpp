@@ -1,0 +1,25 @@
+// Connected undercut patches: each needs a side action (or a change of the part) of its own.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/adjacency.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mold/region.hpp"
+
+namespace moldlight {
+
+/// Facets of which at least half is undercut, connected across shared edges. Patches of less than a 100,000th
+/// of the part's area are left out.
+struct UndercutPatches {
+  std::size_t count = 0;
+  std::vector<FacetIndex> of_facet;  // patch number, largest patch first; k_no_facet outside
+  std::vector<double> areas;         // undercut area of each patch, model units squared
+};
+[[nodiscard]] UndercutPatches undercut_patches(
+    std::span<const std::array<float, k_region_count>> facet_fractions, const FacetGeometry& geometry,
+    const Adjacency& adjacency);
+
+}  // namespace moldlight

@@ -1,0 +1,72 @@
+// Scores directions by exact rays over a fixed set of surface samples.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/facet_geometry.hpp"
+#include "mold/exact_rays.hpp"
+#include "mold/surface_samples.hpp"
+#include "mold/sweep/direction_scorer.hpp"
+
+namespace moldlight {
+
+/// What scorers of one part share; everything must outlive them.
+struct RayScorerPart {
+  const ExactRays& rays;
+  const FacetGeometry& geometry;
+  const SurfaceSamples& samples;
+};
+
+/// Samples are asked in passes, each spread evenly over the part; a direction is given up when its undercut
+/// is above the limit by five standard errors of what was seen. The cost hardly grows with the facets, the
+/// error falls with the samples.
+class RayScorer : public DirectionScorer {
+ public:
+  /// `lateral` is the lateral tolerance in the unit frame, `tau_deg` in degrees.
+  RayScorer(const RayScorerPart& part, double tau_deg, double lateral);
+
+  [[nodiscard]] DirectionScore score(const glm::dvec3& direction) override;
+
+ private:
+  /// Rays of one kind: where they start, how their facets face the direction, and what was in the way.
+  struct Queue {
+    std::vector<glm::vec3> origins;
+    std::vector<float> facing;
+    std::array<std::vector<std::uint8_t>, 2> blocked;
+
+    void clear() {
+      origins.clear();
+      facing.clear();
+    }
+    void push(const glm::vec3& origin, float facing_direction) {
+      origins.push_back(origin);
+      facing.push_back(facing_direction);
+    }
+    [[nodiscard]] std::span<std::uint8_t> answers(std::size_t sense) {
+      blocked[sense].resize(origins.size());
+      return blocked[sense];
+    }
+  };
+  struct Tally {
+    std::array<std::uint64_t, k_region_count> counts{};
+    std::size_t seen = 0;
+    double hidden = 0.0;  // projected, in samples
+  };
+
+  void ask(std::size_t pass, const glm::dvec3& direction);
+  void count(Tally& tally) const;
+
+  RayScorerPart part_;
+  double tau_deg_, lateral_;
+  Queue up_, down_, beside_;
+};
+
+/// Samples for RayScorer: `count` over the whole part in proportion to area, none on facets too small to get
+/// one. Facet boundaries are passed over, so that many small facets share a sample.
+[[nodiscard]] SurfaceSamples sample_surface_evenly(const TriangleMesh& mesh, const FacetGeometry& geometry,
+                                                   const UnitFrame& frame, std::uint64_t count);
+
+}  // namespace moldlight

@@ -1,0 +1,239 @@
+#include "picture/canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "base/check.hpp"
+#include "picture/letters.hpp"
+#include "picture/utf8.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Cairo keeps pixels as native 32-bit words, alpha uppermost, colours multiplied by alpha.
+std::uint32_t to_word(const std::uint8_t* rgba) {
+  const auto multiplied = [alpha = rgba[3]](std::uint8_t channel) {
+    return static_cast<std::uint32_t>((channel * alpha + 127) / 255);
+  };
+  return static_cast<std::uint32_t>(rgba[3]) << 24 | multiplied(rgba[0]) << 16 | multiplied(rgba[1]) << 8 |
+         multiplied(rgba[2]);
+}
+
+void from_word(std::uint32_t word, std::uint8_t* rgba) {
+  const std::uint32_t alpha = word >> 24;
+  const auto straight = [alpha](std::uint32_t channel) {
+    return alpha == 0 ? std::uint8_t{0}
+                      : static_cast<std::uint8_t>(
+                            std::min<std::uint32_t>(255, ((channel & 255) * 255 + alpha / 2) / alpha));
+  };
+  rgba[0] = straight(word >> 16);
+  rgba[1] = straight(word >> 8);
+  rgba[2] = straight(word);
+  rgba[3] = static_cast<std::uint8_t>(alpha);
+}
+
+cairo_surface_t* surface_of(const Image& image) {
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height);
+  CHECK(cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS);
+  std::uint8_t* bytes = cairo_image_surface_get_data(surface);
+  const int stride = cairo_image_surface_get_stride(surface);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint32_t word = to_word(image.at(x, y));
+      std::memcpy(bytes + y * stride + 4 * x, &word, 4);
+    }
+  }
+  cairo_surface_mark_dirty(surface);
+  return surface;
+}
+
+}  // namespace
+
+struct Canvas::Surface {
+  explicit Surface(cairo_surface_t* owned) : pixels(owned), cairo(cairo_create(owned)) {}
+  ~Surface() {
+    cairo_destroy(cairo);
+    cairo_surface_destroy(pixels);
+  }
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  void set(const Ink& ink) const {
+    cairo_set_source_rgba(cairo, ink.colour.r / 255.0, ink.colour.g / 255.0, ink.colour.b / 255.0,
+                          ink.opacity);
+  }
+  void box_path(const Box& box, double radius) const {
+    const glm::dvec2 low = box.corner, high = box.far_corner();
+    const double r = std::min({radius, 0.5 * box.size.x, 0.5 * box.size.y});
+    const double quarter = glm::half_pi<double>();
+    cairo_new_path(cairo);
+    cairo_arc(cairo, high.x - r, low.y + r, r, -quarter, 0.0);
+    cairo_arc(cairo, high.x - r, high.y - r, r, 0.0, quarter);
+    cairo_arc(cairo, low.x + r, high.y - r, r, quarter, 2.0 * quarter);
+    cairo_arc(cairo, low.x + r, low.y + r, r, 2.0 * quarter, 3.0 * quarter);
+    cairo_close_path(cairo);
+  }
+
+  cairo_surface_t* pixels;
+  cairo_t* cairo;
+  LetterSetter letters;
+};
+
+Canvas::Canvas(int width, int height) : Canvas(empty_image(width, height)) {}
+Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>(surface_of(image))) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+glm::dvec2 Canvas::size() const {
+  return {cairo_image_surface_get_width(surface_->pixels), cairo_image_surface_get_height(surface_->pixels)};
+}
+
+void Canvas::fill(const Ink& ink) {
+  surface_->set(ink);
+  cairo_paint(surface_->cairo);
+}
+
+void Canvas::fill_box(const Box& box, const Ink& ink, double radius) {
+  surface_->set(ink);
+  surface_->box_path(box, radius);
+  cairo_fill(surface_->cairo);
+}
+
+void Canvas::outline_box(const Box& box, const Ink& ink, double radius, double width) {
+  surface_->set(ink);
+  surface_->box_path(box, radius);
+  cairo_set_line_width(surface_->cairo, width);
+  cairo_stroke(surface_->cairo);
+}
+
+void Canvas::hatch_box(const Box& box, const Ink& ink, double radius, double pitch) {
+  cairo_t* cairo = surface_->cairo;
+  cairo_save(cairo);
+  surface_->box_path(box, radius);
+  cairo_clip(cairo);
+  surface_->set(ink);
+  cairo_set_line_width(cairo, 0.42 * pitch);
+  const double step = pitch * glm::root_two<double>();
+  for (double x = box.corner.x; x < box.far_corner().x + box.size.y; x += step) {
+    cairo_move_to(cairo, x + 1.0, box.corner.y - 1.0);
+    cairo_line_to(cairo, x - box.size.y - 1.0, box.far_corner().y + 1.0);
+  }
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+}
+
+void Canvas::line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width) {
+  surface_->set(ink);
+  cairo_set_line_cap(surface_->cairo, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_width(surface_->cairo, width);
+  cairo_move_to(surface_->cairo, from.x, from.y);
+  cairo_line_to(surface_->cairo, to.x, to.y);
+  cairo_stroke(surface_->cairo);
+  cairo_set_line_cap(surface_->cairo, CAIRO_LINE_CAP_BUTT);
+}
+
+void Canvas::arrow(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width) {
+  const double length = glm::distance(from, to);
+  if (length < 1e-6) return;
+  const glm::dvec2 along = (to - from) / length, aside(-along.y, along.x);
+  const double head = std::min(5.0 * width, length);
+  line(from, to - 0.8 * head * along, ink, width);
+  const std::array<glm::dvec2, 3> corners = {to, to - head * along + 0.38 * head * aside,
+                                             to - head * along - 0.38 * head * aside};
+  cairo_move_to(surface_->cairo, corners[0].x, corners[0].y);
+  cairo_line_to(surface_->cairo, corners[1].x, corners[1].y);
+  cairo_line_to(surface_->cairo, corners[2].x, corners[2].y);
+  cairo_close_path(surface_->cairo);
+  surface_->set(ink);
+  cairo_fill(surface_->cairo);
+}
+
+void Canvas::disc(const glm::dvec2& centre, double radius, const Ink& ink) {
+  surface_->set(ink);
+  cairo_new_path(surface_->cairo);
+  cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  cairo_fill(surface_->cairo);
+}
+
+void Canvas::ring(const glm::dvec2& centre, double radius, const Ink& ink, double width) {
+  surface_->set(ink);
+  cairo_new_path(surface_->cairo);
+  cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  cairo_set_line_width(surface_->cairo, width);
+  cairo_stroke(surface_->cairo);
+}
+
+void Canvas::picture(const Image& image, const Box& box) {
+  if (image.width == 0 || image.height == 0) return;
+  cairo_t* cairo = surface_->cairo;
+  cairo_surface_t* source = surface_of(image);
+  cairo_save(cairo);
+  cairo_translate(cairo, box.corner.x, box.corner.y);
+  cairo_scale(cairo, box.size.x / image.width, box.size.y / image.height);
+  cairo_set_source_surface(cairo, source, 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
+  cairo_rectangle(cairo, 0.0, 0.0, image.width, image.height);
+  cairo_fill(cairo);
+  cairo_restore(cairo);
+  cairo_surface_destroy(source);
+}
+
+void Canvas::text(const glm::dvec2& at, std::string_view text, const TextStyle& style) {
+  const std::vector<SetLetter> letters =
+      surface_->letters.set(text, style.size_px, style.weight, style.tabular);
+  const double width = letters.empty() ? 0.0 : letters.back().end;
+  const double start = style.align == Align::left     ? at.x
+                       : style.align == Align::centre ? at.x - 0.5 * width
+                                                      : at.x - width;
+  surface_->set(style.ink);
+  for (const SetLetter& letter : letters) {
+    cairo_set_scaled_font(surface_->cairo, letter.font);
+    const cairo_glyph_t glyph{letter.glyph, start + letter.start, at.y};
+    cairo_show_glyphs(surface_->cairo, &glyph, 1);
+  }
+}
+
+double Canvas::text_width(std::string_view text, const TextStyle& style) {
+  const std::vector<SetLetter> letters =
+      surface_->letters.set(text, style.size_px, style.weight, style.tabular);
+  return letters.empty() ? 0.0 : letters.back().end;
+}
+
+std::string Canvas::elided(std::string_view text, const TextStyle& style, double width) {
+  if (text_width(text, style) <= width) return std::string(text);
+  const std::u32string letters = letters_of(text);
+  for (std::size_t kept = letters.size(); kept-- > 0;) {
+    const std::size_t tail = kept / 2, head = kept - tail;
+    const std::string shorter =
+        utf8_of(letters.substr(0, head)) + "…" + utf8_of(letters.substr(letters.size() - tail));
+    if (text_width(shorter, style) <= width) return shorter;
+  }
+  return "…";
+}
+
+Image Canvas::image() const {
+  cairo_surface_flush(surface_->pixels);
+  Image image = empty_image(cairo_image_surface_get_width(surface_->pixels),
+                            cairo_image_surface_get_height(surface_->pixels));
+  const std::uint8_t* bytes = cairo_image_surface_get_data(surface_->pixels);
+  const int stride = cairo_image_surface_get_stride(surface_->pixels);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      std::uint32_t word = 0;
+      std::memcpy(&word, bytes + y * stride + 4 * x, 4);
+      from_word(word, image.at(x, y));
+    }
+  }
+  return image;
+}
+
+}  // namespace moldlight

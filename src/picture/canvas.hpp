@@ -1,0 +1,60 @@
+// Drawing on pictures: boxes, lines, arrows and text (Cairo).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "base/image.hpp"
+#include "picture/text_style.hpp"
+
+namespace moldlight {
+
+/// Pixels from the upper left corner, y down; a pixel's centre lies at half numbers.
+struct Box {
+  glm::dvec2 corner{0.0}, size{0.0};
+
+  [[nodiscard]] glm::dvec2 far_corner() const { return corner + size; }
+};
+
+class Canvas {
+ public:
+  /// A transparent canvas.
+  Canvas(int width, int height);
+  /// A canvas with this picture on it.
+  explicit Canvas(const Image& image);
+  ~Canvas();
+  Canvas(Canvas&&) noexcept;
+  Canvas& operator=(Canvas&&) noexcept;
+
+  [[nodiscard]] glm::dvec2 size() const;
+
+  void fill(const Ink& ink);
+  void fill_box(const Box& box, const Ink& ink, double radius = 0.0);
+  void outline_box(const Box& box, const Ink& ink, double radius, double width);
+  /// Slanting stripes within a box, as undercuts have them.
+  void hatch_box(const Box& box, const Ink& ink, double radius, double pitch);
+  void line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width);
+  /// A line with a filled head at `to`.
+  void arrow(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width);
+  void disc(const glm::dvec2& centre, double radius, const Ink& ink);
+  void ring(const glm::dvec2& centre, double radius, const Ink& ink, double width);
+  /// A picture with its upper left corner at `corner`, scaled to `size`.
+  void picture(const Image& image, const Box& box);
+
+  /// One line of UTF-8 text; `at` is where its baseline starts, or its middle or end as aligned.
+  void text(const glm::dvec2& at, std::string_view text, const TextStyle& style);
+  [[nodiscard]] double text_width(std::string_view text, const TextStyle& style);
+  /// The text, or what fits into `width` of it with an ellipsis in its middle.
+  [[nodiscard]] std::string elided(std::string_view text, const TextStyle& style, double width);
+
+  [[nodiscard]] Image image() const;
+
+ private:
+  struct Surface;
+  std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace moldlight

@@ -1,0 +1,158 @@
+#include "picture/legend.hpp"
+
+#include <algorithm>
+
+namespace moldlight {
+
+namespace {
+
+// Lengths at scale 1, on a grid of four pixels.
+constexpr double k_width = 324.0, k_padding = 20.0, k_radius = 12.0;
+constexpr double k_title_px = 17.0, k_text_px = 14.0, k_small_px = 12.0;
+constexpr double k_title_line = 24.0, k_small_line = 18.0, k_row = 26.0;
+constexpr double k_bar_height = 8.0, k_bar_gap = 16.0;
+constexpr double k_swatch = 12.0, k_name_left = 22.0, k_percent_right = 160.0;
+
+/// Writes at places given at scale 1 from the legend's corner.
+class Writer {
+ public:
+  Writer(Canvas& canvas, const glm::dvec2& corner, const LegendStyle& style)
+      : canvas_(canvas), corner_(corner), scale_(style.scale) {}
+
+  [[nodiscard]] glm::dvec2 place(double x, double y) const {
+    return corner_ + scale_ * glm::dvec2(k_padding + x, k_padding + y);
+  }
+  [[nodiscard]] Box box(double x, double y, double width, double height) const {
+    return {place(x, y), scale_ * glm::dvec2(width, height)};
+  }
+  [[nodiscard]] TextStyle style(double size, FontWeight weight, const Ink& ink, Align align) const {
+    return {.size_px = scale_ * size, .weight = weight, .ink = ink, .align = align, .tabular = true};
+  }
+  void text(double x, double baseline, std::string_view words, const TextStyle& style) {
+    canvas_.text(place(x, baseline), words, style);
+  }
+
+ private:
+  Canvas& canvas_;
+  glm::dvec2 corner_;
+  double scale_;
+};
+
+double inner_width() { return k_width - 2.0 * k_padding; }
+
+double inner_height(const LegendContent& content) {
+  double height = k_title_line + k_small_line * static_cast<double>(content.lines.size());
+  height += k_bar_gap + k_bar_height + 12.0 + k_row * k_region_count;
+  if (!content.note.empty()) height += 8.0 + k_small_line;
+  return height - 6.0;
+}
+
+void draw_bar(Canvas& canvas, const Writer& at, double top, const LegendContent& content,
+              const LegendStyle& style) {
+  const double gap = 2.0, least = 3.0;
+  double shown = 0.0;
+  for (const double share : content.shares) shown += share > 0.0 ? 1.0 : 0.0;
+  const double room = inner_width() - gap * std::max(0.0, shown - 1.0) - least * shown;
+  double left = 0.0;
+  for (const Region region : k_regions) {
+    const double share = content.shares[static_cast<std::size_t>(region)];
+    if (share <= 0.0) continue;
+    const double width = least + room * share;
+    const Box box = at.box(left, top, width, k_bar_height);
+    canvas.fill_box(box, {region_colour(region, style.palette)}, 2.0 * style.scale);
+    if (region == Region::undercut) {
+      canvas.hatch_box(box, {{0, 0, 0}, 0.28}, 2.0 * style.scale, 5.0 * style.scale);
+    }
+    left += width + gap;
+  }
+}
+
+TextStyle tag_text(const LegendStyle& style) {
+  return {.size_px = k_small_px * style.scale,
+          .weight = FontWeight::medium,
+          .ink = picture_inks(style.dark).normal,
+          .align = Align::centre};
+}
+
+}  // namespace
+
+PictureInks picture_inks(bool dark) {
+  if (dark) {
+    return {.card = {{17, 19, 22}, 0.78},
+            .border = {{255, 255, 255}, 0.09},
+            .strong = {{244, 246, 248}},
+            .normal = {{214, 218, 224}},
+            .faint = {{146, 152, 162}}};
+  }
+  return {.card = {{255, 255, 255}, 0.86},
+          .border = {{20, 30, 48}, 0.12},
+          .strong = {{20, 24, 31}},
+          .normal = {{52, 58, 68}},
+          .faint = {{112, 120, 132}}};
+}
+
+glm::dvec2 tag_size(Canvas& canvas, std::string_view word, const LegendStyle& style) {
+  const TextStyle text = tag_text(style);
+  return {canvas.text_width(word, text) + 1.3 * text.size_px, 1.75 * text.size_px};
+}
+
+void draw_tag(Canvas& canvas, const glm::dvec2& centre, std::string_view word, const LegendStyle& style) {
+  const TextStyle text = tag_text(style);
+  const glm::dvec2 size = tag_size(canvas, word, style);
+  Ink card = picture_inks(style.dark).card;
+  card.opacity *= 0.85;
+  canvas.fill_box({centre - 0.5 * size, size}, card, 0.5 * size.y);
+  canvas.text(centre + glm::dvec2(0.0, 0.36 * text.size_px), word, text);
+}
+
+glm::dvec2 legend_size(const LegendContent& content, const LegendStyle& style) {
+  return style.scale * glm::dvec2(k_width, inner_height(content) + 2.0 * k_padding);
+}
+
+void draw_legend(Canvas& canvas, const glm::dvec2& corner, const LegendContent& content,
+                 const LegendStyle& style) {
+  const PictureInks inks = picture_inks(style.dark);
+  const Box card{corner, legend_size(content, style)};
+  canvas.fill_box(card, inks.card, k_radius * style.scale);
+  const Box border{card.corner + 0.5, card.size - 1.0};
+  canvas.outline_box(border, inks.border, k_radius * style.scale, 1.0);
+
+  Writer at(canvas, corner, style);
+  const TextStyle title = at.style(k_title_px, FontWeight::semibold, inks.strong, Align::left);
+  at.text(0.0, 14.0, canvas.elided(content.title, title, style.scale * inner_width()), title);
+  double y = k_title_line;
+  const TextStyle small = at.style(k_small_px, FontWeight::regular, inks.faint, Align::left);
+  for (const std::string& line : content.lines) {
+    at.text(0.0, y + 11.0, canvas.elided(line, small, style.scale * inner_width()), small);
+    y += k_small_line;
+  }
+  y += k_bar_gap - 4.0;
+  draw_bar(canvas, at, y, content, style);
+  y += k_bar_height + 12.0;
+
+  for (const Region region : k_regions) {
+    const auto index = static_cast<std::size_t>(region);
+    const bool undercut = region == Region::undercut;
+    const Box swatch = at.box(0.0, y + 5.0, k_swatch, k_swatch);
+    canvas.fill_box(swatch, {region_colour(region, style.palette)}, 3.0 * style.scale);
+    if (undercut) canvas.hatch_box(swatch, {{0, 0, 0}, 0.28}, 3.0 * style.scale, 5.0 * style.scale);
+    const FontWeight weight = undercut ? FontWeight::semibold : FontWeight::regular;
+    const Ink& ink = undercut ? inks.strong : inks.normal;
+    at.text(k_name_left, y + 16.0, region_name(region), at.style(k_text_px, weight, ink, Align::left));
+    at.text(k_percent_right - 14.0, y + 16.0, content.percents[index],
+            at.style(k_text_px, weight, ink, Align::right));
+    at.text(k_percent_right - 10.0, y + 16.0, "%",
+            at.style(k_small_px, FontWeight::regular, inks.faint, Align::left));
+    at.text(inner_width() - 30.0, y + 16.0, content.areas[index],
+            at.style(k_text_px, weight, ink, Align::right));
+    at.text(inner_width(), y + 16.0, content.unit,
+            at.style(k_small_px, FontWeight::regular, inks.faint, Align::right));
+    y += k_row;
+  }
+  if (!content.note.empty()) {
+    y += 8.0;
+    at.text(0.0, y + 9.0, canvas.elided(content.note, small, style.scale * inner_width()), small);
+  }
+}
+
+}  // namespace moldlight

@@ -1,0 +1,69 @@
+#include "render/facet_id_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
+
+#include "mold/measure.hpp"
+
+namespace moldlight {
+
+namespace {
+constexpr int k_rows_read_at_once = 256;
+}
+
+FacetIdPass::FacetIdPass(const gl::Functions& gl)
+    : gl_(&gl), program_(gl, {.vertex = "measure/facet_id.vert", .fragment = "measure/facet_id.frag"}) {}
+
+std::vector<std::uint8_t> FacetIdPass::run(const PartBuffers& part, const MapFrame& frame, const float top[2],
+                                           const FacetIdSettings& settings) {
+  const int size = settings.resolution;
+  const gl::Texture facets = gl::make_texture_2d(*gl_, GL_R32UI, size, size);
+  const gl::Texture depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, size, size);
+  const GLuint colour = facets.name();
+  const gl::Framebuffer framebuffer =
+      gl::make_framebuffer(*gl_, {.colours = {&colour, 1}, .depth = depth.name()});
+  gl_->Viewport(0, 0, size, size);
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_LESS);
+  gl_->DepthMask(GL_TRUE);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->Disable(GL_BLEND);
+  program_.use();
+  program_.set("u_direction", glm::vec3(frame.z));
+  program_.set("u_map_x", glm::vec3(frame.x));
+  program_.set("u_map_y", glm::vec3(frame.y));
+  program_.set("u_map_size", static_cast<float>(size));
+  program_.set("u_tangent", static_cast<float>(std::tan(glm::radians(settings.draft_perturbation_deg))));
+  program_.set_texture("t_planes", 0, GL_TEXTURE_BUFFER, part.planes());
+  program_.set_texture("t_facet_class", 1, GL_TEXTURE_BUFFER, part.facet_classes());
+  program_.set_texture("t_positions", 2, GL_TEXTURE_BUFFER, part.positions());
+  program_.set_texture("t_corners", 3, GL_TEXTURE_BUFFER, part.corners());
+
+  std::vector<std::uint8_t> bits(part.facet_count(), 0);
+  std::vector<std::uint32_t> rows(static_cast<std::size_t>(size) * k_rows_read_at_once);
+  for (const bool plus : {true, false}) {
+    const GLuint none[4] = {0, 0, 0, 0};
+    const GLfloat furthest = 1.0F;
+    gl_->ClearBufferuiv(GL_COLOR, 0, none);
+    gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
+    program_.set("u_side", plus ? 1.0F : -1.0F);
+    program_.set("u_top", top[plus ? 0 : 1]);
+    part.draw_corners();
+    gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    const std::uint8_t bit = plus ? verdict::k_accessible_plus : verdict::k_accessible_minus;
+    for (int row = 0; row < size; row += k_rows_read_at_once) {
+      const int count = std::min(k_rows_read_at_once, size - row);
+      gl_->ReadPixels(0, row, size, count, GL_RED_INTEGER, GL_UNSIGNED_INT, rows.data());
+      const std::size_t pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(count);
+      for (std::size_t i = 0; i < pixels; ++i) {
+        if (rows[i] != 0) bits[rows[i] - 1] = static_cast<std::uint8_t>(bits[rows[i] - 1] | bit);
+      }
+    }
+  }
+  gl::check_errors(*gl_, "reading facet numbers back");
+  return bits;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,84 @@
+// The picture of the part: one path for the window's viewport, still pictures and contact sheets.
+//
+// Deferred: the facet and the normal of each visible fragment are drawn first; then each fragment is
+// classified once (shaders/common/region.glsl) and shaded. A picture at rest is refined: later calls average
+// it with copies shifted by parts of a pixel.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "gl/objects.hpp"
+#include "mold/region.hpp"
+#include "render/camera.hpp"
+#include "render/part_buffers.hpp"
+#include "render/shadow_maps.hpp"
+#include "render/view_geometry.hpp"
+#include "render/view_settings.hpp"
+
+namespace moldlight {
+
+class ViewPasses;
+struct ViewTargets;
+
+/// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
+/// colour that keeps sRGB values as they are written.
+struct ViewTarget {
+  GLuint framebuffer = 0;
+  glm::ivec2 size{0};
+};
+
+/// What is seen at a pixel.
+struct PickedPoint {
+  FacetIndex facet = 0;
+  glm::vec3 position{0.0F};  // on the part, unit frame; not moved by an opened mold
+  Region region = Region::both;
+};
+
+/// Needs its context current at every call. Keeps targets of the size last drawn.
+class PartView {
+ public:
+  PartView(const gl::Functions& gl, const ViewGeometry& geometry);
+  ~PartView();
+
+  /// Draws the part. `maps` must have been drawn from `part` for the parting direction. Returns true while
+  /// drawing the same again would refine the picture; false once it is final.
+  bool draw(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps, const Camera& camera,
+            const ViewSettings& settings, const ViewMarks& marks = {});
+
+  /// The same until the picture is final.
+  void draw_final(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps,
+                  const Camera& camera, const ViewSettings& settings, const ViewMarks& marks = {});
+
+  /// Facets that are marked from the next call of draw() on.
+  void choose_facets(std::span<const FacetIndex> facets);
+  /// The contour edges of the direction, which ViewSettings::contour_edges shows (see contour_edges()).
+  void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
+
+  /// What the picture last drawn shows at a pixel, counted from its upper left corner; nothing for the
+  /// background. Waits for the GL.
+  [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
+
+  /// Of the picture last drawn, rows from below, for tests: facet + 1 a pixel (0: background), and the
+  /// region's accessibility bits.
+  [[nodiscard]] std::vector<std::uint32_t> read_facets() const;
+  [[nodiscard]] std::vector<std::uint8_t> read_regions() const;
+
+ private:
+  struct Shown;
+
+  void draw_sample(const PartBuffers& part, const ShadowMaps& maps);
+
+  const gl::Functions* gl_;
+  std::unique_ptr<ViewPasses> passes_;
+  std::unique_ptr<ViewTargets> targets_;
+  std::unique_ptr<Shown> shown_;
+};
+
+}  // namespace moldlight

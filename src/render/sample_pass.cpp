@@ -1,0 +1,60 @@
+#include "render/sample_pass.hpp"
+
+#include <algorithm>
+
+namespace moldlight {
+
+namespace {
+constexpr int k_block_width = 1024, k_block_height = 1024;  // a block of 16 MiB of samples
+}
+
+SamplePass::SamplePass(const gl::Functions& gl)
+    : gl_(&gl),
+      one_sided_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/samples.frag"}),
+      symmetric_(gl, {.vertex = "common/fullscreen.vert",
+                      .fragment = "measure/samples.frag",
+                      .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
+      fullscreen_(gl::make_vertex_array(gl)),
+      samples_(gl::make_texture_2d(gl, GL_RGBA32UI, k_block_width, k_block_height)),
+      verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)) {
+  const GLuint colour = verdicts_.name();
+  framebuffer_ = gl::make_framebuffer(gl, {.colours = {&colour, 1}});
+}
+
+std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const PartBuffers& part,
+                                          const ShadowMaps& maps) {
+  std::vector<std::uint8_t> verdicts(samples.size());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Disable(GL_BLEND);
+  gl_->Disable(GL_SCISSOR_TEST);
+  const gl::Program& program = maps.settings().symmetric_kernel ? symmetric_ : one_sided_;
+  program.use();
+  maps.bind(program, part, 1);
+  program.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
+  gl_->BindVertexArray(fullscreen_.name());
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->BindTexture(GL_TEXTURE_2D, samples_.name());
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
+
+  constexpr std::size_t k_width = k_block_width;
+  for (std::size_t done = 0; done < samples.size();) {
+    const std::size_t left = samples.size() - done;
+    // Whole rows first; what remains of the last row is a block of its own.
+    const std::size_t rows = std::min<std::size_t>(left / k_width, k_block_height);
+    const std::size_t columns = rows == 0 ? left : k_width;
+    const auto width = static_cast<GLsizei>(columns),
+               height = static_cast<GLsizei>(std::max<std::size_t>(rows, 1));
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                       &samples[done]);
+    gl_->Viewport(0, 0, width, height);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_->ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &verdicts[done]);
+    done += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  gl::check_errors(*gl_, "measuring samples");
+  return verdicts;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,152 @@
+#include "render/shadow_maps.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_coverage_block = 16;  // texels along a side of a block that one fragment counts
+
+int block_count(int resolution) { return (resolution + k_coverage_block - 1) / k_coverage_block; }
+
+float sign_of(bool plus) { return plus ? 1.0F : -1.0F; }
+
+}  // namespace
+
+ShadowMaps::ShadowMaps(const gl::Functions& gl)
+    : gl_(&gl),
+      facet_program_(gl, {.vertex = "maps/second_depth.vert", .fragment = "maps/second_depth.frag"}),
+      edge_program_(gl, {.vertex = "maps/contour_edge.vert", .fragment = "maps/contour_edge.frag"}),
+      symmetric_edge_program_(gl, {.vertex = "maps/contour_edge.vert",
+                                   .fragment = "maps/contour_edge.frag",
+                                   .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
+      coverage_program_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/coverage.frag"}),
+      fullscreen_(gl::make_vertex_array(gl)) {}
+
+void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
+  frame_ = frame;
+  settings_ = settings;
+  ++revision_;
+  if (settings.resolution == allocated_) return;
+  allocated_ = 0;
+  for (Side* side : {&plus_, &minus_}) {
+    *side = {};
+    side->facets = gl::make_texture_2d(*gl_, GL_R32UI, settings.resolution, settings.resolution);
+    side->depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, settings.resolution, settings.resolution);
+    const GLuint colour = side->facets.name();
+    side->framebuffer = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}, .depth = side->depth.name()});
+  }
+  const int blocks = block_count(settings.resolution);
+  counts_ = gl::make_texture_2d(*gl_, GL_R32UI, blocks, blocks);
+  const GLuint colour = counts_.name();
+  count_framebuffer_ = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}});
+  allocated_ = settings.resolution;
+}
+
+void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
+  begin(frame, settings);
+  for (const bool plus : {true, false}) {
+    draw_facets(plus, part);
+    draw_edges(plus, part);
+  }
+  gl::check_errors(*gl_, "drawing the shadow maps");
+}
+
+double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
+                                           const MapSettings& settings) {
+  begin(frame, settings);
+  double covered[2] = {};
+  for (const bool plus : {true, false}) {
+    draw_facets(plus, part);
+    covered[plus ? 1 : 0] = covered_area(plus);
+    draw_edges(plus, part);
+  }
+  gl_->Finish();
+  gl::check_errors(*gl_, "drawing the shadow maps");
+  return std::max(covered[0], covered[1]);
+}
+
+void ShadowMaps::set_frame(const gl::Program& program) const {
+  program.set("u_direction", glm::vec3(frame_.z));
+  program.set("u_map_x", glm::vec3(frame_.x));
+  program.set("u_map_y", glm::vec3(frame_.y));
+  program.set("u_map_size", static_cast<float>(settings_.resolution));
+}
+
+void ShadowMaps::draw_facets(bool plus, const PartBuffers& part) const {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+  gl_->Viewport(0, 0, settings_.resolution, settings_.resolution);
+  gl_->Disable(GL_BLEND);
+  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthMask(GL_TRUE);
+  gl_->DepthFunc(GL_LESS);
+  const GLuint none[4] = {0, 0, 0, 0};
+  const GLfloat furthest = 1.0F;
+  gl_->ClearBufferuiv(GL_COLOR, 0, none);
+  gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
+
+  // Both maps share their axes, so in both a facet that faces +d runs counter-clockwise. Each keeps the
+  // facets that face away from its light.
+  gl_->Enable(GL_CULL_FACE);
+  gl_->CullFace(plus ? GL_FRONT : GL_BACK);
+  facet_program_.use();
+  set_frame(facet_program_);
+  facet_program_.set("u_side", sign_of(plus));
+  part.draw_facets();
+  gl_->Disable(GL_CULL_FACE);
+}
+
+void ShadowMaps::draw_edges(bool plus, const PartBuffers& part) const {
+  if (settings_.edge_thickness <= 0.0) return;
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+  gl_->Viewport(0, 0, settings_.resolution, settings_.resolution);
+  gl_->Enable(GL_DEPTH_TEST);
+  const gl::Program& program = settings_.symmetric_kernel ? symmetric_edge_program_ : edge_program_;
+  program.use();
+  set_frame(program);
+  program.set("u_side", sign_of(plus));
+  program.set("u_half_width", static_cast<float>(0.5 * settings_.edge_thickness / settings_.resolution));
+  program.set_texture("t_facet_class", 0, GL_TEXTURE_BUFFER, part.facet_classes());
+  if (!settings_.symmetric_kernel) program.set_texture("t_planes", 1, GL_TEXTURE_BUFFER, part.planes());
+  part.draw_concave_edges();
+}
+
+double ShadowMaps::covered_area(bool plus) const {
+  const int blocks = block_count(settings_.resolution);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, count_framebuffer_.name());
+  gl_->Viewport(0, 0, blocks, blocks);
+  gl_->Disable(GL_DEPTH_TEST);
+  coverage_program_.use();
+  coverage_program_.set_texture("t_map", 0, GL_TEXTURE_2D, side(plus).facets);
+  coverage_program_.set("u_block", k_coverage_block);
+  gl_->BindVertexArray(fullscreen_.name());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  std::vector<std::uint32_t> counts(static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks));
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_->ReadPixels(0, 0, blocks, blocks, GL_RED_INTEGER, GL_UNSIGNED_INT, counts.data());
+  const auto covered = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  const double texel = 1.0 / settings_.resolution;
+  return static_cast<double>(covered) * texel * texel;
+}
+
+void ShadowMaps::bind(const gl::Program& program, const PartBuffers& part, int first_unit) const {
+  set_frame(program);
+  program.set_texture("t_facet_class", first_unit, GL_TEXTURE_BUFFER, part.facet_classes());
+  if (settings_.symmetric_kernel) {
+    program.set_texture("t_depth_plus", first_unit + 1, GL_TEXTURE_2D, plus_.depth);
+    program.set_texture("t_depth_minus", first_unit + 2, GL_TEXTURE_2D, minus_.depth);
+    program.set("u_kernel_radius", settings_.kernel_radius);
+  } else {
+    program.set_texture("t_map_plus", first_unit + 1, GL_TEXTURE_2D, plus_.facets);
+    program.set_texture("t_map_minus", first_unit + 2, GL_TEXTURE_2D, minus_.facets);
+    program.set("u_lateral", static_cast<float>(settings_.lateral));
+  }
+  if (program.has("t_planes"))
+    program.set_texture("t_planes", first_unit + 3, GL_TEXTURE_BUFFER, part.planes());
+}
+
+}  // namespace moldlight

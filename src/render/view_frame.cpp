@@ -1,0 +1,84 @@
+#include "render/view_frame.hpp"
+
+#include <cmath>
+
+namespace moldlight {
+
+namespace {
+
+/// Half the width of the tent over which a pixel's samples are spread, in pixels.
+constexpr double k_tent_px = 0.85;
+
+double tent(double share) {
+  return share < 0.5 ? std::sqrt(2.0 * share) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * share);
+}
+
+/// Member `sample` of the additive recurrence of the plastic numbers (Roberts 2018), which fills [0, 1)^4
+/// evenly however many of it are taken; sample 0 is the middle.
+glm::dvec4 spread(int sample) {
+  constexpr double k_root = 1.1673039782614187;  // of x^5 = x + 1
+  glm::dvec4 point(0.5);
+  double step = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    step /= k_root;
+    point[i] += sample * step;
+    point[i] -= std::floor(point[i]);
+  }
+  return point;
+}
+
+glm::dvec2 picture_shift(int sample) {
+  const glm::dvec4 point = spread(sample);
+  return k_tent_px * glm::dvec2(tent(point.x), tent(point.y));
+}
+
+glm::vec2 texel_shift(int sample) {
+  const glm::dvec4 point = spread(sample);
+  return glm::vec2(point.z - 0.5, point.w - 0.5);
+}
+
+}  // namespace
+
+ViewFrame::ViewFrame(const Camera& from, const glm::ivec2& picture_size, const ViewSettings& shown,
+                     const glm::dvec3& parting_direction, int sample_number)
+    : camera(from),
+      size(picture_size),
+      settings(shown),
+      direction(parting_direction),
+      sample(sample_number),
+      shift_px(picture_shift(sample_number)),
+      map_shift(texel_shift(sample_number)),
+      eye_from_unit(view_matrix(from)),
+      clip_from_eye(projection_matrix(from, picture_size, shift_px)),
+      clip_from_unit(clip_from_eye * eye_from_unit) {}
+
+void ViewFrame::set_sight(const gl::Program& program) const {
+  const double length = pixel_length(camera, size);
+  const glm::dvec3 step_x = length * camera.right(), step_y = length * camera.up();
+  // Of the lower left corner; rows count from below in GL.
+  const glm::dvec3 corner =
+      camera.target - (0.5 * size.x + shift_px.x) * step_x + (shift_px.y - 0.5 * size.y) * step_y;
+  const bool parallel = camera.projection == Projection::orthographic;
+  const glm::dvec3 none(0.0);
+  program.set("u_sight_origin[0]", glm::vec3(parallel ? corner : camera.eye()));
+  program.set("u_sight_origin[1]", glm::vec3(parallel ? step_x : none));
+  program.set("u_sight_origin[2]", glm::vec3(parallel ? step_y : none));
+  program.set("u_sight_direction[0]", glm::vec3(parallel ? -camera.toward_viewer() : corner - camera.eye()));
+  program.set("u_sight_direction[1]", glm::vec3(parallel ? none : step_x));
+  program.set("u_sight_direction[2]", glm::vec3(parallel ? none : step_y));
+}
+
+void ViewFrame::set_eye_axes(const gl::Program& program) const {
+  program.set("u_eye_right", glm::vec3(camera.right()));
+  program.set("u_eye_up", glm::vec3(camera.up()));
+  program.set("u_eye_back", glm::vec3(camera.toward_viewer()));
+}
+
+void ViewFrame::set_eye_depth(const gl::Program& program) const {
+  const auto [near, far] = depth_range(camera);
+  program.set("u_eye_depth", camera.projection == Projection::perspective
+                                 ? glm::vec4(near * far, 0.0, far, near - far)
+                                 : glm::vec4(near, far - near, 1.0, 0.0));
+}
+
+}  // namespace moldlight

@@ -1,0 +1,65 @@
+#include "render/view_mesh.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace moldlight {
+
+SegmentBuffer::SegmentBuffer(const gl::Functions& gl, std::span<const ViewSegment> segments)
+    : count_(segments.size()) {
+  if (segments.empty()) return;
+  std::vector<glm::vec4> texels;
+  std::vector<std::array<std::uint32_t, 6>> corners;
+  texels.reserve(2 * count_);
+  corners.reserve(count_);
+  for (const ViewSegment& segment : segments) {
+    const auto first = static_cast<std::uint32_t>(4 * corners.size());
+    texels.emplace_back(segment.start, 0.0F);
+    texels.emplace_back(segment.end, 0.0F);
+    corners.push_back({first, first + 1, first + 2, first + 2, first + 1, first + 3});
+  }
+  buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const glm::vec4>(texels));
+  texels_ = gl::make_buffer_texture(gl, GL_RGBA32F, buffer_);
+  corners_ = gl::make_vertex_array(gl);
+  gl.BindVertexArray(corners_.name());
+  index_buffer_ =
+      gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<std::uint32_t, 6>>(corners));
+  gl.BindVertexArray(0);
+}
+
+void SegmentBuffer::draw(const gl::Functions& gl) const {
+  gl.BindVertexArray(corners_.name());
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count_), GL_UNSIGNED_INT, nullptr);
+}
+
+ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
+    : feature_edges(gl, geometry.feature_edges),
+      gl_(&gl),
+      facet_count_(geometry.facets.size()),
+      closed_(geometry.closed),
+      extremes_(geometry.extremes) {
+  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  facets_ = gl::make_vertex_array(gl);
+  gl.BindVertexArray(facets_.name());
+  vertex_buffer_ = gl::make_buffer(gl, GL_ARRAY_BUFFER, std::span<const ViewVertex>(geometry.vertices));
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_.name());
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(ViewVertex),
+                         offset(offsetof(ViewVertex, position)));
+  gl.VertexAttribPointer(1, 2, GL_SHORT, GL_TRUE, sizeof(ViewVertex), offset(offsetof(ViewVertex, normal)));
+  gl.EnableVertexAttribArray(0);
+  gl.EnableVertexAttribArray(1);
+  corner_buffer_ = gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER,
+                                   std::span<const std::array<VertexIndex, 3>>(geometry.facets));
+  gl.BindVertexArray(0);
+  gl::check_errors(gl, "uploading the picture's mesh");
+}
+
+void ViewMesh::draw_facets() const {
+  gl_->BindVertexArray(facets_.name());
+  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * facet_count_), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace moldlight

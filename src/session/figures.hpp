@@ -1,0 +1,36 @@
+// How figures are written for people: as many digits as the eye wants, the unit beside them.
+#pragma once
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "mesh/part.hpp"
+
+namespace moldlight {
+
+/// Digits behind the point so that a column whose greatest figure is `greatest` shows six digits of it.
+class FigureColumn {
+ public:
+  explicit FigureColumn(double greatest);
+  [[nodiscard]] std::string text(double value) const;
+
+ private:
+  int decimals_ = 0;
+  bool scientific_ = false;  // for what would need a screen's width of zeros
+};
+
+/// One figure on its own, six digits.
+[[nodiscard]] std::string figure(double value);
+/// "x, y, z"; what is rounding error beside a length of `scale` is written as 0.
+[[nodiscard]] std::string figures(const glm::dvec3& values, double scale);
+
+/// "mm"; "unit" where the file names none.
+[[nodiscard]] std::string length_unit(const Part& part);
+/// "mm²", "mm³": the length's unit to the power 2 or 3.
+[[nodiscard]] std::string powered_unit(const Part& part, int power);
+
+/// The part's file name without its folders, fit for one line of text.
+[[nodiscard]] std::string part_name(const Part& part);
+
+}  // namespace moldlight

@@ -1,0 +1,15 @@
+// The options of the method: the one table behind the flags of every command, the settings JSON and the
+// window.
+#pragma once
+
+#include "session/option_table.hpp"
+#include "session/settings.hpp"
+
+namespace moldlight {
+
+[[nodiscard]] std::span<const Option<MethodSettings>> method_options();
+
+/// Checks what no single option can: throws UsageError for settings that contradict each other.
+void validate(const MethodSettings& settings);
+
+}  // namespace moldlight

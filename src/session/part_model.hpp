@@ -1,0 +1,40 @@
+// A part with everything that is computed once and does not depend on the parting direction.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "io/part_reader.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/health.hpp"
+#include "mesh/part.hpp"
+#include "mesh/unit_frame.hpp"
+#include "mold/exact_rays.hpp"
+
+namespace moldlight {
+
+/// Immutable once loaded, so that runners and window share one from any thread.
+struct PartModel {
+  Part part;
+  FacetGeometry geometry;
+  Adjacency adjacency;
+  BentEdges edges;
+  HealthReport health;
+  UnitFrame frame;
+  std::vector<std::string> warnings;  // of the reader and of the health report
+  double load_ms = 0.0;
+  std::unique_ptr<const ExactRays> rays;
+};
+
+/// Reads and prepares a part. Throws FileError for what cannot be read and Cancelled.
+[[nodiscard]] std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
+                                                         const Progress& progress);
+
+/// Prepares a part that is in memory already.
+[[nodiscard]] std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,39 @@
+// Everything a user can set about the method, with its defaults. Options (options.hpp) describe each member
+// once for help, command line, JSON and window.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+namespace moldlight {
+
+/// How near-vertical surface looks into the shadow maps. One-sided: on the outer side only, at the lateral
+/// tolerance. Symmetric: the paper's N x N neighbourhood, of which any lit sample suffices (section 2.2).
+enum class KernelShape : std::uint8_t { one_sided, symmetric };
+
+/// How regions become figures. Samples: stratified surface samples looked up in the maps, doubtful ones
+/// settled by exact rays. Facet-id: the paper's two-pass readback (section 2.4), one region a facet.
+enum class Readout : std::uint8_t { samples, facet_id };
+
+enum class Backend : std::uint8_t { automatic, egl, osmesa };
+
+/// Settings of the classification for one parting direction.
+struct MethodSettings {
+  glm::dvec3 direction{0.0, 0.0, 1.0};  // any length but zero
+  double tau_deg = 1.0;                 // [0, 10]
+  int kernel = 3;  // PCF kernel width in texels, odd, [1, 9]; its radius sets the lateral tolerance
+  std::optional<double> tolerance;  // lateral tolerance in model units, > 0; replaces the kernel width
+  KernelShape kernel_shape = KernelShape::one_sided;
+  double edge_thickness = 2.0;  // width of the thick concave contour edges in texels, [0, 8]
+  int resolution = 2048;        // shadow maps are resolution x resolution texels, [64, 8192]
+  Readout readout = Readout::samples;
+  int samples = 1'000'000;  // surface samples over the whole part (at least four a facet), [1000, 100000000]
+  bool exact_rays = true;   // settle doubtful samples by exact rays
+  Backend backend = Backend::automatic;
+
+  bool operator==(const MethodSettings&) const = default;
+};
+
+}  // namespace moldlight

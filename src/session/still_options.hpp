@@ -1,0 +1,18 @@
+// The options of a still picture, for help and command line.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "session/option.hpp"
+#include "session/still_picture.hpp"
+
+namespace moldlight {
+
+/// Every setting but the size.
+[[nodiscard]] std::span<const Option<StillSettings>> still_options();
+
+/// A size from "WxH" in pixels; throws UsageError that names `what`.
+[[nodiscard]] glm::ivec2 parse_picture_size(std::string_view text, std::string_view what);
+
+}  // namespace moldlight

@@ -1,0 +1,29 @@
+// A direction on its way through the sweep.
+#pragma once
+
+#include "mold/candidates/candidate.hpp"
+#include "mold/sweep/direction_scorer.hpp"
+#include "mold/sweep/ranking.hpp"
+#include "session/sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+struct Contender {
+  Candidate candidate;
+  DirectionScore score;
+  DirectionFigures figures;
+
+  [[nodiscard]] bool from_user() const { return candidate.sources.front().kind == CandidateKind::user; }
+};
+
+/// What is told of a scored direction.
+[[nodiscard]] inline EvaluatedDirection evaluated_direction(const glm::dvec3& direction, CandidateKind kind,
+                                                            const DirectionScore& score) {
+  return {.direction = direction,
+          .kind = kind,
+          .undercut = score.undercut(),
+          .undercut_error = score.undercut_error,
+          .given_up = score.given_up};
+}
+
+}  // namespace moldlight

@@ -1,0 +1,90 @@
+#include "session/sweep/remarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "session/figures.hpp"
+
+namespace moldlight {
+
+namespace {
+
+double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
+
+/// "12.3 mm² (0.41 %)"
+std::string area_text(const PartModel& model, double area) {
+  const double total = model.geometry.total_area;
+  return fmt::format("{} {} ({:.2f} %)", figure(area), powered_unit(model.part, 2),
+                     total > 0.0 ? 100.0 * area / total : 0.0);
+}
+
+/// "12.3 mm² (0.41 %) more"; with another objective the one that ranks behind may have less.
+std::string difference_text(const PartModel& model, const SweepCandidate& than,
+                            const SweepCandidate& candidate) {
+  const double difference = undercut(candidate) - undercut(than);
+  return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
+}
+
+bool from_user(const SweepCandidate& candidate) {
+  return candidate.candidate.sources.front().kind == CandidateKind::user;
+}
+
+std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
+  const double error = best.classification.uncertainty.total;
+  if (undercut(best) <= error) {
+    return fmt::format("The best direction has no undercut that could be told from none (± {}).",
+                       area_text(model, error));
+  }
+  return fmt::format("No direction that was tried is free of undercut; the best leaves {} in {} {}.",
+                     area_text(model, undercut(best)), best.patches, best.patches == 1 ? "patch" : "patches");
+}
+
+/// The first direction that does not tie with the best.
+const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
+  const auto next = std::find_if(candidates.begin(), candidates.end(),
+                                 [](const SweepCandidate& candidate) { return candidate.tie_group > 1; });
+  return next == candidates.end() ? nullptr : &*next;
+}
+
+void remark_on_user(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
+  const SweepCandidate& best = result.candidates.front();
+  for (const SweepCandidate& given : result.candidates) {
+    if (!from_user(given)) continue;
+    const std::string name = fmt::format("The direction given, {},", figures(given.candidate.direction, 1.0));
+    if (given.tie_group == 1) {
+      const SweepCandidate* next = runner_up(result.candidates);
+      remarks.push_back(name + (given.rank == 1 ? " is already best" : " ties with the best") +
+                        (next != nullptr ? fmt::format("; the next has {} more undercut.",
+                                                       area_text(model, undercut(*next) - undercut(given)))
+                                         : "."));
+    } else {
+      remarks.push_back(fmt::format("{} is number {}: {} undercut than the best.", name, given.rank,
+                                    difference_text(model, best, given)));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult& result) {
+  std::vector<std::string> remarks;
+  if (result.candidates.empty()) return remarks;
+  const SweepCandidate& best = result.candidates.front();
+  const auto ties = std::count_if(result.candidates.begin(), result.candidates.end(),
+                                  [](const SweepCandidate& candidate) { return candidate.tie_group == 1; });
+  remarks.push_back(on_undercut(model, best));
+  if (ties > 1) {
+    remarks.push_back(fmt::format("{} directions tie for the best within their uncertainty.", ties));
+  }
+  remark_on_user(model, result, remarks);
+  const SweepCandidate* next = runner_up(result.candidates);
+  if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(), from_user)) {
+    remarks.push_back(fmt::format("The next, number {}, has {} undercut.", next->rank,
+                                  difference_text(model, best, *next)));
+  }
+  return remarks;
+}
+
+}  // namespace moldlight

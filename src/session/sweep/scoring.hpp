@@ -1,0 +1,51 @@
+// Scoring many directions on several threads, with the same result whatever their number.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/progress.hpp"
+#include "mold/sweep/direction_scorer.hpp"
+
+namespace moldlight {
+
+/// A direction to score, and the undercut area above which it may be given up early.
+struct ScoringTask {
+  glm::dvec3 direction{0, 0, 1};
+  double give_up_above = std::numeric_limits<double>::infinity();
+};
+
+/// A pool of scorers, one a thread, kept from call to call.
+class ScoringPool {
+ public:
+  /// Makes a scorer; called on the thread that will use it.
+  using MakeScorer = std::function<std::unique_ptr<DirectionScorer>()>;
+  /// Told of every score, in any order, one call at a time.
+  using Listener = std::function<void(std::size_t index, const DirectionScore& score)>;
+
+  ScoringPool(MakeScorer make_scorer, int jobs);
+  ~ScoringPool();
+  ScoringPool(const ScoringPool&) = delete;
+  ScoringPool& operator=(const ScoringPool&) = delete;
+
+  /// Scores of the tasks, in their order. `stop` is asked between directions: once it says true the rest
+  /// stays without a score. Rethrows what a scorer throws.
+  [[nodiscard]] std::vector<std::optional<DirectionScore>> score(std::span<const ScoringTask> tasks,
+                                                                 const std::function<bool()>& stop,
+                                                                 const Listener& listener);
+
+  [[nodiscard]] int jobs() const { return jobs_; }
+
+ private:
+  struct Workers;
+  int jobs_;
+  std::unique_ptr<Workers> workers_;
+};
+
+}  // namespace moldlight

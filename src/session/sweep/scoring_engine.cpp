@@ -1,0 +1,104 @@
+#include "session/sweep/scoring_engine.hpp"
+
+#include <cmath>
+
+#include "mold/sweep/ray_scorer.hpp"
+#include "mold/sweep/scan_scorer.hpp"
+#include "mold/sweep/screened_scorer.hpp"
+#include "session/sweep/map_scorer.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Samples by which a direction is seen to be hopeless before it gets a map.
+constexpr std::uint64_t k_glance_samples = 2000;
+
+}  // namespace
+
+ScoringEngine::ScoringEngine(const Classifier& classifier, const SweepSettings& settings)
+    : model_(classifier.shared_model()), settings_(settings), engine_(settings.engine) {
+  const ScoringPlan plan = plan_for(settings_.scoring_samples);
+  const bool closed = model_->health.closed;
+  switch (engine_) {
+    case SweepEngine::automatic:
+      engine_ = plan.method == ScoringMethod::scan ? SweepEngine::cpu : SweepEngine::rays;
+      description_ = (engine_ == SweepEngine::cpu ? "cpu (" : "rays (") +
+                     (closed ? plan.reason() : std::string("the part is not closed")) + ")";
+      break;
+    case SweepEngine::gl:
+      description_ = "gl (as asked)";
+      break;
+    case SweepEngine::cpu:
+      if (!closed) engine_ = SweepEngine::rays;
+      description_ = closed ? "cpu (as asked)" : "rays (cpu was asked for, but the part is not closed)";
+      break;
+    case SweepEngine::rays:
+      description_ = "rays (as asked)";
+      break;
+  }
+}
+
+ScoringPlan ScoringEngine::plan_for(int samples) const {
+  return choose_engine(model_->part.mesh.facets.size(), ray_error(samples), model_->health.closed);
+}
+
+ScoringPool& ScoringEngine::pool() {
+  if (!pool_) pool_ = make_pool(settings_.scoring_samples);
+  return *pool_;
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_pool(int samples) {
+  if (engine_ == SweepEngine::gl) return make_gl_pool(samples);
+  if (engine_ == SweepEngine::cpu) return make_scan_pool(plan_for(samples));
+  return make_ray_pool(static_cast<std::uint64_t>(samples));
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_gl_pool(int samples) const {
+  MethodSettings coarse = settings_.method;
+  // The lateral tolerance stays what the final figures use, whatever the texel.
+  coarse.tolerance = map_settings(settings_.method, model_->frame.diagonal).lateral * model_->frame.diagonal;
+  if (*coarse.tolerance <= 0.0) coarse.tolerance = std::nullopt;
+  coarse.resolution = settings_.scoring_resolution;
+  coarse.samples = samples;
+  return std::make_unique<ScoringPool>(
+      [backend = settings_.method.backend, model = model_, coarse] {
+        return std::make_unique<MapScorer>(backend, model, coarse);
+      },
+      settings_.jobs);
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_scan_pool(const ScoringPlan& plan) {
+  if (!scan_part_) {
+    scan_part_ = std::make_unique<const ScanPart>(model_->part.mesh, model_->geometry, model_->frame,
+                                                  model_->edges.concave);
+  }
+  const ScanScorerPart part{*scan_part_, *model_->rays};
+  const ScanScorerSettings scan{.resolution = plan.resolution,
+                                .tau_deg = settings_.method.tau_deg,
+                                .lateral = map_settings(settings_.method, model_->frame.diagonal).lateral,
+                                .samples = plan.scan_samples};
+  const RayScorerPart glance{*model_->rays, model_->geometry, sample_set(k_glance_samples)};
+  return std::make_unique<ScoringPool>(
+      [=] {
+        return std::make_unique<ScreenedScorer>(
+            std::make_unique<RayScorer>(glance, scan.tau_deg, scan.lateral),
+            std::make_unique<ScanScorer>(part, scan));
+      },
+      settings_.jobs);
+}
+
+const SurfaceSamples& ScoringEngine::sample_set(std::uint64_t samples) {
+  return sample_sets_.emplace_back(
+      sample_surface_evenly(model_->part.mesh, model_->geometry, model_->frame, samples));
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_ray_pool(std::uint64_t samples) {
+  const RayScorerPart part{*model_->rays, model_->geometry, sample_set(samples)};
+  const double lateral = map_settings(settings_.method, model_->frame.diagonal).lateral;
+  return std::make_unique<ScoringPool>(
+      [=, tau_deg = settings_.method.tau_deg] { return std::make_unique<RayScorer>(part, tau_deg, lateral); },
+      settings_.jobs);
+}
+
+}  // namespace moldlight

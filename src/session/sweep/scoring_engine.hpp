@@ -1,0 +1,45 @@
+// The choice of how directions are scored, and the pools that do it.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "mold/surface_samples.hpp"
+#include "mold/sweep/engine_choice.hpp"
+#include "mold/sweep/scan_part.hpp"
+#include "session/classifier.hpp"
+#include "session/sweep/scoring.hpp"
+#include "session/sweep/sweep_settings.hpp"
+
+namespace moldlight {
+
+class ScoringEngine {
+ public:
+  ScoringEngine(const Classifier& classifier, const SweepSettings& settings);
+
+  /// The engine taken and why, for the user.
+  [[nodiscard]] const std::string& description() const { return description_; }
+  /// The pool for ranking many directions; the same at every call.
+  [[nodiscard]] ScoringPool& pool();
+  /// A pool that scores by `samples` surface samples. Must not outlive the engine.
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_pool(int samples);
+
+ private:
+  [[nodiscard]] ScoringPlan plan_for(int samples) const;
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_gl_pool(int samples) const;
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_scan_pool(const ScoringPlan& plan);
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_ray_pool(std::uint64_t samples);
+
+  [[nodiscard]] const SurfaceSamples& sample_set(std::uint64_t samples);
+
+  std::shared_ptr<const PartModel> model_;
+  const SweepSettings& settings_;
+  SweepEngine engine_ = SweepEngine::rays;
+  std::string description_;
+  std::deque<SurfaceSamples> sample_sets_;  // of the pools; their places do not change
+  std::unique_ptr<const ScanPart> scan_part_;
+  std::unique_ptr<ScoringPool> pool_;
+};
+
+}  // namespace moldlight

@@ -1,0 +1,242 @@
+#include "session/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "mold/candidates/find_candidates.hpp"
+#include "mold/sweep/patches.hpp"
+#include "session/method_options.hpp"
+#include "session/sweep/basin_search.hpp"
+#include "session/sweep/contender.hpp"
+#include "session/sweep/direction_judge.hpp"
+#include "session/sweep/listing.hpp"
+#include "session/sweep/remarks.hpp"
+#include "session/sweep/scoring_engine.hpp"
+#include "session/sweep/sweep_stages.hpp"
+#include "session/sweep/sweep_watch.hpp"
+#include "session/sweep/tilt_margin.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
+constexpr int k_fine_factor = 8;     // samples of the second scoring over those of the first
+constexpr std::size_t k_contenders_per_listed = 6;
+constexpr double k_no_limit = std::numeric_limits<double>::infinity();
+
+class SweepRun {
+ public:
+  SweepRun(Classifier& classifier, const SweepSettings& settings, const Progress& progress,
+           const SweepListener& listener)
+      : classifier_(classifier),
+        model_(classifier.model()),
+        settings_(settings),
+        watch_(progress, settings.time_limit_s),
+        listener_(listener),
+        judge_(model_, settings),
+        engine_(classifier, settings_),
+        limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
+    validate(settings.method);
+  }
+
+  SweepResult run() {
+    result_.settings = settings_;
+    result_.engine = engine_.description();
+    result_.jobs = engine_.pool().jobs();
+    score_candidates();
+    refine();
+    keep_contenders();
+    score_closer();
+    classify_best();
+    rank();
+    result_.remarks = sweep_remarks(model_, result_);
+    result_.complete = !watch_.cut_short();
+    result_.elapsed_s = watch_.elapsed_s();
+    return std::move(result_);
+  }
+
+ private:
+  void score_candidates();
+  void score_batch(std::span<Candidate> batch, std::size_t before, std::size_t total);
+  void refine();
+  void keep_contenders();
+  void score_closer();
+  void classify_best();
+  void rank();
+  [[nodiscard]] std::vector<std::size_t> contender_order() const;
+  /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
+  [[nodiscard]] double listing_limit() const;
+  [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
+  [[nodiscard]] SweepCandidate final_figures(const Contender& contender);
+
+  Classifier& classifier_;
+  const PartModel& model_;
+  const SweepSettings settings_;
+  SweepWatch watch_;
+  const SweepListener& listener_;
+  DirectionJudge judge_;
+  ScoringEngine engine_;
+  ListingLimit limit_;
+  std::vector<Contender> contenders_;
+  SweepResult result_;
+};
+
+void SweepRun::score_candidates() {
+  CandidateOptions options;
+  options.kinds = settings_.kinds;
+  options.uniform_count = static_cast<std::size_t>(settings_.directions);
+  options.user = settings_.user_directions;
+  watch_.report(sweep_stage::k_candidates, 0.0);
+  std::vector<Candidate> candidates =
+      find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options, Progress{});
+  // Candidates of the part come first and set a low limit for those of the even set.
+  for (std::size_t first = 0; first < candidates.size() && !watch_.stopped(); first += k_batch) {
+    const std::size_t count = std::min(k_batch, candidates.size() - first);
+    score_batch(std::span(candidates).subspan(first, count), first, candidates.size());
+  }
+}
+
+void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::size_t total) {
+  // The limit changes between batches only, so that it does not depend on which thread was faster.
+  const double limit = settings_.thorough ? k_no_limit : listing_limit();
+  std::vector<ScoringTask> tasks;
+  for (const Candidate& candidate : batch) {
+    const bool from_user = candidate.sources.front().kind == CandidateKind::user;
+    tasks.push_back({candidate.direction, from_user ? k_no_limit : limit});
+  }
+  const auto evaluated = [&](std::size_t i, const DirectionScore& score) {
+    return evaluated_direction(batch[i].direction, batch[i].sources.front().kind, score);
+  };
+  std::size_t done = before;
+  const auto listener = [&](std::size_t i, const DirectionScore& score) {
+    watch_.report(sweep_stage::k_scoring, static_cast<double>(++done) / static_cast<double>(total));
+    if (listener_.evaluated) listener_.evaluated(evaluated(i, score));
+  };
+  const auto scores = engine_.pool().score(
+      tasks, [this] { return watch_.stopped(); }, listener);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!scores[i]) continue;
+    result_.evaluated.push_back(evaluated(i, *scores[i]));
+    const DirectionFigures figures = judge_.scored(batch[i], *scores[i]);
+    limit_.add(batch[i].direction, scores[i]->pessimistic());
+    contenders_.push_back({std::move(batch[i]), *scores[i], figures});
+  }
+}
+
+std::vector<std::size_t> SweepRun::contender_order() const {
+  std::vector<DirectionFigures> figures;
+  for (const Contender& contender : contenders_) figures.push_back(contender.figures);
+  return judge_.rank(figures).order;
+}
+
+double SweepRun::listing_limit() const {
+  // With another objective a direction of much undercut may still be listed.
+  return judge_.by_undercut_alone() ? limit_.undercut() : k_no_limit;
+}
+
+void SweepRun::refine() {
+  const BasinSearch search{.judge = judge_,
+                           .pool = engine_.pool(),
+                           .watch = watch_,
+                           .evaluated = [this](const EvaluatedDirection& evaluated) {
+                             result_.evaluated.push_back(evaluated);
+                             if (listener_.evaluated) listener_.evaluated(evaluated);
+                           }};
+  std::vector<Contender> found =
+      refine_basins(search, contenders_, contender_order(), static_cast<std::size_t>(settings_.refine));
+  for (Contender& contender : found) {
+    limit_.add(contender.candidate.direction, contender.score.pessimistic());
+    contenders_.push_back(std::move(contender));
+  }
+}
+
+/// Keeps whatever may still be among the listed ones: its optimistic undercut is below the pessimistic one of
+/// the last listed. Where more than a few times the list tie, those that the tie's order puts first are kept.
+void SweepRun::keep_contenders() {
+  const double limit = listing_limit();
+  const std::size_t before = contenders_.size(), most = k_contenders_per_listed * top();
+  std::vector<std::size_t> possible;
+  for (const std::size_t i : contender_order()) {
+    if (contenders_[i].from_user() || contenders_[i].score.optimistic() <= limit) possible.push_back(i);
+  }
+  const ListingRules rules{.apart_deg = settings_.apart_deg, .tentative = true};
+  contenders_ = contenders_to_list(judge_, contenders_, possible, most, rules);
+  result_.skipped = before - contenders_.size();
+}
+
+void SweepRun::score_closer() {
+  if (contenders_.size() <= 1 || watch_.stopped()) return;
+  const std::unique_ptr<ScoringPool> pool = engine_.make_pool(settings_.scoring_samples * k_fine_factor);
+  std::vector<ScoringTask> tasks;
+  for (const Contender& contender : contenders_)
+    tasks.push_back({.direction = contender.candidate.direction});
+  std::size_t done = 0;
+  const auto listener = [&](std::size_t, const DirectionScore&) {
+    watch_.report(sweep_stage::k_closer, static_cast<double>(++done) / static_cast<double>(tasks.size()));
+  };
+  const auto scores = pool->score(
+      tasks, [this] { return watch_.stopped(); }, listener);
+  for (std::size_t i = 0; i < contenders_.size(); ++i) {
+    if (!scores[i]) continue;
+    contenders_[i].score = *scores[i];
+    contenders_[i].figures = judge_.scored(contenders_[i].candidate, *scores[i]);
+  }
+}
+
+SweepCandidate SweepRun::final_figures(const Contender& contender) {
+  MethodSettings method = settings_.method;
+  method.direction = contender.candidate.direction;
+  SweepCandidate candidate;
+  candidate.candidate = contender.candidate;
+  candidate.classification = classifier_.classify(method, Progress{});
+  candidate.patches =
+      undercut_patches(candidate.classification.facet_fractions, model_.geometry, model_.adjacency).count;
+  candidate.classification.facet_fractions = {};
+  candidate.projected_area = candidate.classification.shadow_area;
+  candidate.clamp_force = settings_.pressure * candidate.projected_area;
+  candidate.draw_depth = contender.figures[Criterion::draw_depth];
+  candidate.undraughted_area = candidate.classification.near_vertical_area;
+  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
+  candidate.tilt =
+      tilt_margin(engine_.pool(), contender.candidate.direction, growth, [this] { return watch_.stopped(); });
+  return candidate;
+}
+
+void SweepRun::classify_best() {
+  const std::vector<Contender> listed =
+      contenders_to_list(judge_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
+  for (const Contender& contender : listed) {
+    // Even when the time is over the best direction so far gets its figures.
+    if (watch_.stopped() && !result_.candidates.empty()) break;
+    watch_.report(sweep_stage::k_final,
+                  static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
+    result_.candidates.push_back(final_figures(contender));
+  }
+}
+
+void SweepRun::rank() {
+  std::vector<DirectionFigures> figures;
+  for (const SweepCandidate& candidate : result_.candidates) figures.push_back(judge_.classified(candidate));
+  const Ranking ranking = judge_.rank(figures);
+  std::vector<SweepCandidate> ranked;
+  for (const std::size_t i : ranking.order) {
+    SweepCandidate& candidate = result_.candidates[i];
+    candidate.rank = ranked.size() + 1;
+    candidate.tie_group = ranking.tie_group[i] + 1;
+    candidate.pareto = ranking.pareto[i];
+    ranked.push_back(std::move(candidate));
+  }
+  result_.candidates = std::move(ranked);
+}
+
+}  // namespace
+
+SweepResult run_sweep(Classifier& classifier, const SweepSettings& settings, const Progress& progress,
+                      const SweepListener& listener) {
+  return SweepRun(classifier, settings, progress, listener).run();
+}
+
+}  // namespace moldlight

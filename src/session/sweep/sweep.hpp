@@ -1,0 +1,27 @@
+// The sweep: candidate directions from the part and the sphere, scored coarsely, the best refined, and the
+// top of them classified with the user's settings.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "base/progress.hpp"
+#include "gl/context.hpp"
+#include "session/classifier.hpp"
+#include "session/part_model.hpp"
+#include "session/sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// What a sweep tells while it runs, from its own threads, one call at a time.
+struct SweepListener {
+  std::function<void(const EvaluatedDirection&)> evaluated;
+};
+
+/// Runs a sweep on the calling thread and `settings.jobs` others. `classifier` gives the final figures; its
+/// context must be current here. Cancelling the progress or running into the time limit ends the sweep early:
+/// what is done by then is in the result, which says that it is not complete. Throws UsageError, Error.
+[[nodiscard]] SweepResult run_sweep(Classifier& classifier, const SweepSettings& settings,
+                                    const Progress& progress, const SweepListener& listener);
+
+}  // namespace moldlight

@@ -1,0 +1,270 @@
+#include "session/sweep/sweep_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "io/atomic_file.hpp"
+#include "session/classify_report.hpp"
+#include "session/figures.hpp"
+#include "session/method_options.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json settings_json(const SweepResult& result) {
+  Json settings = options_json(method_options(), result.settings.method);
+  settings.erase("direction");
+  settings.update(options_json(sweep_options(), result.settings));
+  // The report is the same whatever the number of threads.
+  settings.erase("jobs");
+  settings["objective"] = result.settings.objective;
+  settings["candidates"] = Json::array();
+  for (const CandidateKind kind : result.settings.kinds) {
+    settings["candidates"].push_back(candidate_kind_name(kind));
+  }
+  settings["user_directions"] = Json::array();
+  for (const glm::dvec3& direction : result.settings.user_directions) {
+    settings["user_directions"].push_back(vector_json(direction));
+  }
+  settings["engine_used"] = result.engine;
+  if (!result.candidates.empty()) {
+    settings["backend"] = result.candidates.front().classification.backend;
+    settings["renderer"] = result.candidates.front().classification.renderer;
+  }
+  return settings;
+}
+
+Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
+  // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
+  const Json classified = classify_json(model, candidate.classification);
+  const Json& projected = classified["projected_undercut"];
+  const bool leans_somewhere = candidate.tilt && !candidate.tilt->at_least();
+  Json sources = Json::array();
+  for (const CandidateSource& source : candidate.candidate.sources) {
+    sources.push_back(
+        {{"kind", candidate_kind_name(source.kind)}, {"reason", source.reason}, {"share", source.share}});
+  }
+  return {{"rank", candidate.rank},
+          {"tie_group", candidate.tie_group},
+          {"direction", classified["direction"]},
+          {"sources", sources},
+          {"areas", classified["areas"]},
+          {"fractions", classified["fractions"]},
+          {"undercut_uncertainty", classified["undercut_uncertainty"]},
+          {"uncertainty_parts", classified["uncertainty_parts"]},
+          {"projected_undercut", projected["identity"]},
+          {"projected_undercut_check",
+           {{"surface", projected["surface"]},
+            {"gap", projected["gap"]},
+            {"gap_limit", projected["gap_limit"]},
+            {"agrees", projected["agrees"]}}},
+          {"projected_area", candidate.projected_area},
+          {"clamp_force", candidate.clamp_force > 0.0 ? Json(candidate.clamp_force) : Json()},
+          {"draw_depth", candidate.draw_depth},
+          {"undraughted_area", candidate.undraughted_area},
+          {"patches", candidate.patches},
+          {"tilt_margin_deg", candidate.tilt ? Json(candidate.tilt->deg) : Json()},
+          {"tilt_toward", leans_somewhere ? vector_json(candidate.tilt->toward) : Json()},
+          {"pareto", candidate.pareto}};
+}
+
+/// Rows of cells, each column as wide as its widest cell, all but the first `left` and the last set to the
+/// right.
+class TextTable {
+ public:
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  [[nodiscard]] std::string text(const std::vector<bool>& left) const {
+    std::vector<std::size_t> widths(rows_.front().size(), 0);
+    for (const auto& row : rows_) {
+      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns(row[c]));
+    }
+    std::string text;
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const std::string padding(widths[c] - columns(row[c]), ' ');
+        if (c > 0) line += "  ";
+        line += left[c] ? row[c] + padding : padding + row[c];
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + '\n';
+    }
+    return text;
+  }
+
+ private:
+  /// Columns of a terminal: bytes that begin a character of UTF-8.
+  static std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// A letter for every tie group of more than one direction, in order; nothing for the others.
+std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates) {
+  std::vector<std::string> marks;
+  std::size_t ties = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto same = [&](const SweepCandidate& other) { return other.tie_group == candidates[i].tie_group; };
+    const bool first = i == 0 || !same(candidates[i - 1]);
+    if (std::count_if(candidates.begin(), candidates.end(), same) < 2) {
+      marks.emplace_back();
+    } else {
+      if (first) ++ties;
+      marks.emplace_back(1, static_cast<char>('a' + (ties - 1) % 26));
+    }
+  }
+  return marks;
+}
+
+/// What speaks for a candidate, the strongest of each kind.
+std::string reasons(const Candidate& candidate) {
+  constexpr std::size_t k_most = 3;
+  std::vector<const CandidateSource*> told;
+  for (const CandidateSource& source : candidate.sources) {
+    const bool known =
+        std::any_of(told.begin(), told.end(), [&](const auto* s) { return s->kind == source.kind; });
+    if (!known) told.push_back(&source);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(told.size(), k_most); ++i)
+    text += (i > 0 ? "; " : "") + told[i]->reason;
+  if (told.size() > k_most) text += fmt::format("; {} more", told.size() - k_most);
+  return text;
+}
+
+std::string tilt_text(const SweepCandidate& candidate) {
+  if (!candidate.tilt) return "-";
+  if (candidate.tilt->at_least()) return fmt::format("> {:g}°", candidate.tilt->deg);
+  return fmt::format("{:.2f}° to {}", candidate.tilt->deg,
+                     lean_text(candidate.classification.direction, candidate.tilt->toward));
+}
+
+std::string direction_text(const glm::dvec3& direction) {
+  constexpr double k_least = 5e-6;  // rounds to zero, which has no sign for a reader
+  const auto shown = [](double value) { return std::abs(value) < k_least ? 0.0 : value; };
+  return fmt::format("{:.5f}, {:.5f}, {:.5f}", shown(direction.x), shown(direction.y), shown(direction.z));
+}
+
+double greatest(const std::vector<SweepCandidate>& candidates, double (*value)(const SweepCandidate&)) {
+  double most = 0.0;
+  for (const SweepCandidate& candidate : candidates) most = std::max(most, value(candidate));
+  return most;
+}
+
+double undercut_area(const SweepCandidate& candidate) {
+  return candidate.classification.areas[Region::undercut];
+}
+
+TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
+  const std::vector<SweepCandidate>& candidates = result.candidates;
+  const std::string length = length_unit(model.part), area = powered_unit(model.part, 2);
+  const FigureColumn undercuts(model.geometry.total_area);
+  const FigureColumn depths(greatest(candidates, [](const auto& c) { return c.draw_depth; }));
+  const FigureColumn shadows(greatest(candidates, [](const auto& c) { return c.projected_area; }));
+  const FigureColumn forces(greatest(candidates, [](const auto& c) { return c.clamp_force; }));
+  const bool with_force = result.settings.pressure > 0.0;
+  const double share = model.geometry.total_area > 0.0 ? 100.0 / model.geometry.total_area : 0.0;
+
+  TextTable table;
+  std::vector<std::string> head = {"#", "tie",       "direction",       "undercut " + area,
+                                   "%", "± " + area, "depth " + length, "projected " + area};
+  if (with_force) head.emplace_back("clamp force");
+  for (const char* name : {"patches", "may lean", "Pareto", "why"}) head.emplace_back(name);
+  table.add(std::move(head));
+  const std::vector<std::string> marks = tie_marks(candidates);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const SweepCandidate& candidate = candidates[i];
+    const glm::dvec3& d = candidate.classification.direction;
+    std::vector<std::string> row = {fmt::format("{}", candidate.rank),
+                                    marks[i],
+                                    direction_text(d),
+                                    undercuts.text(undercut_area(candidate)),
+                                    fmt::format("{:.2f}", share * undercut_area(candidate)),
+                                    undercuts.text(candidate.classification.uncertainty.total),
+                                    depths.text(candidate.draw_depth),
+                                    shadows.text(candidate.projected_area)};
+    if (with_force) row.push_back(forces.text(candidate.clamp_force));
+    row.push_back(fmt::format("{}", candidate.patches));
+    row.push_back(tilt_text(candidate));
+    row.emplace_back(candidate.pareto ? "*" : "");
+    row.push_back(reasons(candidate.candidate));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward) {
+  constexpr double k_tan_22_5_deg =
+      0.41421356;  // an axis counts when the lean is not nearer to another alone
+  const glm::dvec3 aside = toward - glm::dot(toward, direction) * direction;
+  const double most = std::max({std::abs(aside.x), std::abs(aside.y), std::abs(aside.z)});
+  if (!(most > 0.0)) return "";
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(aside[axis]) < k_tan_22_5_deg * most) continue;
+    text += aside[axis] < 0.0 ? '-' : '+';
+    text += "xyz"[axis];
+  }
+  return text;
+}
+
+Json sweep_json(const PartModel& model, const SweepResult& result) {
+  Json candidates = Json::array();
+  for (const SweepCandidate& candidate : result.candidates) {
+    candidates.push_back(candidate_json(model, candidate));
+  }
+  return {{"schema", "moldlight.sweep/1"},     {"part", part_json(model, model.warnings)},
+          {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
+          {"skipped", result.skipped},         {"complete", result.complete},
+          {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},
+          {"candidates", candidates}};
+}
+
+std::string sweep_table(const PartModel& model, const SweepResult& result) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {} facets, {}; area {} {}, box {} {}\n", part_name(model.part),
+                 model.health.facets, model.health.closed ? "closed" : "not closed",
+                 figure(model.geometry.total_area), powered_unit(model.part, 2),
+                 figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
+                 length_unit(model.part));
+  fmt::format_to(out, "{} directions scored by {}, {} of them dropped for what was sure to be worse{}\n\n",
+                 result.evaluated.size(), result.engine, result.skipped,
+                 result.complete ? "" : "; not complete");
+  if (!result.candidates.empty()) {
+    std::vector<bool> left(result.settings.pressure > 0.0 ? 13 : 12, false);
+    left[1] = left.back() = true;
+    text += candidate_rows(model, result).text(left);
+    text += '\n';
+  }
+  for (const std::string& remark : result.remarks) text += remark + '\n';
+  return text;
+}
+
+void write_direction_csv(const std::string& path, const SweepResult& result) {
+  AtomicFile file(path);
+  file.write("x,y,z,kind,undercut,undercut_error,given_up\n");
+  for (const EvaluatedDirection& d : result.evaluated) {
+    file.write(fmt::format("{},{},{},{},{},{},{}\n", d.direction.x, d.direction.y, d.direction.z,
+                           candidate_kind_name(d.kind), d.undercut, d.undercut_error, d.given_up ? 1 : 0));
+  }
+  file.commit();
+}
+
+}  // namespace moldlight

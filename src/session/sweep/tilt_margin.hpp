@@ -1,0 +1,21 @@
+// How far a pull may lean.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "session/sweep/scoring.hpp"
+#include "session/sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// Leans the direction towards 8 sides, by angles that double up to k_widest_tilt_deg and are then bisected
+/// to a tenth, until the scored undercut has grown by more than `growth` (model units squared) over the
+/// direction's own score. Both are scored on the same samples, so that sampling noise mostly cancels. Empty
+/// if `stop` said so before the end.
+[[nodiscard]] std::optional<TiltMargin> tilt_margin(ScoringPool& pool, const glm::dvec3& direction,
+                                                    double growth, const std::function<bool()>& stop);
+
+}  // namespace moldlight

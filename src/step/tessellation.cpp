@@ -1,0 +1,174 @@
+#include "step/tessellation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <BRepBndLib.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Interface_CheckIterator.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Poly_Triangulation.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "mesh/length_unit.hpp"
+#include "step/body_names.hpp"
+
+namespace moldlight::step {
+
+namespace {
+
+constexpr LengthUnit k_millimetre{"mm", 1.0};
+
+/// OpenCASCADE gives millimetres; the result is in the file's unit where that is known.
+LengthUnit file_unit(STEPControl_Reader& reader, StepResult& result) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (lengths.IsEmpty()) {
+    result.warnings.push_back("the STEP file names no unit; millimetres were assumed");
+    return k_millimetre;
+  }
+  TCollection_AsciiString word = lengths.First();
+  word.LowerCase();
+  for (Standard_Integer i = 2; i <= lengths.Length(); ++i) {
+    TCollection_AsciiString other = lengths.Value(i);
+    other.LowerCase();
+    if (!other.IsEqual(word)) {
+      result.warnings.push_back("the STEP file mixes units; all lengths were brought to millimetres");
+      return k_millimetre;
+    }
+  }
+  if (const auto unit = find_length_unit(word.ToCString())) return *unit;
+  result.warnings.push_back(std::string("the length unit '") + word.ToCString() +
+                            "' is unknown; lengths are in millimetres");
+  return k_millimetre;
+}
+
+/// Entities of shape that a list of checks finds faulty, and faults of the file as a whole.
+std::size_t count_faulty(const STEPControl_Reader& reader, Interface_CheckIterator checks) {
+  std::size_t count = 0;
+  for (checks.Start(); checks.More(); checks.Next()) {
+    if (!checks.Value()->HasFailed()) continue;
+    const Standard_Integer number = checks.Number();
+    const bool of_file = number <= 0 || number > reader.StepModel()->NbEntities();
+    if (of_file || reader.StepModel()->Value(number)->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem)))
+      ++count;
+  }
+  return count;
+}
+
+/// Solids, then shells outside any solid, then faces outside any shell.
+std::vector<TopoDS_Shape> bodies_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> bodies;
+  for (TopExp_Explorer walk(shape, TopAbs_SOLID); walk.More(); walk.Next()) bodies.push_back(walk.Current());
+  for (TopExp_Explorer walk(shape, TopAbs_SHELL, TopAbs_SOLID); walk.More(); walk.Next()) {
+    bodies.push_back(walk.Current());
+  }
+  for (TopExp_Explorer walk(shape, TopAbs_FACE, TopAbs_SHELL); walk.More(); walk.Next()) {
+    bodies.push_back(walk.Current());
+  }
+  return bodies;
+}
+
+/// Adds the triangles of a face; false where it could not be cut.
+bool add_face(const TopoDS_Face& face, std::uint32_t number, double mm, StepResult& result) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation)& triangulation = BRep_Tool::Triangulation(face, location);
+  if (triangulation.IsNull() || triangulation->NbTriangles() == 0) return false;
+  const gp_Trsf& transform = location.Transformation();
+  const auto base = static_cast<std::uint32_t>(result.vertices.size());
+  for (Standard_Integer i = 1; i <= triangulation->NbNodes(); ++i) {
+    const gp_Pnt node = triangulation->Node(i).Transformed(transform);
+    result.vertices.push_back({node.X() / mm, node.Y() / mm, node.Z() / mm});
+  }
+  const bool turn = (face.Orientation() == TopAbs_REVERSED) != transform.IsNegative();
+  for (Standard_Integer i = 1; i <= triangulation->NbTriangles(); ++i) {
+    Standard_Integer a = 0, b = 0, c = 0;
+    triangulation->Triangle(i).Get(a, b, c);
+    if (turn) std::swap(b, c);
+    result.facets.push_back({base + static_cast<std::uint32_t>(a - 1),
+                             base + static_cast<std::uint32_t>(b - 1),
+                             base + static_cast<std::uint32_t>(c - 1)});
+    result.faces.push_back(number);
+  }
+  return true;
+}
+
+double diagonal_mm(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  if (box.IsVoid() || box.IsOpen())
+    throw std::runtime_error("holds no bounded shape; export the part as a solid");
+  return std::sqrt(box.SquareExtent());
+}
+
+void add_bodies(const STEPControl_Reader& reader, const TopoDS_Shape& shape, double mm,
+                std::uint64_t max_facets, StepResult& result) {
+  std::uint32_t face = 0;
+  std::size_t uncut = 0;
+  for (const TopoDS_Shape& body : bodies_of(shape)) {
+    const std::size_t first = result.facets.size();
+    for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next(), ++face) {
+      if (!add_face(TopoDS::Face(walk.Current()), face, mm, result)) ++uncut;
+      if (result.facets.size() > max_facets) {
+        throw std::runtime_error("gives more facets than the limit of " + std::to_string(max_facets) +
+                                 "; raise the limit (--max-facets) or the deflection");
+      }
+    }
+    if (result.facets.size() > first)
+      result.bodies.push_back({body_name(reader, body), result.facets.size() - first});
+  }
+  if (uncut > 0) {
+    result.warnings.push_back(std::to_string(uncut) + " of " + std::to_string(face) +
+                              " CAD faces could not be cut into triangles; the surface is open there");
+  }
+}
+
+}  // namespace
+
+StepResult tessellate(const std::string& path, const TessellationSettings& settings) {
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  StepResult result;
+  STEPControl_Reader reader;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw std::runtime_error("is no STEP file that can be read");
+  std::size_t faulty = count_faulty(reader, reader.WS()->ModelCheckList());
+  const LengthUnit unit = file_unit(reader, result);
+  result.unit = unit.name;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  reader.TransferRoots();
+  const TopoDS_Shape shape = reader.OneShape();
+  faulty += count_faulty(reader, reader.WS()->LastRunCheckList());
+  if (shape.IsNull()) throw std::runtime_error("holds no shape; export the part as a solid");
+  if (faulty > 0) {
+    result.warnings.push_back(std::to_string(faulty) +
+                              " entities of the STEP file are faulty; some of the part may be missing");
+  }
+
+  const double diagonal = diagonal_mm(shape);
+  const double deflection = settings.linear_deflection > 0.0 ? settings.linear_deflection * unit.mm
+                                                             : settings.linear_share * diagonal;
+  // One thread, so that the same file gives the same facets.
+  const BRepMesh_IncrementalMesh mesher(shape, deflection, Standard_False,
+                                        settings.angular_deflection_deg * std::numbers::pi / 180.0,
+                                        Standard_False);
+  add_bodies(reader, shape, unit.mm, settings.max_facets, result);
+  if (result.facets.empty())
+    throw std::runtime_error("holds no face that can be cut into triangles; export the part again");
+  return result;
+}
+
+}  // namespace moldlight::step

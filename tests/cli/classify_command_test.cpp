@@ -1,0 +1,204 @@
+// What `moldlight classify` puts out.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "io/part_reader.hpp"
+#include "mesh/facet_geometry.hpp"
+
+namespace moldlight {
+namespace {
+
+namespace fs = std::filesystem;
+using test::file_bytes;
+using test::json_of;
+using test::run_moldlight;
+using test::SmallPart;
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : object.items()) names.push_back(key);
+  return names;
+}
+
+TEST(Classify, PrintsATableAndNothingElseOnStdout) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.classify());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  for (const char* line : {"\ncore ", "\ncavity ", "\nboth ", "\nundercut ", "\ntotal ", "\ncheck ✓"}) {
+    EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
+  }
+  EXPECT_EQ(run.out.find('\033'), std::string::npos) << "colour on what is no terminal";
+  EXPECT_EQ(run_moldlight(part.classify({"--verbose"})).out, run.out);
+  EXPECT_EQ(run_moldlight(part.classify({"--quiet"})).out, run.out);
+}
+
+TEST(Classify, JsonHasTheKeysOfTheSchema) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.classify({"--json", "-"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = json_of(run.out);
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(json["schema"], "moldlight.classify/1");
+  EXPECT_EQ(keys(json), (Names{"schema", "part", "direction", "settings", "texel", "lateral_tolerance",
+                               "areas", "fractions", "undercut_uncertainty", "uncertainty_parts",
+                               "projected_undercut", "samples", "timings_ms"}));
+  EXPECT_EQ(keys(json["part"]), (Names{"file", "format", "unit", "facets", "vertices", "components", "closed",
+                                       "area", "volume", "bounds", "warnings", "repairs"}));
+  EXPECT_EQ(keys(json["part"]["bounds"]), (Names{"min", "max"}));
+  EXPECT_EQ(keys(json["areas"]), (Names{"core", "cavity", "both", "undercut", "total", "near_vertical"}));
+  EXPECT_EQ(keys(json["fractions"]), (Names{"core", "cavity", "both", "undercut"}));
+  EXPECT_EQ(keys(json["projected_undercut"]), (Names{"surface", "identity", "gap", "gap_limit", "agrees"}));
+  EXPECT_EQ(keys(json["timings_ms"]), (Names{"load", "maps", "measure", "total"}));
+  for (const char* key :
+       {"tau_deg", "kernel", "edge_thickness", "resolution", "readout", "backend", "renderer"}) {
+    EXPECT_TRUE(json["settings"].contains(key)) << key;
+  }
+  EXPECT_EQ(json["part"]["facets"], part.shape().mesh.facets.size());
+  EXPECT_EQ(json["part"]["closed"], true);
+  EXPECT_EQ(json["settings"]["resolution"], 256);
+}
+
+TEST(Classify, JsonFiguresBelongTogether) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.classify({"--direction", "3,0,4", "--json", "-"}));
+  EXPECT_EQ(run.exit_code, 2) << "--direction was given twice";
+  auto arguments = part.classify({"--json", "-"});
+  arguments[3] = "3,0,4";
+  const Json json = json_of(run_moldlight(arguments).out);
+  EXPECT_DOUBLE_EQ(json["direction"][0].get<double>(), 0.6);
+  EXPECT_DOUBLE_EQ(json["direction"][2].get<double>(), 0.8);
+  const double total = json["areas"]["total"];
+  EXPECT_DOUBLE_EQ(total, json["part"]["area"].get<double>());
+  double sum = 0.0;
+  for (const char* region : {"core", "cavity", "both", "undercut"}) {
+    sum += json["areas"][region].get<double>();
+    EXPECT_NEAR(json["fractions"][region].get<double>() * total, json["areas"][region].get<double>(),
+                1e-9 * total);
+  }
+  EXPECT_NEAR(sum, total, 1e-9 * total);
+  const Json& projected = json["projected_undercut"];
+  EXPECT_NEAR(projected["gap"].get<double>(),
+              projected["surface"].get<double>() - projected["identity"].get<double>(), 1e-9 * total);
+}
+
+TEST(Classify, AreasAreThoseOfTheFormula) {
+  const SmallPart part;
+  auto arguments = part.classify({"--json", "-", "--tolerance", "0.02"});
+  arguments[5] = "200000";
+  arguments[7] = "1024";
+  const Json json = json_of(run_moldlight(arguments).out);
+  for (const Region region : k_regions) {
+    EXPECT_NEAR(json["areas"][std::string(region_name(region))].get<double>(), part.shape().expected[region],
+                0.005 * part.shape().expected.total())
+        << region_name(region);
+  }
+}
+
+TEST(Classify, FacetTableIsInFileOrderAndAddsUpToTheJson) {
+  const SmallPart part;
+  const std::string csv = part.output("facets.csv"), report = part.output("report.json");
+  const auto run = run_moldlight(part.classify({"--facets", csv, "--json", report}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const FacetGeometry geometry = facet_geometry(part.shape().mesh);
+  std::istringstream lines(file_bytes(csv));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "facet,area,core,cavity,both,undercut");
+  RegionValues sums;
+  std::size_t facet = 0;
+  for (; std::getline(lines, line); ++facet) {
+    std::istringstream row(line);
+    double values[6];
+    char comma = 0;
+    for (double& value : values) row >> value >> comma;
+    ASSERT_EQ(values[0], static_cast<double>(facet));
+    ASSERT_LT(facet, geometry.areas.size());
+    EXPECT_NEAR(values[1], geometry.areas[facet], 1e-9 * geometry.total_area);
+    for (const Region region : k_regions) sums[region] += values[1] * values[2 + static_cast<int>(region)];
+  }
+  EXPECT_EQ(facet, geometry.areas.size());
+  const Json json = json_of(file_bytes(report));
+  for (const Region region : k_regions) {
+    EXPECT_NEAR(sums[region], json["areas"][std::string(region_name(region))].get<double>(),
+                1e-6 * geometry.total_area);
+  }
+}
+
+TEST(Classify, WritesMeshesFacetByFacet) {
+  const SmallPart part;
+  const TriangleMesh& mesh = part.shape().mesh;
+  for (const std::string name : {"out.ply", "out.obj", "out.stl"}) {
+    const auto run = run_moldlight(part.classify({"--mesh", part.output(name)}));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_GT(file_bytes(part.output(name)).size(), 50 * mesh.facets.size() / 2) << name;
+    if (name.ends_with(".ply")) continue;
+    const Part back = read_part(part.output(name), {}, Progress());
+    ASSERT_EQ(back.mesh.facets.size(), mesh.facets.size()) << name;
+    for (FacetIndex k = 0; k < mesh.facets.size(); ++k) {
+      for (int corner = 0; corner < 3; ++corner) {
+        EXPECT_LT(glm::distance(back.mesh.corner(k, corner), mesh.corner(k, corner)), 1e-5)
+            << name << " " << k;
+      }
+    }
+  }
+  EXPECT_TRUE(fs::exists(part.output("out.mtl")));
+}
+
+TEST(Classify, SplitsThePartIntoOneStlARegion) {
+  const SmallPart part;
+  const std::string folder = part.output("pieces/deeper");
+  const auto run = run_moldlight(part.classify({"--split-dir", folder}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::size_t facets = 0, files = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    facets += read_part(entry.path().string(), {}, Progress()).mesh.facets.size();
+    ++files;
+    EXPECT_TRUE(entry.path().filename().string().starts_with("cup_")) << entry.path();
+  }
+  EXPECT_EQ(files, 4u);
+  EXPECT_EQ(facets, part.shape().mesh.facets.size());
+}
+
+TEST(Classify, SamplesAndFacetIdAreBothThere) {
+  const SmallPart part;
+  const Json samples = json_of(run_moldlight(part.classify({"--json", "-"})).out);
+  const Json facet_id = json_of(run_moldlight(part.classify({"--json", "-", "--readout", "facet-id"})).out);
+  EXPECT_EQ(facet_id["settings"]["readout"], "facet-id");
+  EXPECT_NE(samples["areas"], facet_id["areas"]);
+}
+
+TEST(Classify, WarnsOfAnOpenPartOnStderrAndInJson) {
+  const test::ScratchFolder folder;
+  const std::string file =
+      folder.write("open.stl",
+                   "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                   "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+  const std::vector<std::string> arguments = {"classify", file, "--direction", "0,0,1", "--json", "-"};
+  const auto run = run_moldlight(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.err.starts_with("moldlight: warning: 3 open edges")) << run.err;
+  EXPECT_FALSE(json_of(run.out)["part"]["warnings"].empty());
+  auto quiet = arguments;
+  quiet.push_back("-q");
+  EXPECT_EQ(run_moldlight(quiet).err, "");
+}
+
+TEST(Classify, TakesANameThatIsNoUtf8) {
+  const SmallPart part;
+  const std::string odd = part.output("t\xE4st\n.obj");
+  fs::copy_file(part.file(), odd);
+  auto arguments = part.classify({"--json", "-"});
+  arguments[1] = odd;
+  const auto run = run_moldlight(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NO_THROW(static_cast<void>(json_of(run.out)));
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,40 @@
+// Two million facets at default settings: the memory is bounded, the time is printed.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "support/mesh_edits.hpp"
+
+namespace moldlight {
+namespace {
+
+constexpr std::size_t k_facets = 2'000'000;
+constexpr std::size_t k_memory_limit = std::size_t{2} << 30;
+
+TEST(LargePart, OfTwoMillionFacetsTakesLessThanTwoGigabytes) {
+  if (test::built_with_sanitizers()) GTEST_SKIP() << "the sanitizers take memory of their own";
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("large.stl");
+  {
+    const TriangleMesh mesh =
+        test::subdivided(test::cup_with_side_hole(test::ShapeSettings{}).mesh, k_facets);
+    const std::vector<Region> regions(mesh.facets.size(), Region::core);
+    write_coloured_mesh(file, {mesh, regions});
+  }
+  test::ProcessSettings settings;
+  settings.time_limit_s = 300.0;
+  const auto run = test::run_moldlight({"classify", file, "--direction", "0,0,1", "--json", "-"}, settings);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = test::json_of(run.out);
+  EXPECT_GE(json["part"]["facets"], k_facets - 1);
+  EXPECT_LT(run.peak_memory, k_memory_limit);
+  const auto& timings = json["timings_ms"];
+  std::printf("%zu facets: %.1f s in all (load %.1f s, maps %.1f s, measure %.1f s), peak memory %.2f GiB\n",
+              json["part"]["facets"].get<std::size_t>(), run.seconds, timings["load"].get<double>() / 1000.0,
+              timings["maps"].get<double>() / 1000.0, timings["measure"].get<double>() / 1000.0,
+              static_cast<double>(run.peak_memory) / static_cast<double>(std::size_t{1} << 30));
+}
+
+}  // namespace
+}  // namespace moldlight

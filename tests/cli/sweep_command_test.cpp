@@ -1,0 +1,319 @@
+// What `moldlight sweep` puts out.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "support/boxes.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight {
+namespace {
+
+namespace fs = std::filesystem;
+using test::file_bytes;
+using test::json_of;
+using test::run_moldlight;
+using test::SmallPart;
+using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
+
+Names keys(const Json& object) {
+  Names names;
+  for (const auto& [key, value] : object.items()) names.push_back(key);
+  return names;
+}
+
+Json without_time(Json json) {
+  json.erase("elapsed_s");
+  return json;
+}
+
+Json sweep_of(const std::vector<std::string>& arguments) {
+  const auto run = run_moldlight(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return run.exit_code == 0 ? json_of(run.out) : Json();
+}
+
+/// The arguments with the flag's value changed, or added where it is not there yet.
+Names with(Names arguments, const std::string& flag, const std::string& value) {
+  const auto there = std::find(arguments.begin(), arguments.end(), flag);
+  if (there != arguments.end()) {
+    *(there + 1) = value;
+  } else {
+    arguments.insert(arguments.end(), {flag, value});
+  }
+  return arguments;
+}
+
+std::vector<Names> csv_rows(const std::string& path) {
+  std::vector<Names> rows;
+  std::istringstream lines(file_bytes(path));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    Names row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.sweep());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  for (const char* word :
+       {"cup.obj: ", "undercut unit²", "± unit²", "may lean", "Pareto", "z-axis of the file"}) {
+    EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
+  }
+  EXPECT_EQ(run.out.find("clamp force"), std::string::npos) << "without a pressure";
+  EXPECT_EQ(run_moldlight(part.sweep({"--verbose"})).out, run.out);
+  EXPECT_EQ(run_moldlight(part.sweep({"--quiet", "--jobs", "1"})).out, run.out);
+}
+
+TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
+  const SmallPart part;
+  const Json json = sweep_of(part.sweep({"--json", "-", "--pressure", "30"}));
+  EXPECT_EQ(json["schema"], "moldlight.sweep/1");
+  EXPECT_EQ(keys(json), (Names{"schema", "part", "settings", "evaluated", "skipped", "complete", "elapsed_s",
+                               "remarks", "candidates"}));
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_GT(json["evaluated"].get<int>(), 60);
+  ASSERT_GE(json["candidates"].size(), 2u);
+  const Json& best = json["candidates"][0];
+  const Names wanted = {"rank",
+                        "tie_group",
+                        "direction",
+                        "sources",
+                        "areas",
+                        "undercut_uncertainty",
+                        "projected_undercut",
+                        "projected_area",
+                        "draw_depth",
+                        "undraughted_area",
+                        "patches",
+                        "tilt_margin_deg",
+                        "pareto"};
+  const Names found = keys(best);
+  auto place = found.begin();
+  for (const std::string& key : wanted) {
+    place = std::find(place, found.end(), key);
+    EXPECT_NE(place, found.end()) << key << " is missing or out of order";
+  }
+  EXPECT_EQ(keys(best["areas"]), (Names{"core", "cavity", "both", "undercut", "total", "near_vertical"}));
+  EXPECT_EQ(best["rank"], 1);
+  EXPECT_EQ(best["tie_group"], 1);
+  EXPECT_TRUE(best["projected_undercut"].is_number());
+  EXPECT_DOUBLE_EQ(best["clamp_force"].get<double>(), 30.0 * best["projected_area"].get<double>());
+  EXPECT_EQ(best["sources"][0]["kind"], "axis");
+  EXPECT_FALSE(json["settings"].contains("jobs")) << "the report does not depend on it";
+}
+
+TEST(SweepCommand, FinalFiguresAreThoseOfClassifyToTheLastDigit) {
+  const SmallPart part;
+  // A direction that no rounding suits.
+  const Json json =
+      sweep_of(part.sweep({"--json", "-", "--direction", "0.3,-0.7,0.11", "--tolerance", "0.02"}));
+  for (const Json& candidate : json["candidates"]) {
+    std::string direction;
+    for (const Json& component : candidate["direction"])
+      direction += (direction.empty() ? "" : ",") + component.dump();
+    auto arguments = part.classify({"--json", "-", "--tolerance", "0.02"});
+    arguments[3] = direction;
+    const Json classified = json_of(run_moldlight(arguments).out);
+    EXPECT_EQ(candidate["direction"].dump(), classified["direction"].dump());
+    EXPECT_EQ(candidate["areas"].dump(), classified["areas"].dump()) << direction;
+    EXPECT_EQ(candidate["fractions"].dump(), classified["fractions"].dump()) << direction;
+    EXPECT_EQ(candidate["undercut_uncertainty"].dump(), classified["undercut_uncertainty"].dump())
+        << direction;
+    EXPECT_EQ(candidate["projected_undercut"].dump(), classified["projected_undercut"]["identity"].dump());
+    EXPECT_EQ(candidate["undraughted_area"].dump(), classified["areas"]["near_vertical"].dump());
+  }
+}
+
+TEST(SweepCommand, IsTheSameWhateverTheJobs) {
+  const SmallPart part;
+  const std::string one = part.output("one.csv"), two = part.output("two.csv");
+  const Json first = sweep_of(part.sweep({"--json", "-", "--jobs", "1", "--csv", one}));
+  const Json second = sweep_of(part.sweep({"--json", "-", "--jobs", "2", "--csv", two}));
+  EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
+  EXPECT_FALSE(file_bytes(one).empty());
+  EXPECT_EQ(file_bytes(one), file_bytes(two));
+}
+
+TEST(SweepCommand, CsvHoldsEveryEvaluatedDirection) {
+  const SmallPart part;
+  const std::string csv = part.output("all.csv");
+  const Json json = sweep_of(part.sweep({"--json", "-", "--csv", csv, "--thorough"}));
+  const std::vector<Names> rows = csv_rows(csv);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows[0], (Names{"x", "y", "z", "kind", "undercut", "undercut_error", "given_up"}));
+  EXPECT_EQ(rows.size() - 1, json["evaluated"].get<std::size_t>());
+  std::size_t uniform = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), 7u);
+    const double x = std::stod(rows[i][0]), y = std::stod(rows[i][1]), z = std::stod(rows[i][2]);
+    EXPECT_NEAR(x * x + y * y + z * z, 1.0, 1e-12);
+    EXPECT_GE(std::stod(rows[i][4]), 0.0);
+    EXPECT_GT(std::stod(rows[i][5]), 0.0);
+    if (rows[i][3] == "uniform") {
+      ++uniform;
+      EXPECT_EQ(rows[i][6], "0") << "thorough";
+    }
+  }
+  EXPECT_GE(uniform, 55u);
+}
+
+TEST(SweepCommand, TakesDirectionsByFlagAndFile) {
+  const SmallPart part;
+  const std::string list = part.folder().write("list.csv", "x,y,z\n0,3,4\n# none\n1,1,0\n");
+  Names arguments = with(with(part.sweep({"--json", "-"}), "--refine", "0"), "--top", "1");
+  arguments = with(with(arguments, "--candidates", "none"), "--directions-file", list);
+  arguments.insert(arguments.end(), {"--direction", "-1,0,0", "--direction", "0,0,1"});
+  const Json json = sweep_of(arguments);
+  EXPECT_EQ(json["evaluated"], 4);
+  ASSERT_EQ(json["candidates"].size(), 4u) << "what the user gives is listed";
+  EXPECT_EQ(json["candidates"][0]["direction"], (Json{0.0, 0.0, 1.0}));
+  for (const Json& candidate : json["candidates"]) EXPECT_EQ(candidate["sources"][0]["kind"], "user");
+  ASSERT_GE(json["remarks"].size(), 1u);
+  EXPECT_NE(json["remarks"][0].get<std::string>().find("already best"), std::string::npos) << json["remarks"];
+}
+
+TEST(SweepCommand, EndsWithThreeWhenTheCriterionFails) {
+  const SmallPart part;
+  const auto sweep = [&](const std::string& limit) {
+    return run_moldlight(part.sweep({"--fail-if-undercut", limit}));
+  };
+  // The side hole is an undercut along z, and the best there is.
+  EXPECT_EQ(sweep("100%").exit_code, 0);
+  EXPECT_EQ(sweep("1e6").exit_code, 0);
+  for (const std::string limit : {"0.001%", "0.001"}) {
+    const auto failed = sweep(limit);
+    EXPECT_EQ(failed.exit_code, 3) << failed.err;
+    EXPECT_NE(failed.err.find("criterion"), std::string::npos) << failed.err;
+    EXPECT_NE(failed.out.find("z-axis"), std::string::npos) << "the result is there all the same";
+  }
+  for (const std::string limit : {"-1", "1%%", "much", "", "nan"}) {
+    EXPECT_EQ(sweep(limit).exit_code, 2) << limit;
+  }
+}
+
+TEST(SweepCommand, RefusesWhatMakesNoSense) {
+  const SmallPart part;
+  const std::vector<std::pair<std::string, std::string>> values = {{"--direction", "0,0,0"},
+                                                                   {"--direction", "nan,0,1"},
+                                                                   {"--candidates", "axis,feather"},
+                                                                   {"--objective", "beauty"},
+                                                                   {"--objective", "undercut:-1"},
+                                                                   {"--objective", "undercut:0"},
+                                                                   {"--top", "0"},
+                                                                   {"--directions", "-1"},
+                                                                   {"--refine", "101"},
+                                                                   {"--engine", "steam"},
+                                                                   {"--jobs", "-1"},
+                                                                   {"--time-limit", "-1"},
+                                                                   {"--tilt-growth", "0"},
+                                                                   {"--candidates", "none"}};
+  for (const auto& [flag, value] : values) {
+    const auto run = run_moldlight(with(part.sweep(), flag, value));
+    EXPECT_EQ(run.exit_code, 2) << flag << " " << value << ": " << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(flag), std::string::npos) << run.err;
+  }
+}
+
+TEST(SweepCommand, FindsUnwritableOutputsBeforeTheWork) {
+  const SmallPart part;
+  for (const auto& [flag, path] :
+       std::vector<std::pair<std::string, std::string>>{{"--json", part.output("no/such/a.json")},
+                                                        {"--csv", part.output("no/such/a.csv")},
+                                                        {"--csv", part.file()},
+                                                        {"--image-dir", part.file() + "/below"}}) {
+    auto arguments = part.sweep({flag, path, "--verbose"});
+    const auto run = run_moldlight(arguments);
+    EXPECT_TRUE(run.exit_code == 1 || run.exit_code == 2) << run.exit_code << run.err;
+    EXPECT_EQ(run.error_lines(), 1u) << "nothing was read yet: " << run.err;
+  }
+}
+
+TEST(SweepCommand, PutsOutWhatIsDoneWhenInterrupted) {
+  const SmallPart part;
+  const std::string json = part.output("a.json"), csv = part.output("a.csv");
+  std::vector<std::string> arguments = part.sweep({"--json", json, "--csv", csv, "--verbose"});
+  arguments.insert(arguments.begin(), MOLDLIGHT_BINARY);
+  arguments = with(arguments, "--directions", "100000");
+  test::Process process(arguments, {});
+  ASSERT_TRUE(process.wait_for_error_text("scoring"));
+  process.send_signal(SIGINT);
+  const auto result = process.finish();
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_NE(result.err.find("interrupted"), std::string::npos) << result.err;
+  const Json report = json_of(file_bytes(json));
+  EXPECT_EQ(report["complete"], false);
+  EXPECT_EQ(csv_rows(csv).size() - 1, report["evaluated"].get<std::size_t>());
+  EXPECT_LT(report["evaluated"].get<std::size_t>(), 100'000u);
+  EXPECT_NE(result.out.find("not complete"), std::string::npos) << result.out;
+  EXPECT_LT(result.seconds, 60.0);
+}
+
+TEST(SweepCommand, EndsAtTheTimeLimitWithAWarning) {
+  const SmallPart part;
+  const auto run =
+      run_moldlight(with(part.sweep({"--json", "-", "--time-limit", "0.5"}), "--directions", "100000"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("time limit"), std::string::npos) << run.err;
+  const Json report = json_of(run.out);
+  EXPECT_EQ(report["complete"], false);
+  EXPECT_GE(report["candidates"].size(), 1u) << "the best so far gets its figures";
+  EXPECT_LT(run.seconds, test::built_with_sanitizers() ? 60.0 : 20.0);
+}
+
+TEST(SweepCommand, TimeThatSufficesIsNoLimit) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.sweep({"--json", "-", "--time-limit", "1000"}));
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(json_of(run.out)["complete"], true);
+}
+
+TEST(SweepCommand, DirectionsOfACubeTie) {
+  const SmallPart part;
+  const std::string cube = part.output("cube.obj");
+  const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {10, 10, 10});
+  const std::vector<Region> regions(mesh.facets.size(), Region::core);
+  write_coloured_mesh(cube, {mesh, regions});
+  auto arguments = part.sweep({"--json", "-"});
+  arguments[1] = cube;
+  const Json json = sweep_of(arguments);
+  ASSERT_EQ(json["candidates"].size(), 4u);
+  for (const Json& candidate : json["candidates"]) {
+    EXPECT_EQ(candidate["tie_group"], 1) << candidate;
+    EXPECT_EQ(candidate["areas"]["undercut"], 0.0);
+    EXPECT_EQ(candidate["patches"], 0);
+    EXPECT_EQ(candidate["tilt_margin_deg"], 30.0) << "at least";
+    EXPECT_TRUE(candidate["tilt_toward"].is_null());
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(json["candidates"][i]["draw_depth"].get<double>(), 10.0, 1e-9) << "axes before others";
+  }
+}
+
+TEST(SweepCommand, APartWithoutAreaHasDirectionsWithoutArea) {
+  const SmallPart part;
+  const std::string flat =
+      part.folder().write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n");
+  auto arguments = part.sweep({"--json", "-"});
+  arguments[1] = flat;
+  const auto run = run_moldlight(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = json_of(run.out);
+  EXPECT_EQ(json["complete"], true);
+  for (const Json& candidate : json["candidates"]) EXPECT_EQ(candidate["areas"]["undercut"], 0.0);
+  EXPECT_EQ(run_moldlight({"sweep", flat, "--directions", "10"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace moldlight

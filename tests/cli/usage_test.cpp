@@ -1,0 +1,217 @@
+// Command lines that make no sense, and places that cannot be written to: found out at once, in one line.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "cli/small_part.hpp"
+
+namespace moldlight {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_moldlight;
+using test::SmallPart;
+using Arguments = std::vector<std::string>;
+
+/// Expects the exit code, one line on stderr that holds all of `words`, nothing on stdout.
+void expect_failure(const Arguments& arguments, int exit_code, const Arguments& words) {
+  const auto run = run_moldlight(arguments);
+  std::string command;
+  for (const std::string& argument : arguments) command += " " + argument;
+  EXPECT_EQ(run.exit_code, exit_code) << command << "\n" << run.err;
+  EXPECT_EQ(run.out, "") << command;
+  EXPECT_EQ(run.error_lines(), 1u) << command << "\n" << run.err;
+  EXPECT_TRUE(run.err.starts_with("moldlight: ")) << command << "\n" << run.err;
+  for (const std::string& word : words) {
+    EXPECT_NE(run.err.find(word), std::string::npos) << command << ": no '" << word << "' in " << run.err;
+  }
+}
+
+TEST(Usage, HelpAndVersionGoToStdout) {
+  for (const Arguments& arguments : {Arguments{"--help"}, Arguments{"info", "--help"},
+                                     Arguments{"classify", "-h"}, Arguments{"--version"}}) {
+    const auto run = run_moldlight(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out, "");
+  }
+  EXPECT_TRUE(run_moldlight({"--version"}).out.starts_with("moldlight 0."));
+}
+
+TEST(Usage, CommandLinesThatMakeNoSenseEndWithTwo) {
+  const SmallPart part;
+  expect_failure({}, 2, {"--help"});
+  expect_failure({"melt"}, 2, {"melt"});
+  expect_failure({"classify"}, 2, {"PART", "moldlight classify --help"});
+  expect_failure({"classify", part.file()}, 2, {"--direction"});
+  expect_failure({"info"}, 2, {"PART"});
+  expect_failure({"info", part.file(), "--json"}, 2, {"--json"});
+  expect_failure({"info", part.file(), "more"}, 2, {"more"});
+  expect_failure(part.classify({"--colour", "red"}), 2, {"--colour"});
+  expect_failure(part.classify({"--quiet", "--verbose"}), 2, {"--quiet"});
+  expect_failure(part.classify({"--kernel", "3", "--tolerance", "0.1"}), 2, {"--kernel", "--tolerance"});
+  expect_failure(part.classify({"--readout", "facet-id", "--kernel-shape", "symmetric"}), 2, {"--readout"});
+}
+
+TEST(Usage, DirectionsThatAreNoneEndWithTwo) {
+  const SmallPart part;
+  for (const std::string direction : {"0,0,0", "nan,0,0", "inf,0,0", "-inf,0,1", "1,2", "1,2,3,4", "",
+                                      "a,b,c", "1,,2", "0,0,-0", "1e400,0,0", "0x10,0,0"}) {
+    auto arguments = part.classify();
+    arguments[3] = direction;
+    expect_failure(arguments, 2, {"--direction"});
+  }
+}
+
+TEST(Usage, DirectionsOfAnyLengthAreTaken) {
+  const SmallPart part;
+  auto arguments = part.classify({"--json", "-"});
+  const auto direction_of = [&](const std::string& text) {
+    arguments[3] = text;
+    const auto run = run_moldlight(arguments);
+    EXPECT_EQ(run.exit_code, 0) << text << ": " << run.err;
+    return run.exit_code == 0 ? test::json_of(run.out)["direction"] : nlohmann::ordered_json();
+  };
+  const nlohmann::ordered_json down = {-1.0, 0.0, 0.0};
+  EXPECT_EQ(direction_of("-1,0,0"), down);
+  EXPECT_EQ(direction_of("-1e-320,0,0"), down);
+  EXPECT_EQ(direction_of("-1e308,0,0"), down);
+  EXPECT_EQ(direction_of(" -5 , +0 , 0"), down);
+  arguments[2] = "--direction=-2,0,0";
+  arguments.erase(arguments.begin() + 3);
+  const auto run = run_moldlight(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(test::json_of(run.out)["direction"], down);
+}
+
+TEST(Usage, ValuesOutOfRangeEndWithTwo) {
+  const SmallPart part;
+  const std::vector<std::pair<std::string, std::string>> values = {
+      {"--tau", "-0.1"},       {"--tau", "10.1"},           {"--tau", "nan"},
+      {"--kernel", "0"},       {"--kernel", "2"},           {"--kernel", "11"},
+      {"--kernel", "3.5"},     {"--tolerance", "0"},        {"--tolerance", "-1"},
+      {"--tolerance", "inf"},  {"--edge-thickness", "9"},   {"--readout", "photograph"},
+      {"--exact-rays", "yes"}, {"--kernel-shape", "round"}, {"--max-facets", "0"},
+      {"--max-facets", "-3"}};
+  for (const auto& [flag, value] : values) {
+    expect_failure(part.classify({flag, value}), 2, {flag});
+  }
+  for (const auto& [place, value] : {std::pair<std::size_t, std::string>{7, "0"},
+                                     {7, "63"},
+                                     {7, "8193"},
+                                     {7, "-512"},
+                                     {7, "99999999999"},
+                                     {5, "10"},
+                                     {9, "vulkan"}}) {
+    auto arguments = part.classify();
+    const std::string flag = arguments[place - 1];
+    arguments[place] = value;
+    expect_failure(arguments, 2, {flag, value});
+  }
+}
+
+TEST(Usage, TheLimitOfFacetsHolds) {
+  const SmallPart part;
+  expect_failure({"info", part.file(), "--max-facets", "12"}, 1, {part.file(), "--max-facets"});
+}
+
+TEST(Usage, PartsThatCannotBeReadEndWithOne) {
+  const test::ScratchFolder folder;
+  expect_failure({"info", folder.file("nowhere.stl")}, 1, {"nowhere.stl"});
+  expect_failure({"info", folder.path().string()}, 1, {folder.path().string()});
+  expect_failure({"classify", folder.file("nowhere.stl"), "--direction", "0,0,1"}, 1, {"nowhere.stl"});
+  expect_failure({"info", "/dev/null"}, 1, {"/dev/null"});
+}
+
+TEST(Usage, OutputsThatCannotBeWrittenEndWithOneBeforeAnyWork) {
+  const SmallPart part;
+  const std::string file = part.folder().write("file", "");
+  const std::vector<std::pair<std::string, std::string>> outputs = {
+      {"--json", part.output("no/such/folder/a.json")},
+      {"--facets", part.output("no/such/folder/a.csv")},
+      {"--mesh", part.output("no/such/folder/a.ply")},
+      {"--json", part.folder().path().string()},
+      {"--split-dir", file + "/below"},
+      {"--split-dir", file}};
+  for (const auto& [flag, path] : outputs) {
+    // A part that is not there either: the output is looked at first.
+    auto arguments = part.classify({flag, path});
+    arguments[1] = part.output("nowhere.stl");
+    expect_failure(arguments, 1, {path, "cannot be"});
+  }
+  expect_failure({"info", part.file(), "--json", part.output("no/a.json")}, 1, {"no/a.json"});
+}
+
+TEST(Usage, ProtectedFilesAndFoldersStay) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const SmallPart part;
+  const std::string kept = part.folder().write("kept.json", "old");
+  fs::permissions(kept, fs::perms::owner_read);
+  expect_failure(part.classify({"--json", kept}), 1, {kept});
+  EXPECT_EQ(test::file_bytes(kept), "old");
+}
+
+TEST(Usage, AFullDiskIsAFailureAndLeavesTheOldFile) {
+  const SmallPart part;
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  expect_failure(part.classify({"--json", "/dev/full"}), 1, {"/dev/full", "space"});
+}
+
+TEST(Usage, OutputsThatMeetEndWithTwo) {
+  const SmallPart part;
+  const std::string file = part.output("out.csv");
+  expect_failure(part.classify({"--json", file, "--facets", file}), 2, {"--json", "--facets"});
+  expect_failure(part.classify({"--json", file, "--facets", part.output("./sub/../out.csv")}), 2,
+                 {"--facets"});
+  expect_failure(part.classify({"--mesh", part.file()}), 2, {"--mesh", part.file()});
+  expect_failure(part.classify({"--mesh", part.output("a.step")}), 2, {"a.step", ".ply"});
+  expect_failure(part.classify({"--facets", "-"}), 2, {"--facets"});
+  expect_failure({"info", part.file(), "--json", part.file()}, 2, {"--json"});
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(Usage, AFailedRunLeavesNothingBehind) {
+  const SmallPart part;
+  const auto entries = [&] {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(part.folder().path())) ++count;
+    return count;
+  };
+  const std::size_t before = entries();
+  auto arguments = part.classify({"--json", part.output("a.json"), "--mesh", part.output("a.ply"), "--facets",
+                                  part.output("a.csv"), "--split-dir", part.output("pieces")});
+  arguments[1] = part.output("nowhere.stl");
+  expect_failure(arguments, 1, {"nowhere.stl"});
+  EXPECT_EQ(entries(), before);
+}
+
+TEST(Usage, ABackendThatIsNotThereSaysWhatWasTried) {
+  const SmallPart part;
+  test::ProcessSettings settings;
+  settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"};
+  auto arguments = part.classify();
+  arguments[9] = "egl";
+  const auto run = run_moldlight(arguments, settings);
+  if (run.exit_code == 0) GTEST_SKIP() << "this EGL does not ask for vendors";
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("EGL"), std::string::npos) << run.err;
+  EXPECT_EQ(run.error_lines(), 1u) << run.err;
+}
+
+TEST(Usage, NeitherHomeNorDisplayIsNeeded) {
+  const SmallPart part;
+  test::ProcessSettings settings;
+  settings.removed_environment = {"HOME", "DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "LANG"};
+  for (const std::string backend : {"auto", "osmesa"}) {
+    auto arguments = part.classify();
+    arguments[9] = backend;
+    const auto run = run_moldlight(arguments, settings);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+  }
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,101 @@
+// Every option of every table has a control that changes it, shows the change, and is undone.
+#include "gui/window_with_part.hpp"
+#include "session/method_options.hpp"
+#include "session/option_table.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+class Controls : public WindowWithPart {
+ protected:
+  /// What was done, for messages.
+  template <typename S>
+  void use(const Option<S>& option, const S& settings) {
+    const std::string label(option.label);
+    std::visit(moldlight::detail::Overloaded{
+                   [&](const RealKind<S>& kind) {
+                     slide(label, settings.*kind.member > 0.5 * (kind.min + kind.max) ? 0.2F : 0.8F);
+                   },
+                   [&](const OptionalRealKind<S>&) {
+                     click(std::string(option.key));
+                     window.type("0.25");
+                     window.frame();
+                     key({.key = k_enter});
+                   },
+                   [&](const IntegerKind<S>&) { slide(label, 0.7F); },
+                   [&](const SwitchKind<S>&) { click(label); },
+                   [&](const ChoiceKind<S>& kind) {
+                     const auto other = static_cast<std::size_t>(kind.get(settings) == 0 ? 1 : 0);
+                     click(label + "=" + std::string(kind.words[other]));
+                   },
+                   [&](const DirectionKind<S>&) { click("+X"); },
+               },
+               option.kind);
+  }
+
+  template <typename S, typename Get>
+  void walk(std::span<const Option<S>> options, const Get& get, bool undoable) {
+    for (const Option<S>& option : options) {
+      const S before = get();
+      const std::string text_before = option_text(option, before);
+      use(option, before);
+      const std::string text_after = option_text(option, get());
+      EXPECT_NE(text_after, text_before) << option.key << ": its control changes nothing";
+      // Only this option has changed, and its value is one that the command line takes.
+      S expected = before;
+      ASSERT_NO_THROW(set_option(option, expected, text_after)) << option.key;
+      EXPECT_EQ(options_json(options, get()), options_json(options, expected)) << option.key;
+      // Through JSON and back.
+      S read{};
+      set_options(options, read, options_json(options, get()));
+      EXPECT_EQ(read, get()) << option.key;
+      if (!undoable) continue;
+      undo();
+      EXPECT_EQ(option_text(option, get()), text_before) << option.key << ": undo";
+    }
+  }
+};
+
+TEST_F(Controls, OfTheMethod) {
+  click("disclosure");
+  walk(
+      method_options(), [&] { return method(); }, true);
+}
+
+TEST_F(Controls, OfTheLook) {
+  click("Section");  // its height is shown with it
+  walk(
+      look_options(), [&] { return state().settings.look; }, true);
+}
+
+TEST_F(Controls, OfTheWindow) {
+  click("settings");
+  walk(
+      window_options(), [&] { return state().window; }, false);
+}
+
+TEST_F(Controls, RightClickResets) {
+  slide("Draft tolerance", 0.9F);
+  EXPECT_GT(method().tau_deg, 5.0);
+  move_to(window.control("Draft tolerance").centre());
+  window.set_button(1, true);
+  window.frame();
+  window.set_button(1, false);
+  window.frames(3);
+  move_to(window.control("Draft tolerance").centre() + glm::vec2(30, 14));
+  press();
+  EXPECT_EQ(method().tau_deg, MethodSettings{}.tau_deg);
+}
+
+TEST_F(Controls, ValuesAreTypedAfterADoubleClick) {
+  move_to(window.control("Draft tolerance").centre());
+  press();
+  press();
+  window.type("2.5");
+  window.frame();
+  key({.key = k_enter});
+  EXPECT_EQ(method().tau_deg, 2.5);
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test

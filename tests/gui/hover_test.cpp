@@ -1,0 +1,119 @@
+// The surface under the cursor: facet, draft, region, and for an undercut what blocks it.
+#include <glm/geometric.hpp>
+
+#include "gui/window_with_part.hpp"
+#include "mold/round_wall.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+class Hovering : public WindowWithPart {
+ protected:
+  [[nodiscard]] glm::dvec3 centroid(FacetIndex facet) const {
+    const TriangleMesh& mesh = state().model->part.mesh;
+    return (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+  }
+
+  /// The place of a facet's middle on the screen, where it is in sight and free of panels.
+  [[nodiscard]] std::optional<glm::vec2> place_of(FacetIndex facet) const {
+    const PartModel& model = *state().model;
+    const Camera& camera = state().camera;
+    const glm::dvec3& normal = model.geometry.normals[facet];
+    if (model.geometry.areas[facet] < 1e-3 * model.geometry.total_area / 10.0) return std::nullopt;
+    if (glm::dot(normal, camera.toward_viewer()) < 0.2) return std::nullopt;
+    const glm::dvec3 point(model.frame.to_unit(centroid(facet)));
+    const glm::vec3 start(point + 1e-4 * normal);
+    if (model.rays->first_hit(start, glm::vec3(camera.toward_viewer()), false)) return std::nullopt;
+    const auto pixel = project(camera, window.size(), point);
+    if (!pixel || pixel->x < 320.0 || pixel->x > 960.0) return std::nullopt;
+    return glm::vec2(*pixel);
+  }
+
+  /// Moves the mouse to a facet of this region that is in sight.
+  void find(Region region) {
+    window.wait_until_measured();
+    const auto& fractions = state().figures.shown->facet_fractions;
+    for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
+      if (fractions[facet][static_cast<std::size_t>(region)] < 0.999F) continue;
+      const auto place = place_of(facet);
+      if (!place) continue;
+      move_to(*place);
+      found = facet;
+      return;
+    }
+    FAIL() << "no facet of the region is in sight";
+  }
+
+  FacetIndex found = k_no_facet;
+};
+
+TEST_F(Hovering, TellsTheFacet) {
+  find(Region::core);
+  ASSERT_TRUE(state().hover);
+  EXPECT_EQ(state().hover->point.facet, found);
+  EXPECT_EQ(state().hover->point.region, Region::core);
+  EXPECT_FALSE(state().hover->blocker);
+  EXPECT_NEAR(state().hover->draft_deg,
+              draft_angle_deg(state().model->geometry.normals[found], method().direction), 1e-12);
+}
+
+TEST_F(Hovering, DISABLED_TellsWhatBlocksAnUndercut) {
+  // The hole through the cup's wall, seen from its side.
+  key({.key = '1'});
+  window.settle();
+  find(Region::undercut);
+  ASSERT_TRUE(state().hover);
+  EXPECT_EQ(state().hover->point.facet, found);
+  EXPECT_EQ(state().hover->point.region, Region::undercut);
+  ASSERT_TRUE(state().hover->blocker);
+
+  // The blocker lies on the line along the direction, at the distance that is told, and faces the point.
+  const Blocker& blocker = *state().hover->blocker;
+  const PartModel& model = *state().model;
+  const glm::dvec3 along = method().direction * (blocker.above ? 1.0 : -1.0);
+  const glm::dvec3 point = model.frame.to_model(glm::dvec3(state().hover->point.position));
+  const glm::dvec3& normal = model.geometry.normals[blocker.facet];
+  EXPECT_LT(glm::dot(normal, along), 0.0);
+  const glm::dvec3 hit = point + blocker.distance * along;
+  EXPECT_NEAR(glm::dot(hit - centroid(blocker.facet), normal), 0.0, 1e-3);
+  const TriangleMesh& mesh = model.part.mesh;
+  for (int corner = 0; corner < 3; ++corner) {
+    const glm::dvec3& a = mesh.corner(blocker.facet, corner);
+    const glm::dvec3& b = mesh.corner(blocker.facet, (corner + 1) % 3);
+    EXPECT_GT(glm::dot(glm::cross(b - a, hit - a), normal), -1e-2 * glm::length(b - a)) << corner;
+  }
+}
+
+TEST_F(Hovering, NothingBesideThePart) {
+  move_to({640, 700});
+  EXPECT_FALSE(state().hover);
+  move_to(window.control("Kernel").centre());
+  EXPECT_FALSE(state().hover) << "a panel lies over the part";
+}
+
+TEST_F(Hovering, ADoubleClickTakesTheNormal) {
+  key({.key = '1'});
+  window.settle();
+  find(Region::both);
+  press();
+  press();
+  const glm::dvec3& normal = state().model->geometry.normals[found];
+  EXPECT_NEAR(glm::dot(method().direction, normal), 1.0, 1e-9);
+  undo();
+  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+}
+
+TEST_F(Hovering, DISABLED_AnAltDoubleClickTakesTheAxis) {
+  key({.key = '1'});
+  window.settle();
+  find(Region::undercut);
+  window.hold_modifiers(false, false, true);
+  press();
+  press();
+  window.hold_modifiers(false, false, false);
+  // The hole runs across the cup.
+  EXPECT_NEAR(method().direction.z, 0.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test

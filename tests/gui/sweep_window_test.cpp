@@ -1,0 +1,255 @@
+// The sweep in the window, without a display: what it shows is what the sweep and classify give.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "gui/offscreen.hpp"
+#include "gui/picture_file.hpp"
+#include "io/mesh_writer.hpp"
+#include "session/headless.hpp"
+#include "session/sweep/sweep.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr glm::ivec2 k_size(1280, 720);
+constexpr int k_many = 4000;
+
+MethodSettings quick_method() {
+  MethodSettings method;
+  method.resolution = 256;
+  method.samples = 20'000;
+  return method;
+}
+
+SweepSettings quick_sweep() {
+  SweepSettings sweep;
+  sweep.directions = 24;
+  sweep.refine = 1;
+  sweep.top = 3;
+  sweep.scoring_samples = 1000;
+  sweep.engine = SweepEngine::rays;
+  return sweep;
+}
+
+/// Takes minutes.
+SweepSettings long_sweep() {
+  SweepSettings sweep = quick_sweep();
+  sweep.directions = k_many;
+  sweep.scoring_samples = 200'000;
+  sweep.thorough = true;
+  return sweep;
+}
+
+class SweepWindow : public testing::Test {
+ protected:
+  SweepWindow()
+      : window_({.size = k_size, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}}) {
+    window_.app().set_notes({.method = quick_method(), .look = {}, .bookmarks = {}});
+    window_.app().set_sweep_options(quick_sweep());
+    open(test::snap_hook({}).mesh, "hook.stl");
+  }
+
+  void open(const TriangleMesh& mesh, const std::string& name) {
+    const std::vector<Region> regions(mesh.facets.size(), Region::both);
+    const std::string path = folder_.file(name);
+    write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
+    window_.app().open(path);
+    window_.wait_until_loaded();
+  }
+  void press(int key) {
+    window_.press_key({.key = key, .ctrl = false, .shift = false, .alt = false});
+    window_.frames(2);
+  }
+  void sweep() {
+    press(GLFW_KEY_W);
+    window_.wait_until_swept();
+  }
+  [[nodiscard]] const SweepState& state() const { return window_.state().sweep; }
+  [[nodiscard]] const SweepCandidate& candidate(std::size_t index) const {
+    return state().result->candidates[index];
+  }
+
+  /// Different colours in a square about a place, each channel in steps of 16.
+  [[nodiscard]] std::size_t colours_about(const glm::ivec2& middle, int half) const {
+    const std::vector<std::uint8_t> pixels = window_.pixels();
+    std::vector<unsigned> seen;
+    for (int y = middle.y - half; y < middle.y + half; ++y) {
+      for (int x = middle.x - half; x < middle.x + half; ++x) {
+        const std::uint8_t* pixel = &pixels[4 * static_cast<std::size_t>(y * k_size.x + x)];
+        seen.push_back(pixel[0] / 16U * 256U + pixel[1] / 16U * 16U + pixel[2] / 16U);
+      }
+    }
+    std::sort(seen.begin(), seen.end());
+    return static_cast<std::size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+  }
+
+  test::ScratchFolder folder_;
+  OffscreenWindow window_;
+};
+
+TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
+  sweep();
+  ASSERT_TRUE(state().result) << state().error;
+  const SweepResult& shown = *state().result;
+  EXPECT_TRUE(shown.complete);
+  EXPECT_FALSE(state().stale);
+
+  const auto context = create_context(Backend::automatic);
+  context->make_current();
+  Classifier classifier(*context, window_.state().model);
+  SweepSettings settings = quick_sweep();
+  settings.method = window_.state().settings.method;
+  const SweepResult expected = run_sweep(classifier, settings, Progress{}, {});
+  ASSERT_EQ(shown.candidates.size(), expected.candidates.size());
+  ASSERT_GE(shown.candidates.size(), 2U);
+  EXPECT_EQ(shown.evaluated.size(), expected.evaluated.size());
+  for (std::size_t k = 0; k < shown.candidates.size(); ++k) {
+    const SweepCandidate &a = shown.candidates[k], &b = expected.candidates[k];
+    EXPECT_EQ(a.candidate.direction, b.candidate.direction);
+    EXPECT_EQ(a.tie_group, b.tie_group);
+    EXPECT_EQ(a.patches, b.patches);
+    MethodSettings method = settings.method;
+    method.direction = a.candidate.direction;
+    const Classification classified = classifier.classify(method, Progress{});
+    for (const Region region : k_regions) {
+      EXPECT_EQ(a.classification.areas[region], b.classification.areas[region]);
+      EXPECT_EQ(a.classification.areas[region], classified.areas[region]);
+    }
+    EXPECT_EQ(a.classification.uncertainty.total, classified.uncertainty.total);
+  }
+}
+
+TEST_F(SweepWindow, ColoursTheBallByTheScoredDirections) {
+  const glm::ivec2 ball(78, 138);
+  const std::size_t bare = colours_about(ball, 40);
+  sweep();
+  window_.settle();
+  ASSERT_TRUE(state().map);
+  EXPECT_GE(state().map->evaluated.size(), 24U);
+  EXPECT_GT(state().map->worst, 0.0);
+  EXPECT_GT(colours_about(ball, 40), bare);
+  for (const EvaluatedDirection& each : state().map->evaluated) {
+    EXPECT_NEAR(state().map->field.at(each.direction).cover, 1.0, 1e-6);
+  }
+  const EvaluatedDirection& first = state().map->evaluated.front();
+  const EvaluatedDirection* found = state().map->nearest(-first.direction, 0.01);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->undercut, first.undercut);
+}
+
+TEST_F(SweepWindow, TurnsToTheRowThatIsClicked) {
+  sweep();
+  ASSERT_GE(state().result->candidates.size(), 3U);
+  const auto direction = [&] { return window_.state().settings.method.direction; };
+  // Rows lie one below the other above the lower edge.
+  std::vector<bool> reached(state().result->candidates.size(), false);
+  for (int y = k_size.y - 16; y > k_size.y / 2; y -= 12) {
+    window_.move_mouse({460, y});
+    window_.frames(2);
+    window_.set_button(0, true);
+    window_.frame();
+    window_.set_button(0, false);
+    window_.frame();
+    window_.settle();
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      if (direction() == candidate(k).candidate.direction) reached[k] = true;
+    }
+  }
+  EXPECT_EQ(std::count(reached.begin(), reached.end(), true), static_cast<std::ptrdiff_t>(reached.size()));
+  window_.wait_until_measured();
+  // The legend's figures are the table's.
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    if (direction() != candidate(k).candidate.direction) continue;
+    for (const Region region : k_regions) {
+      EXPECT_EQ(window_.state().figures.shown->areas[region], candidate(k).classification.areas[region]);
+    }
+  }
+}
+
+TEST_F(SweepWindow, EndsWhenItIsCancelled) {
+  window_.app().set_sweep_options(long_sweep());
+  press(GLFW_KEY_W);
+  for (int k = 0; k < 10'000 && state().map->evaluated.size() < 5; ++k) {
+    window_.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ASSERT_TRUE(state().running);
+  EXPECT_GE(state().map->evaluated.size(), 5U) << "the map fills while the sweep runs";
+  EXPECT_FALSE(state().running->stage.empty());
+  EXPECT_GT(state().running->share, 0.0);
+  press(GLFW_KEY_W);
+  window_.wait_until_swept();
+  ASSERT_TRUE(state().result);
+  EXPECT_FALSE(state().result->complete);
+  EXPECT_LT(state().result->evaluated.size(), static_cast<std::size_t>(k_many));
+}
+
+TEST_F(SweepWindow, IsGivenUpWhenThePartGoes) {
+  window_.app().set_sweep_options(long_sweep());
+  press(GLFW_KEY_W);
+  window_.frames(3);
+  ASSERT_TRUE(state().running);
+  open(test::l_bracket({}).mesh, "bracket.stl");
+  window_.frames(2);
+  EXPECT_FALSE(state().running);
+  EXPECT_FALSE(state().map);
+  EXPECT_FALSE(state().result);
+}
+
+TEST_F(SweepWindow, SaysWhenTheMethodHasChanged) {
+  sweep();
+  MethodSettings method = quick_method();
+  method.tau_deg = 2.0;
+  window_.app().set_notes({.method = method, .look = {}, .bookmarks = {}});
+  window_.frames(2);
+  EXPECT_TRUE(state().stale);
+  method = quick_method();
+  method.direction = {1, 0, 0};
+  window_.app().set_notes({.method = method, .look = {}, .bookmarks = {}});
+  window_.frames(2);
+  EXPECT_FALSE(state().stale) << "the direction is what is searched for";
+}
+
+TEST_F(SweepWindow, ShowsTwoDirectionsSideBySide) {
+  sweep();
+  window_.wait_until_measured();
+  const std::vector<std::uint8_t> alone = window_.pixels();
+  press(GLFW_KEY_C);
+  ASSERT_EQ(window_.state().sweep_choices.compared, std::optional<std::size_t>(0));
+  window_.settle();
+  EXPECT_NE(window_.pixels(), alone);
+  press(GLFW_KEY_C);
+  EXPECT_EQ(window_.state().sweep_choices.compared, std::optional<std::size_t>(1));
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_EQ(window_.state().sweep_choices.compared, std::nullopt);
+  window_.settle();
+}
+
+/// Pictures to look at stay beside the test programs.
+TEST_F(SweepWindow, LeavesItsPictures) {
+  const fs::path folder = fs::current_path() / "screenshots";
+  fs::create_directories(folder);
+  sweep();
+  window_.wait_until_measured();
+  write_picture((folder / "sweep.png").string(), window_.size(), window_.pixels());
+  press(GLFW_KEY_C);
+  press(GLFW_KEY_M);
+  window_.settle();
+  write_picture((folder / "sweep_compared.png").string(), window_.size(), window_.pixels());
+  EXPECT_GT(fs::file_size(folder / "sweep.png"), 10'000U);
+  EXPECT_GT(fs::file_size(folder / "sweep_compared.png"), 10'000U);
+}
+
+}  // namespace
+}  // namespace moldlight::gui

@@ -1,0 +1,141 @@
+// The layers of src/: who may include whom, and which library belongs to which layer. Read from the include
+// lines.
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/scratch_folder.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight {
+namespace {
+
+namespace fs = std::filesystem;
+using Layers = std::set<std::string>;
+
+/// Each layer and what it may include, itself aside; src/README.md says why.
+const std::map<std::string, Layers>& allowed_layers() {
+  static const Layers k_domain = {"base", "mesh", "mold"};
+  static const Layers k_session = {"base", "mesh", "mold", "io", "picture", "gl", "render"};
+  static const Layers k_entry = {"base", "mesh", "mold", "io", "picture", "gl", "render", "session"};
+  static const Layers k_program = {"base", "mesh", "mold", "io", "picture", "gl", "render", "session", "gui"};
+  static const std::map<std::string, Layers> k_allowed = {
+      {"base", {}},
+      {"mesh", {"base"}},
+      {"mold", {"base", "mesh"}},
+      {"io", k_domain},
+      {"gl", {"base"}},
+      {"render", {"base", "mesh", "mold", "gl"}},
+      {"session", k_session},
+      {"step", {"io", "mesh"}},
+      {"gui", k_entry},
+      {"cli", k_program},
+      {"picture", {"base", "mold"}},
+  };
+  return k_allowed;
+}
+
+/// Headers of a library, and the layers that may include them.
+struct LibraryRule {
+  std::string name;
+  std::regex headers;
+  Layers layers;
+};
+
+const std::vector<LibraryRule>& library_rules() {
+  static const std::vector<LibraryRule> k_rules = {
+      {"Dear ImGui", std::regex("imgui.*"), {"gui"}},
+      {"GLFW", std::regex("GLFW/.*"), {"gui"}},
+      {"OpenGL", std::regex("(GL|GLES2|GLES3|EGL|KHR)/.*"), {"gl", "render"}},
+      {"OpenMesh", std::regex("OpenMesh/.*"), {"mesh"}},
+      {"Embree", std::regex("embree.*"), {"mold"}},
+      {"OpenCASCADE", std::regex("[A-Z][A-Za-z]+(_[A-Za-z]+)?\\.hxx"), {"step"}},
+      {"Cairo", std::regex("cairo.*"), {"picture", "gui"}},
+      {"CLI11", std::regex("CLI/.*"), {"cli"}},
+      {"JSON", std::regex("nlohmann/.*"), {"session", "gui", "cli"}},
+  };
+  return k_rules;
+}
+
+/// What a source text of a layer includes, or calls, that it may not.
+std::vector<std::string> violations(const std::string& layer, const std::string& text) {
+  static const std::regex k_include(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  static const std::regex k_gl_call(R"re(\bGL_[A-Z][A-Z0-9_]+\b|functions\(\)\.[A-Z])re");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, k_include)) {
+      const std::string header = match[1];
+      const std::string folder = header.substr(0, header.find('/'));
+      if (allowed_layers().contains(folder) && folder != layer &&
+          !allowed_layers().at(layer).contains(folder)) {
+        found.push_back(header);
+      }
+      for (const LibraryRule& rule : library_rules()) {
+        if (std::regex_match(header, rule.headers) && !rule.layers.contains(layer)) found.push_back(header);
+      }
+    }
+    const bool comment = line.find("//") != std::string::npos && line.find("//") < line.find("GL_");
+    if (layer != "gl" && layer != "render" && !comment && std::regex_search(line, k_gl_call))
+      found.push_back(line);
+  }
+  return found;
+}
+
+TEST(Layers, ViolationsAreSeen) {
+  EXPECT_TRUE(violations("session", "#include \"render/shadow_maps.hpp\"\n#include <vector>\n").empty());
+  EXPECT_EQ(violations("mesh", "#include \"io/part_reader.hpp\"\n").size(), 1u);
+  EXPECT_EQ(violations("gl", "#include \"mesh/part.hpp\"\n").size(), 1u);
+  EXPECT_EQ(violations("session", "#include \"cli/console.hpp\"\n").size(), 1u);
+  EXPECT_EQ(violations("session", "#include <imgui.h>\n").size(), 1u);
+  EXPECT_EQ(violations("io", "# include <OpenMesh/Core/Mesh/PolyMesh.hh>\n").size(), 1u);
+  EXPECT_EQ(violations("gui", "#include <GL/glcorearb.h>\n").size(), 1u);
+  EXPECT_EQ(violations("session", "context.functions().Finish();\n").size(), 1u);
+  EXPECT_EQ(violations("gui", "clear(GL_COLOR_BUFFER_BIT);\n").size(), 1u);
+}
+
+TEST(Layers, SourcesKeepToThem) {
+  const fs::path source = test::asset_folder().parent_path() / "src";
+  std::size_t files = 0;
+  for (const auto& folder : fs::directory_iterator(source)) {
+    if (!folder.is_directory()) continue;
+    const std::string layer = folder.path().filename().string();
+    ASSERT_TRUE(allowed_layers().contains(layer)) << "src/" << layer << " is no layer that this test knows";
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (!entry.is_regular_file()) continue;
+      ++files;
+      for (const std::string& violation : violations(layer, test::file_bytes(entry.path()))) {
+        ADD_FAILURE() << fs::relative(entry.path(), source).string() << ": " << violation;
+      }
+    }
+  }
+  EXPECT_GT(files, 80u);
+}
+
+TEST(Layers, FilesAreNamedAndHeadedAsTheyShould) {
+  const fs::path root = test::asset_folder().parent_path();
+  const std::regex name(R"([a-z0-9_]+\.(cpp|hpp))");
+  for (const char* top : {"src", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file()) continue;
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      EXPECT_TRUE(std::regex_match(entry.path().filename().string(), name)) << entry.path();
+      if (extension == ".hpp") {
+        const std::string text = test::file_bytes(entry.path());
+        EXPECT_TRUE(text.starts_with("//")) << entry.path() << " does not say what it is";
+        EXPECT_NE(text.find("#pragma once"), std::string::npos) << entry.path();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moldlight

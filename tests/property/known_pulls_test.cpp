@@ -1,0 +1,78 @@
+// Real parts with known pulls: the pull is among the candidates, also for the part in any other position.
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "io/part_reader.hpp"
+#include "mesh/adjacency.hpp"
+#include "mold/candidates/find_candidates.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight {
+namespace {
+
+struct KnownPull {
+  const char* file;
+  glm::dvec3 direction;
+};
+
+const KnownPull k_shared_pulls[] = {{"lego_brick_2x4.stl", {0, 0, 1}},
+                                    {"m5_stackchan_basecover.stl", {0, 0, 1}},
+                                    {"m5_stackchan_basecover_tilted.stl", {0.36, 0.48, 0.8}},
+                                    {"so101_trigger.stl", {0, 0, 1}},
+                                    {"m5_base26_main.stl", {0, 0, 1}},
+                                    {"odri_hip_cover_64k.stl", {0, 0, 1}},
+                                    {"odri_pulley_t30_output.stl", {0, 0, 1}},
+                                    {"m5_building_block_link.stl", {0, 0, 1}},
+                                    {"so100_lego_gauge.stl", {0, 0, 1}},
+                                    {"m5_rfid2_face_shell.stl", {0, 0, 1}},
+                                    {"numpystl_rear_case.stl", {0, 1, 0}}};
+
+const KnownPull k_demo_pulls[] = {{"enclosure_lid.stl", {0, 0, 1}},
+                                  {"bottle_cap.stl", {0, 0, 1}},
+                                  {"cable_clip.stl", {0, 1, 0}},
+                                  {"tilted_bracket.stl", {0.48, -0.36, 0.8}}};
+
+/// Smallest angle to the pull of candidates that come from the part's shape alone.
+double nearest_deg(const TriangleMesh& mesh, const glm::dvec3& pull) {
+  const CandidateOptions shape_alone{.kinds = {CandidateKind::revolution, CandidateKind::plane,
+                                               CandidateKind::perpendicular, CandidateKind::hull,
+                                               CandidateKind::principal}};
+  double nearest = 90.0;
+  for (const Candidate& candidate :
+       find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), shape_alone, Progress())) {
+    nearest = std::min(nearest, line_angle_deg(candidate.direction, pull));
+  }
+  return nearest;
+}
+
+void expect_pull_found(const std::filesystem::path& file, const glm::dvec3& direction) {
+  const Part part = read_part(file.string(), {}, Progress());
+  const double upright = nearest_deg(part.mesh, direction);
+  EXPECT_LT(upright, 0.05) << file;
+  std::cout << file.filename().string() << ": " << upright;
+  for (const std::uint32_t seed : {1u, 2u}) {
+    const glm::dquat rotation = test::random_rotation(seed);
+    const double turned = nearest_deg(test::rotated(part.mesh, rotation), rotation * direction);
+    EXPECT_LT(turned, 0.05) << file << " turned by rotation " << seed;
+    std::cout << ' ' << turned;
+  }
+  std::cout << " degrees\n";
+}
+
+TEST(KnownPulls, OfTheDemoPartsAreCandidates) {
+  for (const KnownPull& pull : k_demo_pulls) {
+    expect_pull_found(test::asset_folder() / "parts" / pull.file, pull.direction);
+  }
+}
+
+TEST(KnownPulls, OfTheSharedPartsAreCandidates) {
+  if (!test::shared_folder()) GTEST_SKIP() << "no shared parts";
+  for (const KnownPull& pull : k_shared_pulls) {
+    expect_pull_found(*test::shared_folder() / "parts" / pull.file, pull.direction);
+  }
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,63 @@
+// The same input gives the same maps and the same figures to the bit, whichever headless backend draws them.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/classify_mesh.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight {
+namespace {
+
+struct Drawn {
+  std::vector<std::uint32_t> plus, minus;
+  Classification samples, facet_ids, symmetric;
+};
+
+std::vector<std::uint32_t> read_map(const gl::Functions& gl, const gl::Texture& map, int size) {
+  const GLuint name = map.name();
+  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {&name, 1}});
+  std::vector<std::uint32_t> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, size, size, GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
+  return texels;
+}
+
+Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
+  const auto context = gl::create_headless_context(backend);
+  Classifier classifier(*context, test::model_of(shape.mesh));
+  MethodSettings settings;
+  settings.direction = shape.direction;
+  settings.resolution = 512;
+  settings.samples = 100'000;
+  Drawn drawn;
+  drawn.samples = classifier.classify(settings, Progress{});
+  drawn.plus = read_map(context->functions(), classifier.maps().facets(true), settings.resolution);
+  drawn.minus = read_map(context->functions(), classifier.maps().facets(false), settings.resolution);
+  settings.readout = Readout::facet_id;
+  drawn.facet_ids = classifier.classify(settings, Progress{});
+  settings.readout = Readout::samples;
+  settings.kernel_shape = KernelShape::symmetric;
+  drawn.symmetric = classifier.classify(settings, Progress{});
+  return drawn;
+}
+
+TEST(Backends, AgreeToTheBit) {
+  for (const test::Shape& shape : {test::snap_hook({}), test::spool({}), test::cup_with_side_hole({})}) {
+    const Drawn egl = draw(gl::HeadlessBackend::egl, shape);
+    const Drawn osmesa = draw(gl::HeadlessBackend::osmesa, shape);
+    ASSERT_NE(egl.samples.backend, osmesa.samples.backend);
+    EXPECT_EQ(egl.plus, osmesa.plus) << shape.name;
+    EXPECT_EQ(egl.minus, osmesa.minus) << shape.name;
+    EXPECT_GT(std::count_if(egl.plus.begin(), egl.plus.end(), [](auto texel) { return texel != 0; }), 1000);
+    for (const auto member : {&Drawn::samples, &Drawn::facet_ids, &Drawn::symmetric}) {
+      EXPECT_EQ((egl.*member).facet_fractions, (osmesa.*member).facet_fractions) << shape.name;
+      EXPECT_EQ((egl.*member).areas.values, (osmesa.*member).areas.values) << shape.name;
+      EXPECT_EQ((egl.*member).uncertainty.total, (osmesa.*member).uncertainty.total) << shape.name;
+      EXPECT_EQ((egl.*member).projected.identity, (osmesa.*member).projected.identity) << shape.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,227 @@
+// What the pictures show, beyond their looks: the right facet and region at every pixel, the same bits on
+// every backend, refinement that ends, marks that change nothing below them.
+#include "render/part_view.hpp"
+
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "mold/accessibility.hpp"
+#include "support/classify_mesh.hpp"
+#include "support/golden.hpp"
+#include "support/shape_picture.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::Shape;
+using test::ShapePicture;
+using test::ShapeSettings;
+
+ViewSettings one_sample() {
+  ViewSettings settings;
+  settings.samples = 1;
+  settings.ambient_occlusion = false;
+  return settings;
+}
+
+/// Of the pixels that show the shape: shares whose facet and whose region are not what exact rays find.
+struct PixelErrors {
+  std::size_t pixels = 0;
+  double facet = 0.0, region = 0.0;
+};
+
+PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera) {
+  static_cast<void>(picture.draw(camera, one_sample()));
+  const PartModel& model = picture.classifier.model();
+  const glm::ivec2 size = picture.picture.target().size;
+  const auto facets = picture.view.read_facets();
+  const auto regions = picture.view.read_regions();
+  const glm::dvec3 direction = picture.classifier.maps().frame().z;
+  const AccessibilityQuery query{direction, picture.classifier.maps().settings().lateral};
+  PixelErrors errors;
+  for (int row = 0; row < size.y; ++row) {
+    for (int x = 0; x < size.x; ++x) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+      const SightLine line = sight_line(camera, size, {x + 0.5, size.y - row - 0.5});
+      const auto hit = model.rays->first_hit(glm::vec3(line.origin), glm::vec3(line.direction), true);
+      if (facets[pixel] == 0) {
+        errors.facet += hit ? 1.0 : 0.0;
+        continue;
+      }
+      ++errors.pixels;
+      const FacetIndex facet = facets[pixel] - 1;
+      errors.facet += hit && hit->facet == facet ? 0.0 : 1.0;
+      const glm::dvec3& normal = model.geometry.normals[facet];
+      const glm::dvec3 corner(model.frame.to_unit(model.part.mesh.corner(facet, 0)));
+      const glm::dvec3 point = line.origin + line.direction * (glm::dot(normal, corner - line.origin) /
+                                                               glm::dot(normal, line.direction));
+      const Accessibility exact =
+          exact_accessibility(*model.rays, glm::vec3(point), normal,
+                              facet_class(normal, direction, picture.method.tau_deg), query);
+      const unsigned bits = (exact.plus ? 1U : 0U) | (exact.minus ? 2U : 0U);
+      errors.region += bits == regions[pixel] ? 0.0 : 1.0;
+    }
+  }
+  errors.facet /= static_cast<double>(errors.pixels);
+  errors.region /= static_cast<double>(errors.pixels);
+  return errors;
+}
+
+TEST(PartView, ShowsTheFacetAndTheRegionThatRaysFind) {
+  for (const Shape& shape :
+       {cup_with_side_hole(ShapeSettings{}), spool(ShapeSettings{}), t_slot(ShapeSettings{}),
+        oblique_l_bracket(ShapeSettings{}), hollow_sphere(ShapeSettings{})}) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      ShapePicture picture(test::shared_context(), shape);
+      Camera camera = picture.camera();
+      camera.projection = projection;
+      const PixelErrors errors = pixel_errors(picture, camera);
+      EXPECT_GT(errors.pixels, 5000U) << shape.name;
+      EXPECT_LT(errors.facet, 0.002) << shape.name;
+      EXPECT_LT(errors.region, 0.006) << shape.name;
+    }
+  }
+}
+
+TEST(PartView, PicksWhatIsSeen) {
+  const Shape shape = cup_with_side_hole(ShapeSettings{});
+  ShapePicture picture(test::shared_context(), shape);
+  const Camera camera = picture.camera();
+  const PartModel& model = picture.classifier.model();
+  for (const double opened : {0.0, 0.2}) {
+    ViewSettings settings = one_sample();
+    settings.open_mold = opened;
+    static_cast<void>(picture.draw(camera, settings));
+    EXPECT_FALSE(picture.view.pick({0, 0}));
+    EXPECT_FALSE(picture.view.pick({-1, 20}));
+    EXPECT_FALSE(picture.view.pick(picture.picture.target().size));
+    int found = 0;
+    for (int x = 5; x < 200; x += 10) {
+      for (int y = 5; y < 150; y += 10) {
+        const auto point = picture.view.pick({x, y});
+        if (!point) continue;
+        ++found;
+        const glm::dvec3 corner(model.frame.to_unit(model.part.mesh.corner(point->facet, 0)));
+        EXPECT_NEAR(glm::dot(model.geometry.normals[point->facet], glm::dvec3(point->position) - corner), 0.0,
+                    1e-5);
+        if (opened > 0.0) continue;
+        const auto seen = project(camera, picture.picture.target().size, glm::dvec3(point->position));
+        EXPECT_LT(glm::distance(*seen, glm::dvec2(x + 0.5, y + 0.5)), 0.01);
+      }
+    }
+    EXPECT_GT(found, 50);
+  }
+}
+
+struct Drawn {
+  std::vector<std::uint32_t> facets;
+  std::vector<std::uint8_t> regions;
+  Image picture;
+};
+
+Drawn draw_on(gl::HeadlessBackend backend, const Shape& shape, std::string& renderer) {
+  const auto context = gl::create_headless_context(backend);
+  renderer = context->renderer();
+  ShapePicture picture(*context, shape);
+  Drawn drawn;
+  ViewSettings settings;
+  settings.samples = 4;
+  settings.parting_arrows = true;
+  drawn.picture = picture.draw(picture.camera(), settings);
+  static_cast<void>(picture.draw(picture.camera(), one_sample()));
+  drawn.facets = picture.view.read_facets();
+  drawn.regions = picture.view.read_regions();
+  return drawn;
+}
+
+TEST(PartView, BackendsAgreeToTheBit) {
+  const Shape shape =
+      test::turned(block_with_crossing_hole(ShapeSettings{}), glm::dquat(0.8, 0.2, -0.3, 0.1));
+  std::string egl_renderer, osmesa_renderer;
+  const Drawn egl = draw_on(gl::HeadlessBackend::egl, shape, egl_renderer);
+  const Drawn osmesa = draw_on(gl::HeadlessBackend::osmesa, shape, osmesa_renderer);
+  if (egl_renderer.find("llvmpipe") == std::string::npos) GTEST_SKIP() << "EGL draws with " << egl_renderer;
+  EXPECT_EQ(egl.facets, osmesa.facets);
+  EXPECT_EQ(egl.regions, osmesa.regions);
+  EXPECT_EQ(egl.picture.rgba, osmesa.picture.rgba);
+}
+
+TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
+  ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
+  ViewSettings settings;
+  settings.samples = 5;
+  const ViewTarget target = picture.picture.target();
+  const auto draw = [&](const Camera& camera) {
+    return picture.view.draw(target, picture.classifier.buffers(), picture.classifier.maps(), camera,
+                             settings);
+  };
+  const Camera camera = picture.camera();
+  for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << sample;
+  EXPECT_FALSE(draw(camera));
+  const Image done = picture.picture.read();
+  EXPECT_FALSE(draw(camera));
+  EXPECT_EQ(picture.picture.read().rgba, done.rgba) << "a finished picture stays as it is";
+
+  const Camera other = panned(camera, {3.0, 0.0}, target.size);
+  EXPECT_TRUE(draw(other));
+  EXPECT_TRUE(draw(camera));
+  picture.classifier.draw_maps(picture.method);
+  for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << "after new maps";
+  EXPECT_FALSE(draw(camera));
+  EXPECT_EQ(picture.picture.read().rgba, done.rgba) << "the same picture again, to the bit";
+}
+
+TEST(PartView, MarksLieOnTop) {
+  ShapePicture picture(test::shared_context(), cup_with_side_hole(ShapeSettings{}));
+  const Camera camera = picture.camera();
+  const ViewSettings settings = one_sample();
+  const Image bare = picture.draw(camera, settings);
+  const auto point = picture.view.pick({100, 75});
+  ASSERT_TRUE(point);
+  const Image marked = picture.draw(camera, settings, {.hovered = point->facet});
+  EXPECT_GT(marked.at(100, 75)[0], bare.at(100, 75)[0]);
+  EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
+  const FacetIndex chosen[] = {point->facet};
+  picture.view.choose_facets(chosen);
+  EXPECT_NE(picture.draw(camera, settings).rgba, bare.rgba);
+  picture.view.choose_facets({});
+  EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
+}
+
+TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
+  ShapePicture picture(test::shared_context(), t_slot(ShapeSettings{}));
+  const Camera camera = picture.camera();
+  const auto counted = [&](double opened) {
+    ViewSettings settings = one_sample();
+    settings.open_mold = opened;
+    static_cast<void>(picture.draw(camera, settings));
+    const auto facets = picture.view.read_facets();
+    const auto regions = picture.view.read_regions();
+    std::vector<bool> undercut(facets.size());
+    for (std::size_t i = 0; i < facets.size(); ++i) undercut[i] = facets[i] != 0 && regions[i] == 0;
+    return undercut;
+  };
+  const std::vector<bool> closed = counted(0.0), opened = counted(0.6);
+  std::size_t before = 0, kept = 0;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    before += closed[i] ? 1 : 0;
+    kept += closed[i] && opened[i] ? 1 : 0;
+  }
+  EXPECT_GT(before, 50U);
+  EXPECT_GT(kept, before * 9 / 10) << "what moved away must not hide them more than a little";
+}
+
+TEST(PartView, NoBackdropIsTransparent) {
+  ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
+  ViewSettings settings;
+  settings.backdrop = Backdrop::none;
+  settings.samples = 4;
+  const Image image = picture.draw(picture.camera(), settings);
+  EXPECT_EQ(image.at(0, 0)[3], 0);
+  EXPECT_EQ(image.at(100, 75)[3], 255);
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,105 @@
+// Still pictures: the undercuts are in view, the legend is there, and the same input gives the same picture.
+#include "session/still_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "render/camera.hpp"
+#include "session/still_options.hpp"
+#include "session/view_choice.hpp"
+#include "support/classify_mesh.hpp"
+#include "support/golden.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::Shape;
+using test::ShapeSettings;
+
+struct Classified {
+  explicit Classified(const Shape& shape) : classifier(test::shared_context(), test::model_of(shape.mesh)) {
+    MethodSettings settings;
+    settings.direction = shape.direction;
+    settings.samples = 20'000;
+    settings.resolution = 512;
+    result = classifier.classify(settings, Progress{});
+  }
+  [[nodiscard]] Image picture(const StillSettings& settings) {
+    return still_picture(test::shared_context(), classifier, result, settings);
+  }
+  Classifier classifier;
+  Classification result;
+};
+
+/// Pixels that are red, as undercuts are in any light.
+std::size_t red_pixels(const Image& image) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    count +=
+        image.rgba[i] > 90 && image.rgba[i] > 3 * image.rgba[i + 1] && image.rgba[i] > 3 * image.rgba[i + 2]
+            ? 1
+            : 0;
+  }
+  return count;
+}
+
+TEST(StillPicture, LooksWhereTheUndercutsAre) {
+  const glm::dquat turn = glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2));
+  for (const Shape& shape : {cup_with_side_hole(ShapeSettings{}), plate_with_side_pocket(ShapeSettings{}),
+                             t_slot(ShapeSettings{}), test::turned(snap_hook(ShapeSettings{}), turn)}) {
+    Classified part(shape);
+    const Image image = part.picture({.size = {240, 180}, .legend = false, .arrows = false});
+    EXPECT_EQ(image.width, 240);
+    EXPECT_EQ(image.height, 180);
+    EXPECT_GT(red_pixels(image), 100U) << shape.name;
+  }
+}
+
+TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
+  const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
+  Classified part(shape);
+  const Camera camera{.orientation = revealing_orientation(part.classifier.model(), part.result)};
+  EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
+  EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
+  const StillSettings settings{.size = {300, 200}};
+  EXPECT_EQ(part.picture(settings).rgba, part.picture(settings).rgba);
+}
+
+TEST(StillPicture, HasALegendWhereThereIsRoom) {
+  Classified part(cup_with_side_hole(ShapeSettings{}));
+  for (const glm::ivec2& size : {glm::ivec2(640, 400), glm::ivec2(480, 640)}) {
+    StillSettings settings{.size = size, .arrows = false};
+    const Image with = part.picture(settings);
+    settings.legend = false;
+    const Image without = part.picture(settings);
+    EXPECT_GT(test::picture_difference(with, without).off_share, 0.02);
+  }
+  StillSettings small{.size = {200, 150}};
+  const Image with = part.picture(small);
+  small.legend = false;
+  EXPECT_EQ(with.rgba, part.picture(small).rgba) << "too small for a legend";
+}
+
+TEST(StillPicture, DrawsAPartWithoutUndercutsToo) {
+  Classified part(box_shape(ShapeSettings{}));
+  for (const PictureView view :
+       {PictureView::automatic, PictureView::isometric, PictureView::front, PictureView::back,
+        PictureView::left, PictureView::right, PictureView::top, PictureView::bottom}) {
+    const Image image = part.picture({.size = {160, 120}, .view = view, .theme = Theme::dark});
+    EXPECT_EQ(red_pixels(image), 0U);
+    EXPECT_GT(image.at(80, 60)[0] + image.at(80, 60)[1] + image.at(80, 60)[2], 150)
+        << "the part is in the middle";
+  }
+}
+
+TEST(StillOptions, SizesAreReadStrictly) {
+  EXPECT_EQ(parse_picture_size("640x480", "--size"), glm::ivec2(640, 480));
+  for (const char* text :
+       {"", "640", "640x", "x480", "640x480x2", "8x480", "640x99999", "-640x480", "640 480"}) {
+    EXPECT_THROW(static_cast<void>(parse_picture_size(text, "--size")), UsageError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace moldlight

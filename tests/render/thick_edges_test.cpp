@@ -1,0 +1,61 @@
+// Thick concave contour edges must be in the maps, for near-vertical neighbours too. Exact rays are off: what
+// the maps alone say is tested.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "support/classify_mesh.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight {
+namespace {
+
+/// Undercut area that the maps alone find, less the true one, as a share of the part's area.
+double undercut_bias(const test::Shape& shape, double edge_thickness) {
+  MethodSettings settings;
+  settings.direction = shape.direction;
+  settings.tau_deg = shape.settings.tau_deg;
+  settings.tolerance = shape.settings.lateral_tolerance;
+  settings.resolution = 64;
+  settings.exact_rays = false;
+  settings.edge_thickness = edge_thickness;
+  const Classification result = test::classify_mesh(shape.mesh, settings);
+  return (result.areas[Region::undercut] - shape.expected[Region::undercut]) / result.total_area;
+}
+
+// The ceiling of a blind side pocket meets a vertical wall: without its extension the maps end at the wall,
+// and the half texel of the pocket's floor beside it reads as lit.
+TEST(ThickEdges, CloseTheLeakAtNearVerticalNeighbours) {
+  const test::Shape pocket = test::plate_with_side_pocket({.tau_deg = 1.0, .lateral_tolerance = 0.4});
+  const double with = undercut_bias(pocket, 2.0), without = undercut_bias(pocket, 0.0);
+  std::printf("undercut bias with edges %.5f, without %.5f\n", with, without);
+  EXPECT_LT(without, -0.002);
+  EXPECT_GT(with, 0.6 * without);
+}
+
+// The same where the ceiling meets a slanted facet that faces the other way.
+TEST(ThickEdges, CloseTheLeakAtSlantedNeighbours) {
+  const test::Shape slot = test::dovetail_slot({.tau_deg = 1.0, .lateral_tolerance = 0.4});
+  const double with = undercut_bias(slot, 2.0), without = undercut_bias(slot, 0.0);
+  std::printf("undercut bias with edges %.5f, without %.5f\n", with, without);
+  EXPECT_LT(without, -0.002);
+  EXPECT_GT(with, 0.6 * without);
+}
+
+// With the paper's symmetric kernel, positions inside the wall pass unless the edge at its foot covers them.
+TEST(ThickEdges, KeepTheSymmetricKernelOutOfTheSolid) {
+  const test::Shape cup = test::cup({.tau_deg = 1.0, .lateral_tolerance = 0.02});
+  MethodSettings settings;
+  settings.direction = cup.direction;
+  settings.resolution = 256;
+  settings.kernel_shape = KernelShape::symmetric;
+  const auto wrong = [&](double edge_thickness) {
+    settings.edge_thickness = edge_thickness;
+    return test::worst_region_error(test::classify_mesh(cup.mesh, settings), cup.expected);
+  };
+  EXPECT_GT(wrong(0.0), 0.1);
+  EXPECT_LT(wrong(4.0), 0.04);
+}
+
+}  // namespace
+}  // namespace moldlight

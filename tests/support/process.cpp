@@ -1,0 +1,154 @@
+#include "support/process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace moldlight::test {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  return ends;
+}
+
+[[noreturn]] void become(const std::vector<std::string>& arguments, const ProcessSettings& settings) {
+  if (settings.address_space_limit > 0 && !built_with_sanitizers()) {
+    const rlimit limit{settings.address_space_limit, settings.address_space_limit};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  for (const std::string& name : settings.removed_environment) ::unsetenv(name.c_str());
+  for (const std::string& entry : settings.environment) {
+    const std::size_t equals = entry.find('=');
+    ::setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
+  }
+  if (!settings.folder.empty() && ::chdir(settings.folder.c_str()) != 0) ::_exit(127);
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  ::execv(argv[0], argv.data());
+  ::_exit(127);
+}
+
+/// Appends what can be read; false at the end of the pipe.
+bool read_some(int descriptor, std::string& text) {
+  std::array<char, 65536> buffer;
+  const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+  if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+  return count > 0;
+}
+
+}  // namespace
+
+std::size_t ProcessResult::error_lines() const {
+  return static_cast<std::size_t>(std::count(err.begin(), err.end(), '\n'));
+}
+
+Process::Process(const std::vector<std::string>& arguments, const ProcessSettings& settings)
+    : time_limit_s_(settings.time_limit_s), start_(Clock::now()) {
+  const auto out = make_pipe(), err = make_pipe();
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  pid_ = ::fork();
+  if (pid_ < 0) throw std::runtime_error("no child process");
+  if (pid_ == 0) {
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(out[1], STDOUT_FILENO);
+    ::dup2(err[1], STDERR_FILENO);
+    become(arguments, settings);
+  }
+  ::close(nothing);
+  ::close(out[1]);
+  ::close(err[1]);
+  out_ = out[0];
+  err_ = err[0];
+}
+
+Process::~Process() {
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+  close_pipes();
+}
+
+void Process::close_pipes() {
+  for (int* descriptor : {&out_, &err_}) {
+    if (*descriptor >= 0) ::close(*descriptor);
+    *descriptor = -1;
+  }
+}
+
+bool Process::pump() {
+  std::array<pollfd, 2> waits = {pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0}};
+  const double left_s = time_limit_s_ - seconds_since(start_);
+  if (left_s <= 0.0) {
+    result_.timed_out = true;
+    return false;
+  }
+  if (::poll(waits.data(), waits.size(), static_cast<int>(1000.0 * left_s) + 1) < 0) return errno == EINTR;
+  if (waits[0].revents != 0 && !read_some(out_, result_.out)) {
+    ::close(out_);
+    out_ = -1;
+  }
+  if (waits[1].revents != 0 && !read_some(err_, result_.err)) {
+    ::close(err_);
+    err_ = -1;
+  }
+  return out_ >= 0 || err_ >= 0;
+}
+
+bool Process::wait_for_error_text(const std::string& text) {
+  while (result_.err.find(text) == std::string::npos) {
+    if (!pump()) return result_.err.find(text) != std::string::npos;
+  }
+  return true;
+}
+
+void Process::send_signal(int signal) const { ::kill(pid_, signal); }
+
+ProcessResult Process::finish() {
+  while (pump()) {
+  }
+  if (result_.timed_out) ::kill(pid_, SIGKILL);
+  int status = 0;
+  rusage usage{};
+  ::wait4(pid_, &status, 0, &usage);
+  pid_ = -1;
+  result_.seconds = seconds_since(start_);
+  result_.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result_.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  close_pipes();
+  return std::move(result_);
+}
+
+ProcessResult run_moldlight(std::vector<std::string> arguments, const ProcessSettings& settings) {
+  arguments.insert(arguments.begin(), MOLDLIGHT_BINARY);
+  return Process(arguments, settings).finish();
+}
+
+bool built_with_sanitizers() {
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#else
+  return false;
+#endif
+}
+
+}  // namespace moldlight::test
