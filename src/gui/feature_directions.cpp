@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "mold/candidates/find_candidates.hpp"
 
@@ -24,9 +23,8 @@ std::vector<FeatureDirection> feature_directions(const PartModel& model, const P
 }
 
 glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features, const glm::dvec3& direction) {
-  constexpr double k_reach_deg = 10.0;
   glm::dvec3 best = direction;
-  double best_cosine = std::cos(glm::radians(k_reach_deg));
+  double best_cosine = 0.0;
   for (const FeatureDirection& feature : features) {
     const double cosine = glm::dot(feature.direction, direction);
     if (std::abs(cosine) <= best_cosine) continue;

@@ -19,7 +19,7 @@ struct FeatureDirection {
 [[nodiscard]] std::vector<FeatureDirection> feature_directions(const PartModel& model,
                                                                const Progress& progress);
 
-/// The nearest feature or its opposite, if it is within 10 degrees; else the direction itself.
+/// The nearest feature or its opposite, however far; the direction itself where there is no feature.
 [[nodiscard]] glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features,
                                     const glm::dvec3& direction);
 

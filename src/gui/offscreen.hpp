@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct OffscreenOptions {
   UserState user;
   ReadOptions reading;
   std::vector<std::string> shipped_parts;
+  std::function<void()> wake = [] {};  // see AppOptions
 };
 
 /// One of these a process at a time. Time is counted in frames, so that the same input gives the same

@@ -14,6 +14,8 @@ namespace moldlight::gui {
 
 namespace {
 
+constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
+
 /// A row's place on the screen, and what the mouse does to it.
 struct Row {
   glm::vec2 min{0.0F}, max{0.0F};
@@ -344,9 +346,11 @@ void tooltip(const Ui& ui, std::string_view heading, std::string_view text) {
 void hint(const Ui& ui, std::string_view text) {
   const FontScope small(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.colours->muted);
-  ImGui::PushTextWrapPos(0.0F);
+  // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
+  const bool wraps = ImGui::GetContentRegionAvail().x > ui.px(k_least_wrap);
+  if (wraps) ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
+  if (wraps) ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 

@@ -52,7 +52,7 @@ TEST_F(WindowWithPart, AClickOnTheArrowChangesNothing) {
   EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
 }
 
-TEST_F(WindowWithPart, DISABLED_CtrlSnapsToThePartsDirections) {
+TEST_F(WindowWithPart, CtrlSnapsToThePartsDirections) {
   const glm::vec2 tip = window.control("core arrow").centre();
   window.hold_modifiers(true, false, false);
   drag(tip, tip + glm::vec2(30, 8));
@@ -63,6 +63,16 @@ TEST_F(WindowWithPart, DISABLED_CtrlSnapsToThePartsDirections) {
         return feature.direction == method().direction || -feature.direction == method().direction;
       });
   EXPECT_TRUE(snapped);
+  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1)) << "a small drag stays with the nearest";
+}
+
+TEST_F(WindowWithPart, CtrlSnapsToTheNearestFromAnywhere) {
+  const glm::vec2 tip = window.control("core arrow").centre();
+  window.hold_modifiers(true, false, false);
+  // Down to the right on the screen: x as it is seen from the first view.
+  drag(tip, tip + glm::vec2(180, 330));
+  window.hold_modifiers(false, false, false);
+  EXPECT_EQ(method().direction, glm::dvec3(1, 0, 0));
 }
 
 TEST_F(WindowWithPart, TheBallTurnsTheDirection) {

@@ -63,21 +63,6 @@ TEST_F(WindowWithPart, AChangedFileIsReadAgain) {
   EXPECT_EQ(state().camera, camera) << "the camera stays";
 }
 
-TEST_F(WindowWithPart, DISABLED_LoadingIsGivenUp) {
-  const auto model = state().model;
-  const std::string large = part.output("large.stl");
-  write_mesh(large, moldlight::test::subdivided(box_mesh({0, 0, 0}, {30, 20, 10}), 150'000));
-  window.app().open(large);
-  window.frames(2);
-  ASSERT_TRUE(state().loading);
-  EXPECT_EQ(state().loading->path, large);
-  click("Cancel");
-  window.frames(3);
-  EXPECT_FALSE(state().loading);
-  EXPECT_EQ(state().model, model);
-  EXPECT_TRUE(state().toasts.empty());
-}
-
 TEST_F(WindowWithPart, OpeningTheMoldMovesTheHalves) {
   window.settle();
   const std::vector<std::uint8_t> closed = window.pixels();
