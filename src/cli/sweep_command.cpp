@@ -15,7 +15,9 @@
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
+#include "session/still_options.hpp"
 #include "session/sweep/sweep.hpp"
+#include "session/sweep/sweep_pictures.hpp"
 #include "session/sweep/sweep_report.hpp"
 
 namespace moldlight::cli {
@@ -28,17 +30,21 @@ constexpr int k_interrupted = 130;
 struct SweepFlags {
   PartFlags part;
   SweepSettings sweep;
-  std::string directions_file, csv;
+  std::string directions_file, csv, image_folder;
+  StillSettings still;
   std::optional<UndercutLimit> limit;
 };
 
 void check_outputs(const SweepFlags& flags) {
   check_output_files(flags.part.part,
                      {{"--json", flags.part.json == "-" ? "" : flags.part.json}, {"--csv", flags.csv}});
+  if (!flags.image_folder.empty()) check_output_folder(flags.image_folder);
 }
 
 SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) {
   SweepSettings settings = flags.sweep;
+  // A map of the directions wants the figures of all of them.
+  settings.thorough = settings.thorough || !flags.image_folder.empty();
   if (!flags.directions_file.empty()) {
     const std::vector<glm::dvec3> listed = read_directions(flags.directions_file, progress);
     settings.user_directions.insert(settings.user_directions.end(), listed.begin(), listed.end());
@@ -105,6 +111,10 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   const bool interrupted = progress.cancelled();
   warn(*model, result, interrupted, console);
   write_outputs(flags, *model, result, console);
+  if (!flags.image_folder.empty()) {
+    console.progress("drawing pictures", 1.0);
+    write_sweep_pictures(flags.image_folder, *context, classifier, result, flags.still);
+  }
   if (interrupted) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
   return 0;
@@ -123,8 +133,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->add_option_function<std::string>(
           "--candidates", [&sweep](const std::string& text) { sweep.kinds = parse_candidate_kinds(text); },
           "Where candidate directions come from, separated by commas: axis, revolution, plane, "
-          "perpendicular, "
-          "hull, principal, uniform; all or none [default all]")
+          "perpendicular, hull, "
+          "principal, uniform; all or none [default all]")
       ->option_text("LIST");
   command
       ->add_option_function<std::vector<std::string>>(
@@ -149,8 +159,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
             sweep.objective = text;
           },
           "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, "
-          "or "
-          "a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]")
+          "or a "
+          "weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]")
       ->option_text("LIST");
   command
       ->add_option_function<std::string>(
@@ -161,6 +171,24 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->option_text("AREA|PCT%");
   command->add_option("--csv", flags->csv, "Write a table of every direction that was scored")
       ->option_text("FILE.csv");
+  CLI::Option* pictures =
+      command
+          ->add_option("--image-dir", flags->image_folder,
+                       "Write direction_sphere.png, a map of the undercut area over all directions, and "
+                       "contact_sheet.png, the part with the best directions, to this folder; scores every "
+                       "direction to the end")
+          ->option_text("DIR");
+  command
+      ->add_option_function<std::string>(
+          "--size",
+          [flags](const std::string& text) { flags->still.size = parse_picture_size(text, "--size"); },
+          "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike [default "
+          "1600x1000]")
+      ->option_text("WxH")
+      ->needs(pictures);
+  for (const Option<StillSettings>& option : still_options()) {
+    add_option_flag(*command, option, flags->still)->needs(pictures);
+  }
   add_method_flags(*command, sweep.method, DirectionFlag::left_out);
   command->callback([flags, &request] {
     request.body = [flags](Console& console, const Progress& progress) {

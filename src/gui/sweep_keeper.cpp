@@ -21,8 +21,6 @@ constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_frame_s = 0.05;
 /// Directions put on the map in one frame, so that the window stays quick.
 constexpr std::size_t k_most_a_frame = 300;
-/// The even set's directions are this many of their spacings in reach of a place on the map.
-constexpr double k_reach_spacings = 1.7, k_least_reach_deg = 4.0, k_greatest_reach_deg = 24.0;
 constexpr double k_least_told_s = 0.5, k_least_told_share = 0.04;
 
 /// Stages of a sweep and the share of its time that each usually takes.
@@ -45,11 +43,6 @@ double share_done(const JobStatus& status) {
   return 0.0;
 }
 
-double reach_deg(int directions) {
-  const double spacing_rad = std::sqrt(2.0 * glm::pi<double>() * 1.155 / std::max(directions, 1));
-  return std::clamp(k_reach_spacings * glm::degrees(spacing_rad), k_least_reach_deg, k_greatest_reach_deg);
-}
-
 }  // namespace
 
 void SweepKeeper::start(const AppState& state, SweepState& sweep, double now_s) {
@@ -61,7 +54,7 @@ void SweepKeeper::start(const AppState& state, SweepState& sweep, double now_s) 
   model_ = state.model;
   scored_ = 0;
   started_s_ = scoring_s_ = now_s;
-  sweep.map.emplace(reach_deg(settings.directions));
+  sweep.map.emplace(even_set_reach_deg(settings.directions));
   sweep.running.emplace();
   job_ = std::make_unique<SweepJob>(model_, std::move(settings), make_context_, wake_);
 }

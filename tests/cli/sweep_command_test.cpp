@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
+#include "io/png.hpp"
 #include "support/boxes.hpp"
 #include "support/shared_parts.hpp"
 
@@ -241,6 +242,31 @@ TEST(SweepCommand, FindsUnwritableOutputsBeforeTheWork) {
     EXPECT_TRUE(run.exit_code == 1 || run.exit_code == 2) << run.exit_code << run.err;
     EXPECT_EQ(run.error_lines(), 1u) << "nothing was read yet: " << run.err;
   }
+}
+
+TEST(SweepCommand, DrawsPicturesIntoAFolder) {
+  const SmallPart part;
+  const std::string folder = part.output("new/pictures");
+  const Names arguments = part.sweep({"--image-dir", folder, "--size", "640x400", "--json", "-"});
+  const Json json = sweep_of(arguments);
+  EXPECT_EQ(json["settings"]["thorough"], true) << "the map shows figures, not bounds";
+  const std::string sphere_file = folder + "/direction_sphere.png",
+                    sheet_file = folder + "/contact_sheet.png";
+  const Image sphere = read_png(sphere_file), sheet = read_png(sheet_file);
+  EXPECT_EQ(sphere.width, 640);
+  EXPECT_EQ(sphere.height, 400);
+  EXPECT_GT(sheet.width, sheet.height) << "four tiles in a row";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    EXPECT_TRUE(entry.path() == sphere_file || entry.path() == sheet_file) << entry;
+  }
+  // Again, with other colours: what was there is replaced, and the sphere's colours are for every eye.
+  const std::string before = file_bytes(sphere_file), sheet_before = file_bytes(sheet_file);
+  (void)sweep_of(with(arguments, "--palette", "safe"));
+  EXPECT_EQ(file_bytes(sphere_file), before);
+  EXPECT_NE(file_bytes(sheet_file), sheet_before);
+  (void)sweep_of(with(arguments, "--theme", "dark"));
+  EXPECT_NE(file_bytes(sphere_file), before);
+  EXPECT_EQ(run_moldlight(part.sweep({"--theme", "dark"})).exit_code, 2) << "nothing to draw";
 }
 
 TEST(SweepCommand, PutsOutWhatIsDoneWhenInterrupted) {

@@ -38,6 +38,15 @@ std::vector<Axis> common_axes(std::vector<CurvedPatch> patches) {
   return axes;
 }
 
+/// "1 full cylinder or cone", "3 full and 1 partial cylinders or cones".
+std::string patches_text(const Axis& axis) {
+  const auto partial = axis.patches - axis.full_turns;
+  std::string text;
+  if (axis.full_turns > 0) text = fmt::format("{} full", axis.full_turns);
+  if (partial > 0) text += fmt::format("{}{} partial", text.empty() ? "" : " and ", partial);
+  return text + (axis.patches == 1 ? " cylinder or cone" : " cylinders or cones");
+}
+
 }  // namespace
 
 std::vector<Candidate> revolution_candidates(const FacetGeometry& geometry, const Adjacency& adjacency,
@@ -47,14 +56,10 @@ std::vector<Candidate> revolution_candidates(const FacetGeometry& geometry, cons
     if (candidates.size() == most) break;
     const double share = axis.area / geometry.total_area;
     if (share < (axis.full_turns > 0 ? k_least_share_full : k_least_share_partial)) continue;
-    const std::string what = axis.full_turns > 0 ? fmt::format("{} full and {} partial", axis.full_turns,
-                                                               axis.patches - axis.full_turns)
-                                                 : fmt::format("{} partial", axis.patches);
     candidates.push_back(
         {half_sphere(axis.best.axis),
          {{CandidateKind::revolution,
-           fmt::format("axis of {} cylinders or cones, {:.1f} % of the surface", what, 100.0 * share),
-           share}}});
+           fmt::format("axis of {}, {:.1f} % of the surface", patches_text(axis), 100.0 * share), share}}});
   }
   return candidates;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double k_nearest = 1.2e-5;
 /// Cells beyond the rim on each side, so that the rim lies between cells as every other place does.
 constexpr int k_margin = 2;
+/// Directions of an even set are this many of their spacings in reach of a place.
+constexpr double k_reach_spacings = 1.7, k_least_reach_deg = 4.0, k_greatest_reach_deg = 24.0;
 
 }  // namespace
 
@@ -29,6 +32,11 @@ glm::dvec2 equal_area_point(const glm::dvec3& direction) {
 glm::dvec3 equal_area_direction(const glm::dvec2& point) {
   const double squared = std::min(glm::dot(point, point), 2.0);
   return glm::normalize(glm::dvec3(point * std::sqrt(2.0 - squared), 1.0 - squared));
+}
+
+double even_set_reach_deg(int directions) {
+  const double spacing_rad = std::sqrt(2.0 * glm::pi<double>() * 1.155 / std::max(directions, 1));
+  return std::clamp(k_reach_spacings * glm::degrees(spacing_rad), k_least_reach_deg, k_greatest_reach_deg);
 }
 
 DirectionField::DirectionField(double reach_deg, int cells)

@@ -42,6 +42,10 @@ class DirectionField {
   std::vector<Cell> grid_;
 };
 
+/// A reach for DirectionField where about `directions` spread evenly over the half-sphere are added: it
+/// leaves no gaps between them. In degrees.
+[[nodiscard]] double even_set_reach_deg(int directions);
+
 /// Lambert's equal-area map about +z: the half-sphere z >= 0 fills the unit disc. Directions below it lie
 /// outside, up to a radius of sqrt(2); -z has no place of its own.
 [[nodiscard]] glm::dvec2 equal_area_point(const glm::dvec3& direction);

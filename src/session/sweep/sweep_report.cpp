@@ -12,6 +12,7 @@
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/method_options.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight {
 
@@ -113,60 +114,10 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A letter for every tie group of more than one direction, in order; nothing for the others.
-std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates) {
-  std::vector<std::string> marks;
-  std::size_t ties = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto same = [&](const SweepCandidate& other) { return other.tie_group == candidates[i].tie_group; };
-    const bool first = i == 0 || !same(candidates[i - 1]);
-    if (std::count_if(candidates.begin(), candidates.end(), same) < 2) {
-      marks.emplace_back();
-    } else {
-      if (first) ++ties;
-      marks.emplace_back(1, static_cast<char>('a' + (ties - 1) % 26));
-    }
-  }
-  return marks;
-}
-
-/// What speaks for a candidate, the strongest of each kind.
-std::string reasons(const Candidate& candidate) {
-  constexpr std::size_t k_most = 3;
-  std::vector<const CandidateSource*> told;
-  for (const CandidateSource& source : candidate.sources) {
-    const bool known =
-        std::any_of(told.begin(), told.end(), [&](const auto* s) { return s->kind == source.kind; });
-    if (!known) told.push_back(&source);
-  }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(told.size(), k_most); ++i)
-    text += (i > 0 ? "; " : "") + told[i]->reason;
-  if (told.size() > k_most) text += fmt::format("; {} more", told.size() - k_most);
-  return text;
-}
-
-std::string tilt_text(const SweepCandidate& candidate) {
-  if (!candidate.tilt) return "-";
-  if (candidate.tilt->at_least()) return fmt::format("> {:g}°", candidate.tilt->deg);
-  return fmt::format("{:.2f}° to {}", candidate.tilt->deg,
-                     lean_text(candidate.classification.direction, candidate.tilt->toward));
-}
-
-std::string direction_text(const glm::dvec3& direction) {
-  constexpr double k_least = 5e-6;  // rounds to zero, which has no sign for a reader
-  const auto shown = [](double value) { return std::abs(value) < k_least ? 0.0 : value; };
-  return fmt::format("{:.5f}, {:.5f}, {:.5f}", shown(direction.x), shown(direction.y), shown(direction.z));
-}
-
 double greatest(const std::vector<SweepCandidate>& candidates, double (*value)(const SweepCandidate&)) {
   double most = 0.0;
   for (const SweepCandidate& candidate : candidates) most = std::max(most, value(candidate));
   return most;
-}
-
-double undercut_area(const SweepCandidate& candidate) {
-  return candidate.classification.areas[Region::undercut];
 }
 
 TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
@@ -201,28 +152,13 @@ TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
     row.push_back(fmt::format("{}", candidate.patches));
     row.push_back(tilt_text(candidate));
     row.emplace_back(candidate.pareto ? "*" : "");
-    row.push_back(reasons(candidate.candidate));
+    row.push_back(reasons_text(candidate.candidate));
     table.add(std::move(row));
   }
   return table;
 }
 
 }  // namespace
-
-std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward) {
-  constexpr double k_tan_22_5_deg =
-      0.41421356;  // an axis counts when the lean is not nearer to another alone
-  const glm::dvec3 aside = toward - glm::dot(toward, direction) * direction;
-  const double most = std::max({std::abs(aside.x), std::abs(aside.y), std::abs(aside.z)});
-  if (!(most > 0.0)) return "";
-  std::string text;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(aside[axis]) < k_tan_22_5_deg * most) continue;
-    text += aside[axis] < 0.0 ? '-' : '+';
-    text += "xyz"[axis];
-  }
-  return text;
-}
 
 Json sweep_json(const PartModel& model, const SweepResult& result) {
   Json candidates = Json::array();

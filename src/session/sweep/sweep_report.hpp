@@ -23,7 +23,4 @@ namespace moldlight {
 /// where it cannot be written.
 void write_direction_csv(const std::string& path, const SweepResult& result);
 
-/// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
-[[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
-
 }  // namespace moldlight

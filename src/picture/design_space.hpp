@@ -1,0 +1,52 @@
+// Drawing a page that is designed for one size and scaled to others.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "picture/canvas.hpp"
+#include "picture/legend.hpp"
+
+namespace moldlight {
+
+/// What lies behind a page.
+[[nodiscard]] Colour picture_ground(bool dark);
+
+/// Places and lengths are those of the design; it stands in the middle of the canvas, as large as it can be.
+class DesignSpace {
+ public:
+  /// `canvas` must outlive it.
+  DesignSpace(Canvas& canvas, const glm::dvec2& design, bool dark);
+
+  [[nodiscard]] Canvas& canvas() const { return canvas_; }
+  [[nodiscard]] const PictureInks& inks() const { return inks_; }
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] glm::dvec2 place(const glm::dvec2& at) const { return origin_ + scale_ * at; }
+  [[nodiscard]] Box box(const glm::dvec2& corner, const glm::dvec2& size) const {
+    return {place(corner), scale_ * size};
+  }
+
+  /// Styles are in pixels of the canvas.
+  [[nodiscard]] TextStyle title() const;
+  [[nodiscard]] TextStyle figure(Align align, FontWeight weight = FontWeight::regular) const;
+  [[nodiscard]] TextStyle small(Align align) const;
+
+  void text(const glm::dvec2& at, std::string_view words, const TextStyle& style);
+  /// What fits into `width` of the design.
+  void elided(const glm::dvec2& at, std::string_view words, const TextStyle& style, double width);
+  /// The first of the texts that fits into `width`; of the last what fits.
+  void fitting(const glm::dvec2& at, std::span<const std::string> texts, const TextStyle& style,
+               double width);
+  void line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width);
+
+ private:
+  Canvas& canvas_;
+  PictureInks inks_;
+  double scale_;
+  glm::dvec2 origin_;
+};
+
+}  // namespace moldlight

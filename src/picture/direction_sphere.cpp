@@ -1,0 +1,188 @@
+#include "picture/direction_sphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "mold/sweep/undercut_scale.hpp"
+#include "picture/design_space.hpp"
+
+namespace moldlight {
+
+namespace {
+
+// Lengths at scale 1, on a picture of 1600 by 1000.
+constexpr glm::dvec2 k_design(1600.0, 1000.0);
+constexpr glm::dvec2 k_map_centre(496.0, 492.0);
+constexpr double k_map_radius = 412.0;
+constexpr double k_left = 968.0, k_right = 1552.0, k_top = 92.0, k_bottom = 924.0;
+constexpr double k_bar_height = 14.0;
+constexpr double k_row = 50.0, k_short_row = 26.0;
+// Columns of the table: where figures end.
+constexpr double k_number_right = k_left + 18.0, k_tie_left = k_left + 21.0, k_swatch = k_left + 46.0,
+                 k_reason_left = k_left + 66.0;
+constexpr std::array<double, 3> k_direction_right = {k_left + 120.0, k_left + 180.0, k_left + 240.0};
+constexpr double k_area_right = k_left + 332.0, k_error_right = k_left + 392.0,
+                 k_share_right = k_left + 450.0;
+
+/// Rows of the table, with and without the line that says why.
+constexpr std::size_t k_tall_rows = 10, k_short_rows = 19;
+
+std::string tick_text(double value) { return fmt::format("{:.6g}", value); }
+
+Align tick_align(double x) {
+  return x < k_left + 20.0 ? Align::left : x > k_right - 24.0 ? Align::right : Align::centre;
+}
+
+double draw_colour_bar(DesignSpace& at, double top, const UndercutField& field,
+                       const SphereContent& content) {
+  const double width = k_right - k_left;
+  at.text({k_left, top}, fmt::format("undercut area, {}", content.unit), at.small(Align::left));
+  if (content.total_area > 0.0) at.text({k_right, top}, "of the part’s surface", at.small(Align::right));
+  const double bar_top = top + 34.0;
+  constexpr int k_steps = 540;
+  Image bar = empty_image(k_steps, 1);
+  for (int x = 0; x < k_steps; ++x) {
+    const Colour colour = undercut_scale_colour((x + 0.5) / k_steps);
+    std::uint8_t* rgba = bar.at(x, 0);
+    rgba[0] = colour.r;
+    rgba[1] = colour.g;
+    rgba[2] = colour.b;
+    rgba[3] = 255;
+  }
+  const Box box = at.box({k_left, bar_top}, {width, k_bar_height});
+  at.canvas().picture(bar, box);
+  at.canvas().outline_box(box, at.inks().normal, 0.0, at.scale());
+  for (const double area : scale_ticks(field.worst)) {
+    const double x = k_left + width * undercut_scale(area, field.worst);
+    at.line({x, bar_top + k_bar_height}, {x, bar_top + k_bar_height + 5.0}, at.inks().normal, 1.0);
+    at.text({x, bar_top + k_bar_height + 20.0}, tick_text(area), at.figure(tick_align(x)));
+  }
+  if (content.total_area <= 0.0) return bar_top + k_bar_height + 32.0;
+  const double worst_pct = 100.0 * field.worst / content.total_area;
+  for (const double pct : scale_ticks(worst_pct)) {
+    const double x = k_left + width * undercut_scale(pct, worst_pct);
+    at.line({x, bar_top - 5.0}, {x, bar_top}, at.inks().normal, 1.0);
+    at.text({x, bar_top - 9.0}, tick_text(pct) + " %", at.small(tick_align(x)));
+  }
+  return bar_top + k_bar_height + 32.0;
+}
+
+void draw_row(DesignSpace& at, double top, const SphereRow& row, const UndercutField& field,
+              bool with_reason) {
+  const double base = top + 17.0;
+  const Colour colour = undercut_scale_colour(undercut_scale(row.undercut, field.worst));
+  const FontWeight weight = row.mark.best ? FontWeight::semibold : FontWeight::medium;
+  at.text({k_number_right, base}, row.number, at.figure(Align::right, weight));
+  at.text({k_tie_left, base}, row.tie, at.figure(Align::left));
+  const glm::dvec2 swatch = at.place({k_swatch, base - 5.0});
+  at.canvas().disc(swatch, 7.0 * at.scale(), {colour});
+  at.canvas().ring(swatch, 7.0 * at.scale(), at.inks().normal, 1.0 * at.scale());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at.text({k_direction_right[axis], base}, row.direction[axis], at.figure(Align::right, weight));
+  }
+  at.text({k_area_right, base}, row.area, at.figure(Align::right, weight));
+  at.text({k_error_right, base}, row.error, at.figure(Align::right));
+  at.text({k_share_right, base}, row.share, at.figure(Align::right));
+  at.text({k_right, base}, row.tilt, at.figure(Align::right));
+  if (!with_reason) return;
+  at.fitting({k_reason_left, base + 18.0}, row.reasons, at.small(Align::left), k_right - k_reason_left);
+}
+
+void draw_table(DesignSpace& at, double top, const UndercutField& field, const SphereContent& content) {
+  const TextStyle head = at.small(Align::right);
+  at.text({k_number_right, top}, "#", head);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at.text({k_direction_right[axis], top}, std::string(1, "xyz"[axis]), head);
+  }
+  at.text({k_area_right, top}, content.unit, head);
+  at.text({k_error_right, top}, "±", head);
+  at.text({k_share_right, top}, "%", head);
+  at.text({k_right, top}, "may lean", head);
+  const bool tall = content.rows.size() <= k_tall_rows;
+  double y = top + 12.0;
+  at.line({k_left, y}, {k_right, y}, at.inks().border, 1.0);
+  y += 4.0;
+  const std::size_t shown = std::min(content.rows.size(), tall ? k_tall_rows : k_short_rows);
+  for (std::size_t k = 0; k < shown; ++k) {
+    draw_row(at, y, content.rows[k], field, tall);
+    y += tall ? k_row : k_short_row;
+  }
+  if (shown < content.rows.size()) {
+    at.text({k_reason_left, y + 17.0}, fmt::format("and {} more", content.rows.size() - shown),
+            at.small(Align::left));
+  }
+}
+
+/// What the marks mean, below the map.
+void draw_key(DesignSpace& at, const SphereContent& content) {
+  const double base = k_bottom + 40.0;
+  at.text({k_map_centre.x, base},
+          "equal-area map of the directions about +z; a direction and its opposite are one",
+          at.small(Align::centre));
+  if (content.rows.empty()) return;
+  double x = k_left + 8.0;
+  const auto entry = [&](std::string_view text) {
+    at.text({x + 16.0, base}, text, at.small(Align::left));
+    x += 16.0 + at.canvas().text_width(text, at.small(Align::left)) / at.scale() + 34.0;
+  };
+  draw_mark(at.canvas(), at.place({x, base - 4.0}), true, at.scale());
+  entry("best");
+  draw_mark(at.canvas(), at.place({x, base - 4.0}), false, at.scale());
+  entry("listed");
+  at.canvas().ring(at.place({x, base - 4.0}), 8.0 * at.scale(), at.inks().normal, 1.3 * at.scale());
+  entry("how far the best may lean");
+}
+
+}  // namespace
+
+std::vector<double> scale_ticks(double worst) {
+  std::vector<double> ticks = {0.0};
+  if (!(worst > 0.0)) return ticks;
+  constexpr double k_apart = 0.13;  // of the bar, which has the square root of the area
+  std::vector<double> round;
+  const double decade = std::pow(10.0, std::floor(std::log10(worst)));
+  for (const double step : {5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
+    // Written so that 0.2 of a decade is the number nearest to it.
+    const double value = step >= 1.0 ? step * decade : decade / std::round(1.0 / step);
+    if (value <= worst * (1.0 + 1e-12)) round.push_back(value);
+  }
+  std::vector<double> kept;
+  for (const double value : round) {
+    const double place = undercut_scale(value, worst);
+    if (place < k_apart) break;
+    if (kept.empty() || undercut_scale(kept.back(), worst) - place >= k_apart) kept.push_back(value);
+  }
+  ticks.insert(ticks.end(), kept.rbegin(), kept.rend());
+  return ticks;
+}
+
+Image direction_sphere_picture(const glm::ivec2& size, const UndercutField& field,
+                               const SphereContent& content, bool dark) {
+  Canvas canvas(size.x, size.y);
+  DesignSpace at(canvas, k_design, dark);
+  canvas.fill({picture_ground(dark)});
+  std::vector<SphereMark> marks;
+  for (const SphereRow& row : content.rows) marks.push_back(row.mark);
+  draw_sphere_map(canvas, {at.place(k_map_centre), k_map_radius * at.scale()}, field, marks,
+                  {.dark = dark, .scale = at.scale()});
+  const TextStyle title = at.title();
+  at.elided({k_left, k_top}, content.title, title, k_right - k_left);
+  double y = k_top + 24.0;
+  for (const std::string& line : content.lines) {
+    at.elided({k_left, y}, line, at.small(Align::left), k_right - k_left);
+    y += 19.0;
+  }
+  y = draw_colour_bar(at, y + 18.0, field, content) + 32.0;
+  if (content.rows.empty()) {
+    at.text({k_left, y}, content.note, at.figure(Align::left));
+  } else {
+    draw_table(at, y, field, content);
+  }
+  draw_key(at, content);
+  return canvas.image();
+}
+
+}  // namespace moldlight

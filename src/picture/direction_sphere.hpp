@@ -1,0 +1,42 @@
+// The picture of a sweep: the map of the parting directions beside its colour bar and the best directions.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "base/image.hpp"
+#include "picture/sphere_map.hpp"
+
+namespace moldlight {
+
+/// A listed direction; texts are ready to be shown.
+struct SphereRow {
+  SphereMark mark;
+  double undercut = 0.0;  // for its colour
+  std::string number = {}, tie = {};
+  std::array<std::string, 3> direction = {};
+  std::string area = {}, error = {}, share = {}, tilt = {};
+  std::vector<std::string> reasons = {};  // the same in ever fewer words; the first that fits is shown
+};
+
+struct SphereContent {
+  std::string title = {};
+  std::vector<std::string> lines = {};  // below the title
+  std::string unit = {};                // of areas
+  double total_area = 0.0;              // of the part, for the per cents on the colour bar
+  std::vector<SphereRow> rows = {};     // best first
+  std::string note = {};                // where there are no rows
+};
+
+/// Opaque, of `size` pixels; drawn for 1600 by 1000 and scaled to others. `palette` of the style is not used:
+/// the colours of undercut areas are for every eye.
+[[nodiscard]] Image direction_sphere_picture(const glm::ivec2& size, const UndercutField& field,
+                                             const SphereContent& content, bool dark);
+
+/// Round values from 0 to `worst` for the colour bar, far enough from each other on its scale.
+[[nodiscard]] std::vector<double> scale_ticks(double worst);
+
+}  // namespace moldlight

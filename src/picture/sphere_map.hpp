@@ -1,0 +1,43 @@
+// A map of the parting directions: Lambert's equal-area picture of the half-sphere about +z, coloured by
+// undercut area.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "mold/sweep/direction_field.hpp"
+#include "picture/canvas.hpp"
+#include "picture/legend.hpp"
+
+namespace moldlight {
+
+struct UndercutField {
+  DirectionField areas;
+  double worst = 0.0;  // area at the dark end of the colours
+};
+
+/// A direction marked on the map; on the rim its opposite is marked, too.
+struct SphereMark {
+  glm::dvec3 direction{0, 0, 1};  // unit
+  std::string label = {};
+  bool best = false;
+  double tilt_deg = 0.0;  // a circle so wide is drawn around it, unless the mark hides it; 0 for none
+};
+
+struct MapPlace {
+  glm::dvec2 centre{0.0};  // pixels
+  double radius = 1.0;
+};
+
+/// Beyond the radius it takes up to 34 pixels at scale 1 for the names of the axes. Where no direction was
+/// evaluated the map is gray and hatched.
+void draw_sphere_map(Canvas& canvas, const MapPlace& place, const UndercutField& field,
+                     const std::vector<SphereMark>& marks, const LegendStyle& style);
+
+/// A small sample of a mark, for a legend.
+void draw_mark(Canvas& canvas, const glm::dvec2& at, bool best, double scale);
+
+}  // namespace moldlight

@@ -1,0 +1,167 @@
+#include "session/sweep/sweep_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/png.hpp"
+#include "picture/contact_sheet.hpp"
+#include "picture/direction_sphere.hpp"
+#include "session/figures.hpp"
+#include "session/sweep/sweep_texts.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_most_tiles = 12;
+/// Samples by which a tile's view is chosen; its figures are the sweep's.
+constexpr int k_view_samples = 40'000;
+constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
+
+// The map's field: as fine as a picture shows it, but the work of it is bounded.
+constexpr double k_most_field_work = 3e8;  // cells times directions
+constexpr double k_least_cells = 96.0, k_most_cells = 320.0;
+
+UndercutField undercut_field(const SweepResult& result) {
+  const double directions = std::max<double>(1.0, static_cast<double>(result.evaluated.size()));
+  const int cells =
+      static_cast<int>(std::clamp(std::sqrt(k_most_field_work / directions), k_least_cells, k_most_cells));
+  UndercutField field{.areas = DirectionField(even_set_reach_deg(result.settings.directions), cells)};
+  for (const EvaluatedDirection& evaluated : result.evaluated) {
+    field.areas.add(evaluated.direction, evaluated.undercut);
+    field.worst = std::max(field.worst, evaluated.undercut);
+  }
+  return field;
+}
+
+double share_pct(const PartModel& model, double area) {
+  return model.geometry.total_area > 0.0 ? 100.0 * area / model.geometry.total_area : 0.0;
+}
+
+/// What speaks for a candidate, in ever fewer words.
+std::vector<std::string> reasons(const Candidate& candidate) {
+  return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
+}
+
+/// A true minus in place of the hyphen that terminals get.
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
+    text.replace(at, 1, "−");
+  }
+  return text;
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+SphereContent sphere_content(const PartModel& model, const SweepResult& result) {
+  SphereContent content;
+  content.title = part_name(model.part);
+  content.lines = {
+      fmt::format("Undercut by parting direction: {} scored{}", counted(result.evaluated.size(), "direction"),
+                  result.complete ? "" : ", not complete"),
+      fmt::format("{} facets, surface {} {}, draft tolerance {}°", model.health.facets,
+                  figure(model.geometry.total_area), powered_unit(model.part, 2),
+                  figure(result.settings.method.tau_deg))};
+  content.unit = powered_unit(model.part, 2);
+  content.total_area = model.geometry.total_area;
+  content.note = "No direction was measured to the end.";
+  const FigureColumn areas(model.geometry.total_area);
+  const std::vector<std::string> ties = tie_marks(result.candidates);
+  for (std::size_t k = 0; k < result.candidates.size(); ++k) {
+    const SweepCandidate& candidate = result.candidates[k];
+    SphereRow row;
+    row.mark = {.direction = candidate.classification.direction,
+                .label = fmt::format("{}{}", candidate.rank, ties[k]),
+                .best = candidate.rank == 1,
+                .tilt_deg = k == 0 && candidate.tilt ? candidate.tilt->deg : 0.0};
+    row.number = fmt::format("{}", candidate.rank);
+    row.tie = ties[k];
+    row.undercut = undercut_area(candidate);
+    for (int axis = 0; axis < 3; ++axis) {
+      row.direction[static_cast<std::size_t>(axis)] =
+          with_minus(component_text(candidate.classification.direction[axis], 3));
+    }
+    row.area = areas.text(row.undercut);
+    row.error = fmt::format("{:.2g}", candidate.classification.uncertainty.total);
+    row.share = fmt::format("{:.2f}", share_pct(model, row.undercut));
+    row.tilt = with_minus(tilt_text(candidate));
+    row.reasons = reasons(candidate.candidate);
+    content.rows.push_back(std::move(row));
+  }
+  return content;
+}
+
+ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate, const std::string& tie) {
+  const std::string length = length_unit(model.part), area = powered_unit(model.part, 2);
+  const FigureColumn areas(model.geometry.total_area);
+  const double undercut = undercut_area(candidate);
+  ContactTile tile;
+  tile.number = fmt::format("{}", candidate.rank);
+  tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
+  if (!tie.empty()) tile.remark = fmt::format("tie {}", tie);
+  tile.figures = {{"undercut " + area, fmt::format("{} ± {:.2g}", areas.text(undercut),
+                                                   candidate.classification.uncertainty.total)},
+                  {"share", fmt::format("{:.2f} %", share_pct(model, undercut))},
+                  {"patches", fmt::format("{}", candidate.patches)},
+                  {"depth " + length, fmt::format("{:.4g}", candidate.draw_depth)},
+                  {"may lean", with_minus(tilt_text(candidate))}};
+  tile.reasons = reasons(candidate.candidate);
+  return tile;
+}
+
+double scale_of(const StillSettings& settings) {
+  return std::min(settings.size.x / k_full_scale_px.x, settings.size.y / k_full_scale_px.y);
+}
+
+}  // namespace
+
+Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, const StillSettings& settings) {
+  return direction_sphere_picture(settings.size, undercut_field(result), sphere_content(model, result),
+                                  settings.theme == Theme::dark);
+}
+
+Image sweep_contact_sheet(const gl::Context& context, Classifier& classifier, const SweepResult& result,
+                          const StillSettings& settings) {
+  const PartModel& model = classifier.model();
+  const double scale = scale_of(settings);
+  StillSettings still = settings;
+  still.legend = false;
+  still.size = glm::max(glm::ivec2(glm::round(scale * glm::dvec2(k_tile_width, k_tile_height))), 16);
+  const std::size_t shown = std::min(result.candidates.size(), k_most_tiles);
+  ContactSheet sheet{
+      .title = part_name(model.part), .dark = settings.theme == Theme::dark, .palette = settings.palette};
+  sheet.line = shown == 0
+                   ? "No direction was measured to the end."
+                   : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",
+                                 counted(shown, "parting direction"), result.evaluated.size(),
+                                 result.complete ? "" : ", not complete");
+  const std::vector<std::string> ties = tie_marks(result.candidates);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const SweepCandidate& candidate = result.candidates[k];
+    MethodSettings method = candidate.classification.settings;
+    method.samples = std::min(method.samples, k_view_samples);
+    const Classification regions = classifier.classify(method, Progress{});
+    ContactTile tile = contact_tile(model, candidate, ties[k]);
+    tile.picture = still_picture(context, classifier, regions, still);
+    sheet.tiles.push_back(std::move(tile));
+  }
+  return contact_sheet_picture(sheet, scale);
+}
+
+void write_sweep_pictures(const std::string& folder, const gl::Context& context, Classifier& classifier,
+                          const SweepResult& result, const StillSettings& settings) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
+  const std::filesystem::path there(folder);
+  write_png((there / k_sphere_picture).string(), sweep_sphere_picture(classifier.model(), result, settings));
+  write_png((there / k_contact_sheet).string(), sweep_contact_sheet(context, classifier, result, settings));
+}
+
+}  // namespace moldlight

@@ -1,0 +1,32 @@
+// How the figures of a swept direction are written for people: in the table and on pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "session/sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// A letter for every tie group of more than one direction, in order; nothing for the others.
+[[nodiscard]] std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates);
+
+/// What speaks for a candidate, the strongest of each kind, so many at most, and how many more there are.
+[[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
+
+/// "2.5° to +x", "> 30°"; "-" where it is not known.
+[[nodiscard]] std::string tilt_text(const SweepCandidate& candidate);
+
+/// "0.00000, 0.60000, 0.80000".
+[[nodiscard]] std::string direction_text(const glm::dvec3& direction);
+/// A component of a direction with so many decimals; no sign where they all are 0.
+[[nodiscard]] std::string component_text(double value, int decimals);
+
+/// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
+[[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
+
+[[nodiscard]] double undercut_area(const SweepCandidate& candidate);
+
+}  // namespace moldlight
