@@ -7,14 +7,10 @@ std::span<const Option<LookSettings>> look_options() {
   static const std::vector<Option<S>> k_options = {
       {"palette", "--palette", "Palette", "",
        "Paper: core blue, cavity green, both gray, undercut red. Safe: told apart by colour-blind eyes.",
-       ChoiceKind<S>{{"paper", "safe"},
-                     [](const S& s) { return static_cast<int>(s.palette); },
-                     [](S& s, int index) { s.palette = static_cast<Palette>(index); }}},
+       choice<&S::palette>({"paper", "safe"})},
       {"colouring", "--colouring", "Colour by", "",
        "Colour the surface by its region, or by its draft angle to the parting direction.",
-       ChoiceKind<S>{{"regions", "draft"},
-                     [](const S& s) { return static_cast<int>(s.colouring); },
-                     [](S& s, int index) { s.colouring = static_cast<Colouring>(index); }}},
+       choice<&S::colouring>({"regions", "draft"})},
       {"open_mold", "--open-mold", "Open the mold", "",
        "Moves the core's surface and the cavity's apart along the parting direction; undercuts stay where "
        "they are.",

@@ -5,16 +5,11 @@ namespace moldlight::gui {
 std::span<const Option<WindowSettings>> window_options() {
   using S = WindowSettings;
   static const std::vector<Option<S>> k_options = {
-      {"theme", "--theme", "Theme", "", "Dark or light window.",
-       ChoiceKind<S>{{"dark", "light"},
-                     [](const S& s) { return static_cast<int>(s.theme); },
-                     [](S& s, int index) { s.theme = static_cast<Theme>(index); }}},
+      {"theme", "--theme", "Theme", "", "Dark or light window.", choice<&S::theme>({"dark", "light"})},
       {"ui_scale", "--ui-scale", "Size", "", "Size of text and panels, on top of the monitor's own scale.",
        RealKind<S>{&S::ui_scale, 0.5, 3.0, 0.05}},
       {"navigation", "--navigation", "Navigation", "", "Which mouse buttons turn, shift and zoom.",
-       ChoiceKind<S>{{"standard", "solidworks", "fusion", "blender"},
-                     [](const S& s) { return static_cast<int>(s.navigation); },
-                     [](S& s, int index) { s.navigation = static_cast<NavigationPreset>(index); }}},
+       choice<&S::navigation>({"standard", "solidworks", "fusion", "blender"})},
       {"motion", "--motion", "Motion", "", "Animate camera flights and fades.", SwitchKind<S>{&S::motion}},
       {"auto_reload", "--auto-reload", "Reload", "", "Read the part again when its file changes.",
        SwitchKind<S>{&S::auto_reload}},

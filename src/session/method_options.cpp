@@ -2,20 +2,8 @@
 
 namespace moldlight {
 
-namespace {
-
-using S = MethodSettings;
-
-template <typename Enum, Enum S::*Member>
-ChoiceKind<S> choice(std::vector<std::string_view> words) {
-  return {.words = std::move(words),
-          .get = [](const S& settings) { return static_cast<int>(settings.*Member); },
-          .set = [](S& settings, int index) { settings.*Member = static_cast<Enum>(index); }};
-}
-
-}  // namespace
-
 std::span<const Option<MethodSettings>> method_options() {
+  using S = MethodSettings;
   static const std::vector<Option<S>> k_options = {
       {"direction", "--direction", "Direction", "",
        "Parting direction +d, in which the core's side opens; any length.", DirectionKind<S>{&S::direction}},
@@ -31,9 +19,8 @@ std::span<const Option<MethodSettings>> method_options() {
        OptionalRealKind<S>{&S::tolerance}},
       {"kernel_shape", "--kernel-shape", "Kernel shape", "",
        "One-sided looks up on the outer side only; symmetric is the paper's neighbourhood, of which any lit "
-       "texel "
-       "suffices.",
-       choice<KernelShape, &S::kernel_shape>({"one-sided", "symmetric"})},
+       "texel suffices.",
+       choice<&S::kernel_shape>({"one-sided", "symmetric"})},
       {"edge_thickness", "--edge-thickness", "Edge thickness", "texel",
        "Width of the thick concave contour edges in the shadow maps; 0 leaves them out.",
        RealKind<S>{&S::edge_thickness, 0.0, 8.0, 0.5}},
@@ -41,14 +28,14 @@ std::span<const Option<MethodSettings>> method_options() {
        IntegerKind<S>{&S::resolution, 64, 8192}},
       {"readout", "--readout", "Readout", "",
        "Samples measures fractions of facets; facet-id is the paper's two-pass readback, one region a facet.",
-       choice<Readout, &S::readout>({"samples", "facet-id"})},
+       choice<&S::readout>({"samples", "facet-id"})},
       {"samples", "--samples", "Samples", "",
        "Surface samples over the whole part; a facet gets four at least.",
        IntegerKind<S>{&S::samples, 1000, 100'000'000}},
       {"exact_rays", "--exact-rays", "Exact rays", "",
        "Settle the samples that the maps leave in doubt by exact rays.", SwitchKind<S>{&S::exact_rays}},
       {"backend", "--backend", "Backend", "", "How to get an OpenGL context without a window.",
-       choice<Backend, &S::backend>({"auto", "egl", "osmesa"})},
+       choice<&S::backend>({"auto", "egl", "osmesa"})},
   };
   return k_options;
 }

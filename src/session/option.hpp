@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,28 @@ struct ChoiceKind {
   int (*get)(const S&);
   void (*set)(S&, int);
 };
+
+namespace detail {
+template <typename>
+struct MemberPointer;
+template <typename S, typename T>
+struct MemberPointer<T S::*> {
+  using Struct = S;
+  using Type = T;
+};
+}  // namespace detail
+
+/// The choice of an enumeration member, choice<&S::member>({"word of enumerator 0", …}).
+template <auto k_member>
+[[nodiscard]] auto choice(std::vector<std::string_view> words) {
+  using Struct = typename detail::MemberPointer<decltype(k_member)>::Struct;
+  using Enum = typename detail::MemberPointer<decltype(k_member)>::Type;
+  return ChoiceKind<Struct>{
+      .words = std::move(words),
+      .get = [](const Struct& settings) { return static_cast<int>(settings.*k_member); },
+      .set = [](Struct& settings, int index) { settings.*k_member = static_cast<Enum>(index); }};
+}
+
 /// Three finite numbers, not all zero, "X,Y,Z".
 template <typename S>
 struct DirectionKind {

@@ -6,31 +6,18 @@
 
 namespace moldlight {
 
-namespace {
-
-using S = StillSettings;
-
-template <typename Enum, Enum S::*Member>
-ChoiceKind<S> choice(std::vector<std::string_view> words) {
-  return {.words = std::move(words),
-          .get = [](const S& settings) { return static_cast<int>(settings.*Member); },
-          .set = [](S& settings, int index) { settings.*Member = static_cast<Enum>(index); }};
-}
-
-}  // namespace
-
 std::span<const Option<StillSettings>> still_options() {
+  using S = StillSettings;
   static const std::vector<Option<S>> k_options = {
       {"view", "--view", "View", "",
        "From where the picture shows the part; auto looks where undercuts show best, with the parting "
-       "direction "
-       "upward.",
-       choice<PictureView, &S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
+       "direction upward.",
+       choice<&S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
       {"theme", "--theme", "Theme", "", "Whether the picture's background is light or dark.",
-       choice<Theme, &S::theme>({"dark", "light"})},
+       choice<&S::theme>({"dark", "light"})},
       {"palette", "--palette", "Palette", "",
        "The paper's colours, or a set that colour-blind eyes tell apart.",
-       choice<Palette, &S::palette>({"paper", "safe"})},
+       choice<&S::palette>({"paper", "safe"})},
   };
   return k_options;
 }

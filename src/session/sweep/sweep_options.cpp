@@ -52,9 +52,7 @@ std::span<const Option<SweepSettings>> sweep_options() {
       {"engine", "--engine", "Engine", "",
        "How directions are scored before the best get final figures: shadow maps on the GL or on the CPU, or "
        "exact rays.",
-       ChoiceKind<S>{.words = {"auto", "gl", "cpu", "rays"},
-                     .get = [](const S& s) { return static_cast<int>(s.engine); },
-                     .set = [](S& s, int index) { s.engine = static_cast<SweepEngine>(index); }}},
+       choice<&S::engine>({"auto", "gl", "cpu", "rays"})},
       {"scoring_samples", "--scoring-samples", "Scoring samples", "",
        "Surface samples by which a direction is scored.",
        IntegerKind<S>{&S::scoring_samples, 1000, 10'000'000}},
