@@ -15,7 +15,6 @@
 namespace moldlight::scan {
 
 namespace {
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors pass between functions of this file alone
 #include "mold/sweep/scan_kernel_body.hpp"
 }  // namespace
 
