@@ -62,19 +62,33 @@ bool outside_of(uint entry, vec3 point) {
 // The outer side of a near-vertical facet, perpendicular to the parting direction.
 vec3 outward(vec3 normal) { return normalize(normal - dot(normal, u_direction) * u_direction); }
 
-uint accessible_at(vec3 point, uint facet, vec2 shift) {
-  uint class_of_facet = facet_class(facet);
-  bool near_vertical = class_of_facet == k_near_vertical;
-  vec3 at = point;
-  if (near_vertical) at += u_lateral * outward(facet_plane(facet).xyz);
-  ivec2 texel = ivec2(floor(map_position(at) + shift));
-  uint plus = map_entry(t_map_plus, texel);
-  uint minus = map_entry(t_map_minus, texel);
-  bool blocked_plus = outside_of(plus, at);
-  bool blocked_minus = outside_of(minus, at);
+// What all look-ups of a point share.
+struct Sight {
+  vec3 at;        // the point itself, or the one beside a near-vertical facet
+  vec2 position;  // of that in the maps
+  uint class_of_facet;
+};
+
+Sight sight_of(vec3 point, uint facet) {
+  Sight sight = Sight(point, vec2(0.0), facet_class(facet));
+  if (sight.class_of_facet == k_near_vertical) sight.at += u_lateral * outward(facet_plane(facet).xyz);
+  sight.position = map_position(sight.at);
+  return sight;
+}
+
+// Accessibility from the entries of one texel of the two maps.
+uint accessible_past(Sight sight, uint plus, uint minus) {
+  bool blocked_plus = outside_of(plus, sight.at);
+  bool blocked_minus = outside_of(minus, sight.at);
   uint bits = (blocked_plus ? 0u : k_accessible_plus) | (blocked_minus ? 0u : k_accessible_minus);
-  if (near_vertical) return plus != 0u && minus != 0u && bits == 3u ? 0u : bits;
-  return bits & (class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
+  if (sight.class_of_facet == k_near_vertical) return plus != 0u && minus != 0u && bits == 3u ? 0u : bits;
+  return bits & (sight.class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
+}
+
+uint accessible_at(vec3 point, uint facet, vec2 shift) {
+  Sight sight = sight_of(point, facet);
+  ivec2 texel = ivec2(floor(sight.position + shift));
+  return accessible_past(sight, map_entry(t_map_plus, texel), map_entry(t_map_minus, texel));
 }
 #endif
 
