@@ -49,12 +49,12 @@ std::string read_whole(const std::string& path) {
   return *text;
 }
 
-int run(const ViewFlags& flags) {
+int run(const ViewFlags& flags, const Progress& progress) {
   if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script goes with --screenshot");
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
   if (flags.screenshot.empty()) {
-    gui::run_window({.part = flags.part, .reading = flags.reading, .notes = notes});
+    gui::run_window({.part = flags.part, .reading = flags.reading, .notes = notes}, progress);
     return 0;
   }
   check_output_files(flags.part, {{"--screenshot", flags.screenshot}});
@@ -112,7 +112,7 @@ void add_view_command(CLI::App& program, Request& request) {
           flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
                                                             std::ranges::any_of(gui::look_options(), names)));
     }
-    request.body = [flags](Console&, const Progress&) { return run(*flags); };
+    request.body = [flags](Console&, const Progress& progress) { return run(*flags, progress); };
   });
 }
 

@@ -30,6 +30,15 @@ constexpr double k_glow_s = 0.7;  // of the pulse when an undercut appears
 /// Frames after an event, until ImGui has laid out what the event changed.
 constexpr int k_settle_frames = 3;
 
+/// A quick click may press and release in one frame: ImGui sees the release in the next one, which must come.
+bool mouse_acts() {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (int button = 0; button < 3; ++button) {
+    if (io.MouseClicked[button] || io.MouseReleased[button]) return true;
+  }
+  return io.MouseWheel != 0.0F;
+}
+
 }  // namespace
 
 App::App(const gl::Context& context, AppOptions options)
@@ -89,8 +98,10 @@ void App::frame(const FrameInput& input) {
 
   Edits edits(state_);
   for (const std::string& path : input.dropped) edits.ask(OpenPart{path});
-  if (!ImGui::GetIO().WantTextInput) {
-    for (const KeyPress& press : input.keys) apply_shortcut(press, state_, edits);
+  // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
+  const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
+  for (const KeyPress& press : input.keys) {
+    if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
@@ -109,7 +120,8 @@ void App::frame(const FrameInput& input) {
   apply(edits);
   figures_.update(state_, state_.figures, now_s_, !edits.dragging && !turn_.flying());
   watch_undercut();
-  settle_frames_ = input.keys.empty() && input.dropped.empty() ? settle_frames_ - 1 : k_settle_frames;
+  const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
+  settle_frames_ = event ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
 }
 

@@ -86,6 +86,8 @@ class App {
   [[nodiscard]] bool measuring() const { return state_.model && state_.figures.stale; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
+  /// True once the user has asked to end the program.
+  [[nodiscard]] bool quitting() const { return quitting_; }
   void say(std::string text, bool failure);
   /// Saves what is to be remembered.
   void save();
@@ -144,6 +146,7 @@ class App {
   float scale_ = 1.0F;
   double now_s_ = 0.0, next_frame_s_ = 0.0;
   int settle_frames_ = 3, fit_frames_ = 0;
+  bool quitting_ = false;
   bool refining_ = false, candidates_missing_ = false, was_split_ = false;
   bool had_undercut_ = true;  // of the last figures; none is known yet
   double glow_start_s_ = -1e9;

@@ -116,6 +116,8 @@ void App::CommandRunner::operator()(const StartSweep&) const {
 
 void App::CommandRunner::operator()(const CancelSweep&) const { app.sweep_.cancel(); }
 
+void App::CommandRunner::operator()(const Quit&) const { app.quitting_ = true; }
+
 void App::CommandRunner::operator()(const FlyToDirection& command) const {
   glm::dvec3& direction = app.state_.settings.method.direction;
   if (app.state_.window.motion) {

@@ -34,6 +34,7 @@ struct SaveNotesBeside {
 };
 struct ResetLayout {};
 struct DismissToasts {};
+struct Quit {};
 struct StartSweep {};
 struct CancelSweep {};
 /// The parting direction turns to this one.
@@ -53,7 +54,7 @@ struct Export {
 using Command =
     std::variant<OpenPart, CancelLoading, Undo, Redo, FitView, LookFrom, LookAlongDirection, ToggleProjection,
                  TakeNormal, TakeAxis, TakePicture, SaveNotesBeside, ResetLayout, DismissToasts, Say, Export,
-                 StartSweep, CancelSweep, FlyToDirection>;
+                 StartSweep, CancelSweep, FlyToDirection, Quit>;
 
 /// Values begin as they are in the state; commands are carried out in order after them.
 struct Edits {

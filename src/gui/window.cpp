@@ -1,7 +1,10 @@
 #include "gui/window.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <thread>
+#include <vector>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -31,6 +34,21 @@ class GlfwInput {
   GlfwInput& operator=(const GlfwInput&) = delete;
 };
 
+/// Wakes the window when an interrupt has cancelled the progress: a signal alone does not end its wait for
+/// events.
+class InterruptWatch {
+ public:
+  explicit InterruptWatch(const Progress& progress)
+      : thread_([&progress](const std::stop_token& stop) {
+          while (!stop.stop_requested() && !progress.cancelled()) std::this_thread::sleep_for(k_period);
+          glfwPostEmptyEvent();
+        }) {}
+
+ private:
+  static constexpr std::chrono::milliseconds k_period{100};
+  std::jthread thread_;
+};
+
 /// Sleeps until there is an event or the time has come.
 void wait_for_events(double next_frame_s) {
   const double left_s = next_frame_s - glfwGetTime();
@@ -42,6 +60,31 @@ void wait_for_events(double next_frame_s) {
     glfwWaitEventsTimeout(left_s);
   }
 }
+
+/// A key that was pressed and released between two frames counts as held in the frame that comes: ImGui's
+/// older backends would miss it.
+class ShortPresses {
+ public:
+  ShortPresses([[maybe_unused]] GLFWwindow* window, [[maybe_unused]] const std::vector<KeyPress>& keys) {
+#if IMGUI_VERSION_NUM < 18700
+    for (const KeyPress& press : keys) {
+      if (glfwGetKey(window, press.key) == GLFW_PRESS) continue;
+      ImGui::GetIO().KeysDown[press.key] = true;
+      released_.push_back(press.key);
+    }
+#endif
+  }
+  ~ShortPresses() {
+#if IMGUI_VERSION_NUM < 18700
+    for (const int key : released_) ImGui::GetIO().KeysDown[key] = false;
+#endif
+  }
+  ShortPresses(const ShortPresses&) = delete;
+  ShortPresses& operator=(const ShortPresses&) = delete;
+
+ private:
+  std::vector<int> released_;
+};
 
 std::unique_ptr<WindowContext> create_window() {
   try {
@@ -80,10 +123,11 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
   }
 }
 
-void run_frames(App& app, WindowContext& context) {
+void run_frames(App& app, WindowContext& context, const Progress& progress) {
   std::string title;
-  while (glfwWindowShouldClose(context.window()) == GLFW_FALSE) {
+  while (glfwWindowShouldClose(context.window()) == GLFW_FALSE && !app.quitting()) {
     wait_for_events(app.next_frame_s());
+    if (progress.cancelled()) return;
     const glm::ivec2 size = context.framebuffer_size();
     if (size.x <= 0 || size.y <= 0) {
       glfwWaitEvents();  // minimised
@@ -97,7 +141,10 @@ void run_frames(App& app, WindowContext& context) {
                            .dropped = std::move(events.dropped)};
     app.prepare(input);
     ImGui_ImplGlfw_NewFrame();
-    app.frame(input);
+    {
+      const ShortPresses presses(context.window(), input.keys);
+      app.frame(input);
+    }
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     context.present();
@@ -110,7 +157,7 @@ void run_frames(App& app, WindowContext& context) {
 
 }  // namespace
 
-void run_window(const WindowOptions& options) {
+void run_window(const WindowOptions& options, const Progress& progress) {
   const auto glfw = start_glfw();
   const auto context = create_window();
   App app(*context, app_options(options));
@@ -118,8 +165,10 @@ void run_window(const WindowOptions& options) {
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);
   context->show();
-  run_frames(app, *context);
+  const InterruptWatch watch(progress);
+  run_frames(app, *context, progress);
   app.save();
+  if (progress.cancelled()) throw Cancelled();
 }
 
 }  // namespace moldlight::gui

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/progress.hpp"
 #include "gui/store/part_notes.hpp"
 #include "io/read_options.hpp"
 
@@ -15,8 +16,9 @@ struct WindowOptions {
   std::optional<PartNotes> notes;  // settings given on the command line
 };
 
-/// Runs until the window is closed. Throws Error that names the commands which need no window, where there is
-/// no display or no OpenGL.
-void run_window(const WindowOptions& options);
+/// Runs until the window is closed, or `progress` cancelled: then it saves what is to be remembered and
+/// throws Cancelled. Throws Error that names the commands which need no window, where there is no display or
+/// no OpenGL.
+void run_window(const WindowOptions& options, const Progress& progress);
 
 }  // namespace moldlight::gui

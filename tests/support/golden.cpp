@@ -44,6 +44,12 @@ PictureDifference picture_difference(const Image& one, const Image& other) {
   return result;
 }
 
+void keep_picture(const Image& image, const std::string& name) {
+  const fs::path folder = MOLDLIGHT_PICTURE_FOLDER;
+  fs::create_directories(folder);
+  write_png((folder / (name + ".png")).string(), image);
+}
+
 testing::AssertionResult matches_golden(const Image& actual, const std::string& name) {
   const fs::path golden = fs::path(MOLDLIGHT_GOLDEN_FOLDER) / (name + ".png");
   if (std::getenv("MOLDLIGHT_UPDATE_GOLDEN") != nullptr) {

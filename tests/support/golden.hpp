@@ -22,4 +22,7 @@ struct PictureDifference {
 ///   MOLDLIGHT_UPDATE_GOLDEN=1 build/dev/bin/test_render --gtest_filter='GoldenPictures*'
 [[nodiscard]] testing::AssertionResult matches_golden(const Image& actual, const std::string& name);
 
+/// Leaves a picture in the build folder's pictures/, for somebody to look at.
+void keep_picture(const Image& image, const std::string& name);
+
 }  // namespace moldlight::test

@@ -121,6 +121,13 @@ bool Process::wait_for_error_text(const std::string& text) {
   return true;
 }
 
+bool Process::wait_for_output_text(const std::string& text) {
+  while (result_.out.find(text) == std::string::npos) {
+    if (!pump()) return result_.out.find(text) != std::string::npos;
+  }
+  return true;
+}
+
 void Process::send_signal(int signal) const { ::kill(pid_, signal); }
 
 ProcessResult Process::finish() {

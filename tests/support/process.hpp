@@ -39,6 +39,11 @@ class Process {
 
   /// False when the program ends, or its time limit passes, before stderr holds the text.
   [[nodiscard]] bool wait_for_error_text(const std::string& text);
+  /// The same for stdout.
+  [[nodiscard]] bool wait_for_output_text(const std::string& text);
+  /// What it has written so far, as far as it was waited for.
+  [[nodiscard]] const std::string& output() const { return result_.out; }
+  [[nodiscard]] pid_t id() const { return pid_; }
   void send_signal(int signal) const;
   [[nodiscard]] ProcessResult finish();
 

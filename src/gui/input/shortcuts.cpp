@@ -143,6 +143,8 @@ void part_key(const KeyPress& press, const AppState& state, Edits& edits) {
 
 }  // namespace
 
+bool ends_program(const KeyPress& press) { return press.ctrl && press.key == GLFW_KEY_Q; }
+
 void apply_shortcut(const KeyPress& press, const AppState& state, Edits& edits) {
   switch (press.key) {
     case GLFW_KEY_ESCAPE: {
@@ -167,6 +169,10 @@ void apply_shortcut(const KeyPress& press, const AppState& state, Edits& edits) 
       return;
     default:
       break;
+  }
+  if (ends_program(press)) {
+    edits.ask(Quit{});
+    return;
   }
   if (press.ctrl && control_key(press, state, edits)) return;
   if (!state.model) return;

@@ -7,6 +7,8 @@
 
 namespace moldlight::gui {
 
+/// Whether a key ends the program, also while text is being typed.
+[[nodiscard]] bool ends_program(const KeyPress& press);
 /// Keys pressed while no text is being typed.
 void apply_shortcut(const KeyPress& press, const AppState& state, Edits& edits);
 

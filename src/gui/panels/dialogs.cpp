@@ -38,10 +38,15 @@ constexpr std::array k_view_help = {
     HelpLine{"T", "dark or light"},
 };
 constexpr std::array k_program_help = {
-    HelpLine{"Ctrl+O", "open a part"},           HelpLine{"Ctrl+E", "export"},
-    HelpLine{"F12", "picture with legend"},      HelpLine{"Ctrl+Z / Ctrl+Y", "undo, redo"},
-    HelpLine{"Tab", "hide the panels"},          HelpLine{"H", "this sheet"},
-    HelpLine{"Double click a value", "type it"}, HelpLine{"Right click", "reset, copy"},
+    HelpLine{"Ctrl+O", "open a part"},
+    HelpLine{"Ctrl+E", "export"},
+    HelpLine{"F12", "picture with legend"},
+    HelpLine{"Ctrl+Z / Ctrl+Y", "undo, redo"},
+    HelpLine{"Tab", "hide the panels"},
+    HelpLine{"H", "this sheet"},
+    HelpLine{"Double click a value", "type it"},
+    HelpLine{"Right click", "reset, copy"},
+    HelpLine{"Ctrl+Q", "quit"},
 };
 
 std::array<HelpLine, 3> mouse_help(NavigationPreset preset) {
