@@ -24,14 +24,11 @@ inline constexpr std::int32_t k_height_limit = (1 << k_height_bits) - 1;
 inline constexpr float k_height_margin = 64.0F;
 inline constexpr float k_height_scale = static_cast<float>(k_height_limit) - 2.0F * k_height_margin;
 
-/// What a texel holds of the facets that face +d (up layer) or -d (down layer). `front` is the facet that
-/// lies first as seen from the side that it faces, `back` the one that lies last: the entry of the
-/// second-depth map of the other side. An entry is the greater the earlier it wins: 7 bits of generation, 24
-/// of depth, 32 of inverted facet number. Entries of an older generation are empty, so that a new direction
-/// needs no clearing.
-struct alignas(16) MapCell {
-  std::int64_t front = 0, back = 0;
-};
+/// A texel has entries for the facets that face +d (up layer) and for those that face -d (down layer). Of
+/// each layer `front` is the facet that lies first as seen from the side that it faces, `back` the one that
+/// lies last: the entry of the second-depth map of the other side. An entry is the greater the earlier it
+/// wins: 7 bits of generation, 24 of depth, 32 of inverted facet number. Entries of an older generation are
+/// empty, so that a new direction needs no clearing.
 inline constexpr int k_last_generation = 127;
 
 [[nodiscard]] constexpr std::int32_t generation_of(std::int64_t entry) {
@@ -57,11 +54,17 @@ struct alignas(16) Projection {
 enum Layer : std::uint8_t { k_up_layer = 0, k_down_layer = 1 };
 
 struct RasterTarget {
-  MapCell* layer[2] = {};  // size x size each, and k_cell_padding more that may be read and written back
-  int size = 0;
+  // By layer; size rows each, and k_entry_padding more entries that may be read and written back.
+  std::int64_t *front[2] = {}, *back[2] = {};
+  int size = 0;        // rows and columns
+  int pitch = 0;       // entries from row to row
   int generation = 1;  // [1, k_last_generation]
 };
-inline constexpr std::size_t k_cell_padding = 4;
+inline constexpr std::size_t k_entry_padding = 4;
+
+/// Entries from row to row of a map of `size` columns: an odd number of cache lines, so that the rows of a
+/// facet do not share the few places that a cache has for addresses a power of two apart.
+[[nodiscard]] constexpr int map_pitch(int size) { return ((size + 7) / 8 | 1) * 8; }
 
 /// Fragments are texel centres covered by facets, once for each facet. A fragment is hidden if another one of
 /// its layer lies in front of it. Sums over the fragments of one cluster in one layer whose facets weigh
@@ -82,6 +85,7 @@ struct RasterInput {
   std::size_t facet_count = 0;
   const float* weights = nullptr;           // one a facet
   const std::uint32_t* clusters = nullptr;  // one a facet
+  bool front_only = false;                  // back entries are left alone
 };
 
 /// Facets by their slope. Arrays are padded to a multiple of eight.
@@ -111,6 +115,7 @@ struct Kernel {
   /// Positions are arrays of four floats, of which the last is not used.
   void (*transform)(const float* positions, std::size_t count, const Projection& projection,
                     MapVertex* vertices);
+  /// Boxes of facets hold fewer than 2^14 texel centres along a side.
   void (*rasterize)(const RasterInput& input, const RasterTarget& target, RasterSums& sums);
   /// Triangles of either winding into the back entries of a layer, clipped to the map: three corners and the
   /// number of a facet each.

@@ -90,18 +90,21 @@ void classify(const ClassifyInput& input, ClassifyOutput& output) {
 
 constexpr std::int32_t k_half_texel = k_subtexel / 2;
 constexpr std::size_t k_cull_batch = 1024, k_job_batch = 64;  // facets
-constexpr std::int32_t k_short_rows = 4;
+constexpr std::int32_t k_tiny_rows = 2, k_short_rows = 4;
 
-/// Facets whose bounding boxes hold texel centres: of up to k_short_rows rows, and of more.
+/// Facets whose bounding boxes hold texel centres, by the box: of up to k_tiny_rows rows and columns, of up
+/// to k_short_rows rows, and others.
+enum Bin { k_tiny, k_short, k_tall, k_bins };
 struct Survivors {
-  std::uint32_t facets[2][k_cull_batch];
-  std::size_t count[2];
+  std::uint32_t facets[k_bins][k_cull_batch];
+  std::size_t count[k_bins];
 };
 
 void cull(const RasterInput& input, std::size_t begin, std::size_t end, Survivors& survivors) {
   constexpr Int4 k_up = {k_half_texel - 1, k_half_texel - 1, 0, 0};
   constexpr Int4 k_down = {k_half_texel, k_half_texel, 0, 0};
-  survivors.count[0] = survivors.count[1] = 0;
+  std::uint32_t facets[k_cull_batch], extents[k_cull_batch];
+  std::size_t found = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const auto& facet = input.facets[i];
     const auto a = load<Int4>(input.vertices + facet[0]);
@@ -111,10 +114,16 @@ void cull(const RasterInput& input, std::size_t begin, std::size_t end, Survivor
     const Int4 high = (greatest(greatest(a, b), c) - k_down) >> k_subtexel_bits;
     // Two 32-bit numbers, columns and rows less one, negative where there are none.
     const auto extent = static_cast<std::uint64_t>(bits_as<Long2>(high - low)[0]);
-    const std::size_t tall =
-        static_cast<std::int64_t>(extent) >= static_cast<std::int64_t>(k_short_rows) << 32 ? 1 : 0;
-    survivors.facets[tall][survivors.count[tall]] = static_cast<std::uint32_t>(i);
-    survivors.count[tall] += (extent & 0x8000000080000000U) == 0 ? 1 : 0;
+    facets[found] = static_cast<std::uint32_t>(i);
+    extents[found] = static_cast<std::uint32_t>(extent >> 32 | extent << 16);  // either is below 2^14
+    found += (extent & 0x8000000080000000U) == 0 ? 1 : 0;
+  }
+  for (std::size_t& count : survivors.count) count = 0;
+  for (std::size_t i = 0; i < found; ++i) {
+    const std::uint32_t rows = extents[i] & 0xFFFFU, columns = extents[i] >> 16;
+    const std::size_t bin = (rows >= static_cast<std::uint32_t>(k_short_rows) ? 1U : 0U) +
+                            ((rows | columns) >= static_cast<std::uint32_t>(k_tiny_rows) ? 1U : 0U);
+    survivors.facets[bin][survivors.count[bin]++] = facets[i];
   }
 }
 
@@ -122,8 +131,8 @@ inline Double4 to_double(Int4 values) { return __builtin_convertvector(values, D
 inline Long4 widen(Int4 mask) { return __builtin_convertvector(mask, Long4); }
 
 /// What the fragments of one facet share, and what becomes of them.
-struct alignas(16) Job {
-  Int4 key;                      // entries of a cell, but for the height
+struct Job {
+  std::int64_t front, back;      // entries, but for the height
   std::int32_t lowest, highest;  // heights of the facet
   std::uint32_t facet;
   Layer layer;
@@ -151,49 +160,79 @@ struct Setup4 {
   Int4 faces_down;           // mask
 };
 
-/// `corner(lane, k)` is a pointer to corner k of a triangle of either winding.
+/// Corners of four triangles, one a lane.
+struct Corners4 {
+  Int4 x[3], y[3];
+  Float4 z[3];
+};
+
+/// `corner(lane, k)` is a pointer to corner k of a triangle.
+template <typename Corner>
+inline Corners4 load_corners(const Corner& corner) {
+  Corners4 corners;
+  for (int k = 0; k < 3; ++k) {
+    const auto a = load<Int4>(corner(0, k)), b = load<Int4>(corner(1, k)), c = load<Int4>(corner(2, k)),
+               d = load<Int4>(corner(3, k));
+    const Int4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    corners.x[k] = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+    corners.y[k] = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+    const Int4 ab_z = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+               cd_z = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    corners.z[k] = bits_as<Float4>(__builtin_shufflevector(ab_z, cd_z, 0, 1, 4, 5));
+  }
+  return corners;
+}
+
+/// Makes the masked triangles run the other way round.
+inline void reverse(Int4 mask, Corners4& corners) {
+  const Int4 x1 = mask ? corners.x[2] : corners.x[1], y1 = mask ? corners.y[2] : corners.y[1];
+  const Float4 z1 = mask ? corners.z[2] : corners.z[1];
+  corners.x[2] = mask ? corners.x[1] : corners.x[2];
+  corners.y[2] = mask ? corners.y[1] : corners.y[2];
+  corners.z[2] = mask ? corners.z[1] : corners.z[2];
+  corners.x[1] = x1;
+  corners.y[1] = y1;
+  corners.z[1] = z1;
+}
+
+/// First and last texel centres of bounding boxes, within the map.
+struct Box4 {
+  Int4 left, right, bottom, top;
+};
+inline Box4 box_of(const Corners4& corners, int size) {
+  const Int4 *x = corners.x, *y = corners.y;
+  const Int4 zero = {}, last = zero + (size - 1);
+  return {greatest((least(least(x[0], x[1]), x[2]) + (k_half_texel - 1)) >> k_subtexel_bits, zero),
+          least((greatest(greatest(x[0], x[1]), x[2]) - k_half_texel) >> k_subtexel_bits, last),
+          greatest((least(least(y[0], y[1]), y[2]) + (k_half_texel - 1)) >> k_subtexel_bits, zero),
+          least((greatest(greatest(y[0], y[1]), y[2]) - k_half_texel) >> k_subtexel_bits, last)};
+}
+
+/// Edges that leave the texel centres on them to the facet on their other side.
+inline Int4 yields_ties(Int4 dx, Int4 dy) { return (dy < 0) | ((dy == 0) & (dx > 0)); }
+
+/// Sets up triangles of either winding.
 ///
 /// Spans are exact: a column is inside an edge if it is not above a quotient of integers (as a double), which
 /// is moved off the integers by half a step of the numerator; that is more than all roundings together.
 template <typename Corner>
 inline void set_up(const Corner& corner, int size, Setup4& setup) {
-  Int4 x[3], y[3];
-  Float4 z[3];
-  for (int k = 0; k < 3; ++k) {
-    const auto a = load<Int4>(corner(0, k)), b = load<Int4>(corner(1, k)), c = load<Int4>(corner(2, k)),
-               d = load<Int4>(corner(3, k));
-    const Int4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-    x[k] = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
-    y[k] = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
-    const Int4 ab_z = __builtin_shufflevector(a, b, 2, 6, 3, 7),
-               cd_z = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    z[k] = bits_as<Float4>(__builtin_shufflevector(ab_z, cd_z, 0, 1, 4, 5));
-  }
+  Corners4 corners = load_corners(corner);
+  const Int4 *x = corners.x, *y = corners.y;
+  const Float4* z = corners.z;
   // Counter-clockwise.
   const Double4 signed_area =
       to_double(x[1] - x[0]) * to_double(y[2] - y[0]) - to_double(x[2] - x[0]) * to_double(y[1] - y[0]);
   const Int4 down = __builtin_convertvector(signed_area < 0.0, Int4);
-  const Int4 x1 = down ? x[2] : x[1], y1 = down ? y[2] : y[1];
-  const Float4 z1 = down ? z[2] : z[1];
-  x[2] = down ? x[1] : x[2];
-  y[2] = down ? y[1] : y[2];
-  z[2] = down ? z[1] : z[2];
-  x[1] = x1;
-  y[1] = y1;
-  z[1] = z1;
+  reverse(down, corners);
   const Double4 area = signed_area < 0.0 ? -signed_area : signed_area;
 
-  const Int4 zero = {}, last = zero + (size - 1);
-  const Int4 left = greatest((least(least(x[0], x[1]), x[2]) + (k_half_texel - 1)) >> k_subtexel_bits, zero);
-  const Int4 bottom =
-      greatest((least(least(y[0], y[1]), y[2]) + (k_half_texel - 1)) >> k_subtexel_bits, zero);
-  const Int4 right = least((greatest(greatest(x[0], x[1]), x[2]) - k_half_texel) >> k_subtexel_bits, last);
-  const Int4 top = least((greatest(greatest(y[0], y[1]), y[2]) - k_half_texel) >> k_subtexel_bits, last);
+  const auto [left, right, bottom, top] = box_of(corners, size);
   const Int4 has_area = __builtin_convertvector(area > 0.0, Int4);
   setup.x0 = left;
   setup.y0 = bottom;
   setup.width = right - left;
-  setup.rows = (setup.width >= 0) & has_area ? greatest(top - bottom + 1, zero) : zero;
+  setup.rows = (setup.width >= 0) & has_area ? greatest(top - bottom + 1, Int4{}) : Int4{};
   setup.faces_down = down;
 
   const Int4 px = left * k_subtexel + k_half_texel, py = bottom * k_subtexel + k_half_texel;
@@ -201,10 +240,8 @@ inline void set_up(const Corner& corner, int size, Setup4& setup) {
     const int f = e == 2 ? 0 : e + 1;
     const Int4 dx = x[f] - x[e], dy = y[f] - y[e];
     const Double4 across = to_double(dx), along = to_double(dy);
-    // Texel centres on an edge belong to one of the two facets there.
-    const Int4 takes_ties = (dy < 0) | ((dy == 0) & (dx > 0));
     const Double4 value =
-        across * to_double(py - y[e]) - along * to_double(px - x[e]) + (to_double(takes_ties) + 0.5);
+        across * to_double(py - y[e]) - along * to_double(px - x[e]) + (to_double(yields_ties(dx, dy)) + 0.5);
     // A level edge is as good as almost level: it lets in either all columns or none.
     const Double4 rise = along < 0.0 ? -along : along;
     const Double4 inverse = 1.0 / ((rise == 0.0 ? Double4{} + 0x1p-30 : rise) * k_subtexel);
@@ -236,43 +273,80 @@ inline std::uint32_t lanes_set(Int4 mask) {
 #endif
 }
 
-inline bool any_front(Long4 mask) {
+inline std::uint32_t lanes_set(Long4 mask) {
 #if defined(MOLDLIGHT_SCAN_AVX2)
-  return (__builtin_ia32_movmskpd256(bits_as<Double4>(mask)) & 5) != 0;
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(bits_as<Double4>(mask)));
 #else
-  return (mask[0] | mask[2]) != 0;
+  constexpr Long4 k_bits = {1, 2, 4, 8};
+  const Long4 bits = mask & k_bits;
+  return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
 #endif
 }
 
-/// Turns facets into spans and writes them. With k_back_only, front entries and sums are left alone.
-template <bool k_back_only>
+inline std::uint32_t bit_count(std::uint32_t four_bits) {
+#if defined(MOLDLIGHT_SCAN_AVX2)
+  return static_cast<std::uint32_t>(__builtin_popcount(four_bits));
+#else
+  constexpr std::uint64_t k_counts = 0x4332322132212110U;  // four bits each
+  return static_cast<std::uint32_t>(k_counts >> (4 * four_bits)) & 0xFU;
+#endif
+}
+
+/// Which entries of the cells are written; with k_back alone nothing is counted.
+enum Entries { k_front = 1, k_back = 2, k_both = 3 };
+
+/// Turns facets into fragments and writes them.
+template <Entries k_entries>
 struct Filler {
   const RasterTarget& target;
   const float* weights;
   const std::uint32_t* clusters;
   RasterSums* sums;
+  const std::int64_t oldest;  // the last entry of older generations
 
   Job jobs[k_job_batch];
   Span spans[k_span_batch];
   std::size_t span_count = 0;
 
+  /// Facets that fragments in front of theirs have hidden, by layer: put down here, counted later, so that
+  /// nothing waits for a branch that cannot be foreseen.
+  static constexpr std::size_t k_queue_size = 1024;
+  std::uint32_t replaced[2][k_queue_size + 4];
+  std::size_t replaced_count[2] = {};
+
   explicit Filler(const RasterTarget& of_target, const RasterInput& input = {}, RasterSums* of_sums = nullptr)
-      : target(of_target), weights(input.weights), clusters(input.clusters), sums(of_sums) {}
+      : target(of_target),
+        weights(input.weights),
+        clusters(input.clusters),
+        sums(of_sums),
+        oldest((static_cast<std::int64_t>(of_target.generation) << 56) - 1) {}
+  ~Filler() {
+    for (const Layer layer : {k_up_layer, k_down_layer}) count_replaced(layer);
+  }
+  Filler(const Filler&) = delete;
+  Filler& operator=(const Filler&) = delete;
+
+  inline void start_job(Job& job, std::uint32_t facet, Layer layer, float lowest, float highest) const {
+    const std::int64_t front =
+        (target.generation << k_height_bits) | (layer == k_up_layer ? 0 : k_height_limit);
+    const std::int64_t number = ~facet;
+    job.front = front << 32 | number;
+    job.back = (front ^ k_height_limit) << 32 | number;
+    job.lowest = static_cast<std::int32_t>(lowest);
+    job.highest = static_cast<std::int32_t>(highest);
+    job.facet = facet;
+    job.layer = layer;
+    job.fragments = job.lost = 0;
+  }
 
   inline void start_jobs(const Setup4& setup, const std::uint32_t* facets, std::size_t count,
                          std::size_t first_job, const Layer* only_layer) {
     for (std::size_t lane = 0; lane < count; ++lane) {
       const int l = static_cast<int>(lane);
-      Job& job = jobs[first_job + lane];
-      job.layer = only_layer != nullptr ? *only_layer : setup.faces_down[l] != 0 ? k_down_layer : k_up_layer;
-      const std::int32_t front =
-          (target.generation << k_height_bits) | (job.layer == k_up_layer ? 0 : k_height_limit);
-      const auto number = static_cast<std::int32_t>(~facets[lane]);
-      job.key = Int4{number, front, number, front ^ k_height_limit};
-      job.lowest = static_cast<std::int32_t>(setup.lowest[l]);
-      job.highest = static_cast<std::int32_t>(setup.highest[l]);
-      job.facet = facets[lane];
-      job.fragments = job.lost = 0;
+      const Layer layer = only_layer != nullptr      ? *only_layer
+                          : setup.faces_down[l] != 0 ? k_down_layer
+                                                     : k_up_layer;
+      start_job(jobs[first_job + lane], facets[lane], layer, setup.lowest[l], setup.highest[l]);
     }
   }
 
@@ -315,7 +389,7 @@ struct Filler {
   inline void add_short(const Setup4& setup, std::size_t lanes, std::size_t first_job) {
     const Double4 width = to_double(setup.width) + 0.5;
     const Int4 rows = (Int4{0, 1, 2, 3} < static_cast<std::int32_t>(lanes)) ? setup.rows : Int4{};
-    const Int4 origin = setup.y0 * target.size + setup.x0;
+    const Int4 origin = setup.y0 * target.pitch + setup.x0;
     const Float4 steps = __builtin_convertvector(setup.height_x, Float4);
     for (std::int32_t row = 0; row < k_short_rows && lanes_set(rows > row) != 0; ++row) {
       const Double4 at_row = Double4{} + static_cast<double>(row);
@@ -323,7 +397,7 @@ struct Filler {
       const Int4 count = rows > row ? found.count : Int4{};
       const Double4 raw = setup.height + setup.height_x * to_double(found.first) + setup.height_y * at_row;
       const Float4 heights = within(__builtin_convertvector(raw, Float4), setup.lowest, setup.highest);
-      const Int4 cells = origin + row * target.size + found.first;
+      const Int4 cells = origin + row * target.pitch + found.first;
       for (int lane = 0; lane < 4; ++lane) {
         add_span(first_job + static_cast<std::size_t>(lane), cells[lane], count[lane], heights[lane],
                  steps[lane]);
@@ -345,7 +419,7 @@ struct Filler {
     const Double4 height_x = Double4{} + setup.height_x[lane], height_y = Double4{} + setup.height_y[lane];
     const Float4 lowest = Float4{} + setup.lowest[lane], highest = Float4{} + setup.highest[lane];
     const auto height_step = static_cast<float>(setup.height_x[lane]);
-    const std::int32_t rows = setup.rows[lane], origin = setup.y0[lane] * target.size + setup.x0[lane];
+    const std::int32_t rows = setup.rows[lane], origin = setup.y0[lane] * target.pitch + setup.x0[lane];
     for (std::int32_t row = 0; row < rows; row += 4) {
       const Int4 row_numbers = k_rows + row;
       const Double4 at_row = to_double(row_numbers);
@@ -354,7 +428,7 @@ struct Filler {
       if (lanes_set(count > 0) == 0) continue;
       const Double4 raw = setup.height[lane] + height_x * to_double(found.first) + height_y * at_row;
       const Float4 heights = within(__builtin_convertvector(raw, Float4), lowest, highest);
-      const Int4 cells = origin + row_numbers * target.size + found.first;
+      const Int4 cells = origin + row_numbers * target.pitch + found.first;
       for (int r = 0; r < 4; ++r) add_span(job, cells[r], count[r], heights[r], height_step);
       if (span_count + 4 > k_span_batch) flush();
     }
@@ -362,122 +436,228 @@ struct Filler {
 
   void flush() {
     constexpr Float4 k_texel = {0, 1, 2, 3};
-    // Texels inside a span of n: two lanes each from k_inside[8 - 2n] on.
-    alignas(32) static constexpr std::int64_t k_inside[16] = {-1, -1, -1, -1, -1, -1, -1, -1,
-                                                              0,  0,  0,  0,  0,  0,  0,  0};
-    const Long4 oldest = Long4{} + ((static_cast<std::int64_t>(target.generation) << 56) - 1);
+    // Texels inside a span of n: four lanes from k_inside[4 - n] on.
+    alignas(32) static constexpr std::int64_t k_inside[8] = {-1, -1, -1, -1, 0, 0, 0, 0};
     for (std::size_t i = 0; i < span_count; ++i) {
       const Span& span = spans[i];
       Job& job = jobs[span.job];
-      const Int8 key = __builtin_shufflevector(job.key, job.key, 0, 1, 2, 3, 0, 1, 2, 3);
       const Int4 lowest = Int4{} + job.lowest, highest = Int4{} + job.highest;
-      MapCell* cell = target.layer[job.layer] + span.cell;
       Float4 heights = span.height + span.step * k_texel;
-      Long4 lost = {};  // minus their number, in the lanes of front entries
-      for (std::int32_t count = span.count;;) {
+      for (std::int32_t done = 0; done < span.count; done += 4, heights += 4.0F * span.step) {
         const Int4 h = least(greatest(__builtin_convertvector(heights, Int4), lowest), highest);
-        const std::int64_t* inside = k_inside + (count < 4 ? 8 - 2 * count : 0);
-        write_pair(cell, __builtin_shufflevector(h, h, 0, 0, 0, 0, 1, 1, 1, 1), key, load<Long4>(inside),
-                   oldest, job, lost);
-        if (count <= 2) break;
-        write_pair(cell + 2, __builtin_shufflevector(h, h, 2, 2, 2, 2, 3, 3, 3, 3), key,
-                   load<Long4>(inside + 4), oldest, job, lost);
-        if (count <= 4) break;
-        count -= 4;
-        cell += 4;
-        heights += 4.0F * span.step;
+        const std::int32_t left = span.count - done;
+        write_four(span.cell + done, __builtin_convertvector(h, Long4) << 32,
+                   load<Long4>(k_inside + 4 - (left < 4 ? left : 4)), job);
       }
-      if constexpr (!k_back_only) {
-        job.fragments += static_cast<std::uint32_t>(span.count);
-        job.lost -= static_cast<std::uint32_t>(lost[0] + lost[2]);
-      }
+      job.fragments += static_cast<std::uint32_t>(span.count);
     }
     span_count = 0;
   }
 
-  inline void write_pair(MapCell* pair, Int8 heights, Int8 key, Long4 inside, Long4 oldest, const Job& job,
-                         Long4& lost) {
-    constexpr Int8 k_depths = {0, -1, 0, -1, 0, -1, 0, -1};
-    constexpr Long4 k_back = {0, -1, 0, -1};
-    if constexpr (k_back_only) inside &= k_back;
-    const auto fresh = bits_as<Long4>((heights & k_depths) ^ key);
-    const auto old = load<Long4>(pair);
-    const Long4 wins = (fresh > old) & inside;
-    store(pair, wins ? fresh : old);
-    if constexpr (!k_back_only) {
+  inline void write_four(std::int32_t cell, Long4 depths, Long4 inside, Job& job) {
+    if constexpr ((k_entries & k_front) != 0) {
+      std::int64_t* front = target.front[job.layer] + cell;
+      const Long4 fresh = depths ^ job.front;
+      const auto old = load<Long4>(front);
+      const Long4 wins = (fresh > old) & inside;
+      store(front, wins ? fresh : old);
       const Long4 taken = (old > oldest) & inside;  // by a fragment of the present generation
-      const Long4 replaced = taken & wins;
-      lost += taken ^ replaced;
-      if (any_front(replaced)) {
-        if (replaced[0] != 0) hide(facet_of(old[0]), job.layer);
-        if (replaced[2] != 0) hide(facet_of(old[2]), job.layer);
-      }
+      const std::uint32_t hides = lanes_set(taken & wins);
+      job.lost += bit_count(lanes_set(taken & ~wins));
+      queue_replaced(old, hides, job.layer);
+    }
+    if constexpr ((k_entries & k_back) != 0) {
+      std::int64_t* back = target.back[job.layer] + cell;
+      const Long4 fresh = depths ^ job.back;
+      const auto old = load<Long4>(back);
+      store(back, (fresh > old) & inside ? fresh : old);
     }
   }
 
-  inline void hide(std::uint32_t facet, Layer layer) {
-    ++sums->hidden[layer];
-    sums->clusters[2 * clusters[facet] + layer].hidden_weight += static_cast<double>(weights[facet]);
+  /// Returns true if the fragment is lost.
+  inline bool write_one(std::int32_t cell, std::int32_t height, const Job& job) {
+    const std::int64_t depth = static_cast<std::int64_t>(height) << 32;
+    bool lost = false;
+    if constexpr ((k_entries & k_front) != 0) {
+      std::int64_t& front = target.front[job.layer][cell];
+      const std::int64_t fresh = depth ^ job.front, old = front;
+      const bool wins = fresh > old, taken = old > oldest;
+      front = wins ? fresh : old;
+      lost = taken & !wins;
+      std::size_t& count = replaced_count[job.layer];
+      replaced[job.layer][count] = facet_of(old);
+      count += taken & wins ? 1 : 0;
+      if (count >= k_queue_size) count_replaced(job.layer);
+    }
+    if constexpr ((k_entries & k_back) != 0) {
+      std::int64_t& back = target.back[job.layer][cell];
+      const std::int64_t fresh = depth ^ job.back;
+      back = fresh > back ? fresh : back;
+    }
+    return lost;
   }
 
-  inline void finish_jobs(std::size_t count) {
-    flush();
-    if constexpr (!k_back_only) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const Job& job = jobs[i];
-        if (job.fragments == 0) continue;
-        sums->fragments[job.layer] += job.fragments;
-        sums->hidden[job.layer] += job.lost;
-        const double weight = static_cast<double>(weights[job.facet]);
-        if (weight <= 0.0) continue;
-        ClusterSums& cluster = sums->clusters[2 * clusters[job.facet] + job.layer];
-        cluster.fragments += job.fragments;
-        cluster.weight += weight * static_cast<double>(job.fragments);
-        cluster.hidden_weight += weight * static_cast<double>(job.lost);
+  inline void queue_replaced(Long4 entries, std::uint32_t which, Layer layer) {
+    std::size_t& count = replaced_count[layer];
+    std::uint32_t* end = replaced[layer] + count;
+#if defined(MOLDLIGHT_SCAN_AVX2)
+    // The low halves of the entries whose bits are set come first.
+    alignas(32) static constexpr std::int32_t k_places[16][8] = {
+        {0, 0, 0, 0}, {0, 0, 0, 0}, {2, 0, 0, 0}, {0, 2, 0, 0}, {4, 0, 0, 0}, {0, 4, 0, 0},
+        {2, 4, 0, 0}, {0, 2, 4, 0}, {6, 0, 0, 0}, {0, 6, 0, 0}, {2, 6, 0, 0}, {0, 2, 6, 0},
+        {4, 6, 0, 0}, {0, 4, 6, 0}, {2, 4, 6, 0}, {0, 2, 4, 6}};
+    const auto packed =
+        bits_as<Int8>(__builtin_ia32_permvarsi256(bits_as<Int8>(entries), load<Int8>(k_places[which])));
+    store(end, ~load<Int4>(&packed));
+#else
+    for (std::uint32_t lane = 0, at = 0; lane < 4; at += which >> lane & 1U, ++lane)
+      end[at] = facet_of(entries[static_cast<int>(lane)]);
+#endif
+    count += bit_count(which);
+    if (count >= k_queue_size) count_replaced(layer);
+  }
+
+  void count_replaced(Layer layer) {
+    if constexpr ((k_entries & k_front) != 0) {
+      sums->hidden[layer] += replaced_count[layer];
+      for (std::size_t i = 0; i < replaced_count[layer]; ++i) {
+        const std::uint32_t facet = replaced[layer][i];
+        sums->clusters[2 * clusters[facet] + layer].hidden_weight += static_cast<double>(weights[facet]);
       }
+    }
+    replaced_count[layer] = 0;
+  }
+
+  inline void finish_job(const Job& job) {
+    if (job.fragments == 0) return;
+    sums->fragments[job.layer] += job.fragments;
+    sums->hidden[job.layer] += job.lost;
+    const double weight = static_cast<double>(weights[job.facet]);
+    if (weight <= 0.0) return;
+    ClusterSums& cluster = sums->clusters[2 * clusters[job.facet] + job.layer];
+    cluster.fragments += job.fragments;
+    cluster.weight += weight * static_cast<double>(job.fragments);
+    cluster.hidden_weight += weight * static_cast<double>(job.lost);
+  }
+
+  void finish_jobs(std::size_t count) {
+    flush();
+    if constexpr ((k_entries & k_front) != 0) {
+      for (std::size_t i = 0; i < count; ++i) finish_job(jobs[i]);
+    }
+  }
+
+  /// Four triangles of at most two by two texel centres, each centre tested by itself.
+  template <typename Corner>
+  inline void add_tiny(const Corner& corner, const std::uint32_t* facets, std::size_t lanes) {
+    Corners4 corners = load_corners(corner);
+    const Int4 *x = corners.x, *y = corners.y;
+    const Float4* z = corners.z;
+    const Int4 signed_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    const Int4 down = signed_area < 0;
+    reverse(down, corners);
+    const Int4 area = down ? -signed_area : signed_area;
+    const Box4 box = box_of(corners, target.size);
+    const Int4 px = box.left * k_subtexel + k_half_texel, py = box.bottom * k_subtexel + k_half_texel;
+    // Edge functions at the first centre, less one where ties are the neighbour's, and their steps.
+    Int4 value[3], dx[3], dy[3];
+    for (int e = 0; e < 3; ++e) {
+      const int f = e == 2 ? 0 : e + 1;
+      dx[e] = x[f] - x[e];
+      dy[e] = y[f] - y[e];
+      value[e] = dx[e] * (py - y[e]) - dy[e] * (px - x[e]);
+    }
+    const Int4 exists = (Int4{0, 1, 2, 3} < static_cast<std::int32_t>(lanes)) & (area > 0);
+    const Float4 inverse = 1.0F / __builtin_convertvector(area, Float4);
+    const Float4 rise1 = (z[1] - z[0]) * inverse, rise2 = (z[2] - z[0]) * inverse;
+    const Float4 low01 = z[0] < z[1] ? z[0] : z[1], high01 = z[0] < z[1] ? z[1] : z[0];
+    const Float4 lowest = low01 < z[2] ? low01 : z[2], highest = high01 < z[2] ? z[2] : high01;
+    std::uint32_t covered[4];
+    Float4 heights[4];
+    Int4 fragments = {};
+    for (int k = 0; k < 4; ++k) {
+      const std::int32_t column = k & 1, row = k >> 1;
+      Int4 inside = exists & (box.left + column <= box.right) & (box.bottom + row <= box.top);
+      Int4 at[3];
+      for (int e = 0; e < 3; ++e) {
+        at[e] = value[e] + (row * dx[e] - column * dy[e]) * k_subtexel;
+        inside &= at[e] + yields_ties(dx[e], dy[e]) >= 0;
+      }
+      covered[k] = lanes_set(inside);
+      fragments -= inside;
+      heights[k] = z[0] + rise1 * __builtin_convertvector(at[2], Float4) +
+                   rise2 * __builtin_convertvector(at[0], Float4);
+    }
+    const Int4 cells = box.bottom * target.pitch + box.left;
+    for (std::uint32_t any = covered[0] | covered[1] | covered[2] | covered[3]; any != 0; any &= any - 1) {
+      const int lane = __builtin_ctz(any);
+      Job job;
+      start_job(job, facets[lane], down[lane] != 0 ? k_down_layer : k_up_layer, lowest[lane], highest[lane]);
+      for (int k = 0; k < 4; ++k) {
+        if ((covered[k] >> lane & 1U) == 0) continue;
+        const auto height = static_cast<std::int32_t>(heights[k][lane]);
+        const std::int32_t least_height = height < job.lowest ? job.lowest : height;
+        const std::int32_t within = least_height > job.highest ? job.highest : least_height;
+        job.lost += write_one(cells[lane] + (k >> 1) * target.pitch + (k & 1), within, job) ? 1 : 0;
+      }
+      job.fragments = static_cast<std::uint32_t>(fragments[lane]);
+      finish_job(job);
     }
   }
 };
 
-void rasterize(const RasterInput& input, const RasterTarget& target, RasterSums& sums) {
+template <Entries k_entries>
+inline void rasterize_entries(const RasterInput& input, const RasterTarget& target, RasterSums& sums) {
   Survivors survivors;
-  Filler<false> filler(target, input, &sums);
+  Filler<k_entries> filler(target, input, &sums);
   for (std::size_t begin = 0; begin < input.facet_count; begin += k_cull_batch) {
     cull(input, begin, begin + k_cull_batch < input.facet_count ? begin + k_cull_batch : input.facet_count,
          survivors);
-    for (int tall = 0; tall < 2; ++tall) {
-      const std::uint32_t* facets = survivors.facets[tall];
-      const std::size_t count = survivors.count[tall];
+    for (int bin = 0; bin < k_bins; ++bin) {
+      const std::uint32_t* facets = survivors.facets[bin];
+      const std::size_t count = survivors.count[bin];
       std::size_t job = 0;
-      for (std::size_t i = 0; i < count; i += 4, job += 4) {
+      for (std::size_t i = 0; i < count; i += 4) {
+        const std::size_t lanes = count - i < 4 ? count - i : 4;
+        const auto corner = [&](std::size_t lane, int k) {
+          return input.vertices +
+                 input.facets[facets[lane < lanes ? i + lane : i]][static_cast<std::size_t>(k)];
+        };
+        if (bin == k_tiny) {
+          filler.add_tiny(corner, facets + i, lanes);
+          continue;
+        }
         if (job == k_job_batch) {
           filler.finish_jobs(job);
           job = 0;
         }
-        const std::size_t lanes = count - i < 4 ? count - i : 4;
         Setup4 setup;
-        set_up(
-            [&](std::size_t lane, int k) {
-              return input.vertices +
-                     input.facets[facets[lane < lanes ? i + lane : i]][static_cast<std::size_t>(k)];
-            },
-            target.size, setup);
+        set_up(corner, target.size, setup);
         filler.start_jobs(setup, facets + i, lanes, job, nullptr);
-        if (tall == 0) {
+        if (bin == k_short) {
           filler.add_short(setup, lanes, job);
         } else {
           for (std::size_t lane = 0; lane < lanes; ++lane)
             filler.add_tall(setup, static_cast<int>(lane), job + lane);
         }
+        job += lanes;
       }
-      filler.finish_jobs(count == 0 ? 0 : job - 4 + (count - 1) % 4 + 1);
+      filler.finish_jobs(job);
     }
+  }
+}
+
+void rasterize(const RasterInput& input, const RasterTarget& target, RasterSums& sums) {
+  if (input.front_only) {
+    rasterize_entries<k_front>(input, target, sums);
+  } else {
+    rasterize_entries<k_both>(input, target, sums);
   }
 }
 
 void rasterize_back(const MapVertex* corners, const std::uint32_t* facets, std::size_t count, Layer layer,
                     const RasterTarget& target) {
-  Filler<true> filler(target);
+  Filler<k_back> filler(target);
   for (std::size_t i = 0; i < count; i += 4) {
     const std::size_t lanes = count - i < 4 ? count - i : 4;
     Setup4 setup;

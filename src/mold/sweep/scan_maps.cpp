@@ -29,18 +29,24 @@ scan::Projection projection_of(const MapFrame& frame, int resolution) {
 
 ScanMaps::ScanMaps(int resolution, const scan::Kernel& kernel) : resolution_(resolution), kernel_(&kernel) {
   CHECK(resolution >= 16 && resolution <= 8192);
-  const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
+  const int pitch = scan::map_pitch(resolution);
+  const std::size_t entries =
+      static_cast<std::size_t>(resolution) * static_cast<std::size_t>(pitch) + scan::k_entry_padding;
   for (int layer = 0; layer < 2; ++layer) {
-    cells_[layer].resize(texels + scan::k_cell_padding);
-    target_.layer[layer] = cells_[layer].data();
+    for (auto* side : {&front_[layer], &back_[layer]}) side->resize(entries);
+    target_.front[layer] = front_[layer].data();
+    target_.back[layer] = back_[layer].data();
   }
   target_.size = resolution;
+  target_.pitch = pitch;
   target_.generation = 0;
 }
 
 void ScanMaps::draw(const ScanPart& part, const MapFrame& frame, const ScanSettings& settings) {
   if (target_.generation == scan::k_last_generation) {
-    for (auto& layer : cells_) std::fill(layer.begin(), layer.end(), scan::MapCell{});
+    for (auto* maps : {front_, back_}) {
+      for (int layer = 0; layer < 2; ++layer) std::fill(maps[layer].begin(), maps[layer].end(), 0);
+    }
     target_.generation = 0;
   }
   ++target_.generation;
@@ -51,13 +57,16 @@ void ScanMaps::draw(const ScanPart& part, const MapFrame& frame, const ScanSetti
   vertices_.resize(part.positions().size());
   kernel_->transform(&part.positions().data()->x, part.positions().size(), projection_, vertices_.data());
   classify(part, settings.tau_deg);
+  const double total_area = class_area_[0] + class_area_[1] + class_area_[2];
+  has_second_depth_ = class_area(FacetClass::near_vertical) >= settings.second_depth_from * total_area;
   kernel_->rasterize({.vertices = vertices_.data(),
                       .facets = part.facets().data(),
                       .facet_count = part.facets().size(),
                       .weights = weights_.data(),
-                      .clusters = part.cluster_of_facet().data()},
+                      .clusters = part.cluster_of_facet().data(),
+                      .front_only = !has_second_depth_},
                      target_, sums_);
-  draw_concave_edges(part, 0.5 * settings.edge_thickness / resolution_);
+  if (has_second_depth_) draw_concave_edges(part, 0.5 * settings.edge_thickness / resolution_);
 }
 
 void ScanMaps::classify(const ScanPart& part, double tau_deg) {

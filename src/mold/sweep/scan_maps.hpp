@@ -18,6 +18,9 @@ namespace moldlight {
 struct ScanSettings {
   double tau_deg = 1.0;
   double edge_thickness = 2.0;  // width of the thick concave contour edges in texels
+  /// The second-depth maps are left out where less than this share of the part's area is near-vertical: what
+  /// is in front is enough for the rest, and takes half the memory.
+  double second_depth_from = 0.0;
 };
 
 /// One thread's maps; drawing allocates nothing once the part is known.
@@ -31,19 +34,22 @@ class ScanMaps {
   /// Facet + 1 of the +d map (facets that face -d, furthest along +d) or of the -d map; 0 where there is
   /// none.
   [[nodiscard]] std::uint32_t entry(bool plus, int x, int y) const {
-    const std::int64_t back = cell(plus ? scan::k_down_layer : scan::k_up_layer, x, y).back;
-    return is_present(back) ? scan::facet_of(back) + 1 : 0;
+    const std::int64_t last = back(plus ? scan::k_down_layer : scan::k_up_layer, x, y);
+    return is_present(last) ? scan::facet_of(last) + 1 : 0;
   }
 
-  /// What a texel holds of a layer.
-  [[nodiscard]] const scan::MapCell& cell(scan::Layer layer, int x, int y) const {
-    return target_.layer[layer][static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution_) +
-                                static_cast<std::size_t>(x)];
+  /// The facet of a layer that lies last as seen from the side that it faces.
+  [[nodiscard]] std::int64_t back(scan::Layer layer, int x, int y) const {
+    return target_.back[layer][static_cast<std::size_t>(y) * static_cast<std::size_t>(target_.pitch) +
+                               static_cast<std::size_t>(x)];
   }
-  /// False for an entry of a cell where no facet is.
+  /// False for an entry where no facet is.
   [[nodiscard]] bool is_present(std::int64_t entry) const {
     return scan::generation_of(entry) == target_.generation;
   }
+
+  /// False where the last drawing left the second-depth maps out; their entries mean nothing then.
+  [[nodiscard]] bool has_second_depth() const { return has_second_depth_; }
 
   [[nodiscard]] int resolution() const { return resolution_; }
   [[nodiscard]] const MapFrame& frame() const { return frame_; }
@@ -73,7 +79,7 @@ class ScanMaps {
 
   int resolution_;
   const scan::Kernel* kernel_;
-  std::vector<scan::MapCell> cells_[2];
+  std::vector<std::int64_t> front_[2], back_[2];  // by layer
   scan::RasterTarget target_;
   scan::RasterSums sums_;
   std::vector<scan::ClusterSums> cluster_sums_;
@@ -88,6 +94,7 @@ class ScanMaps {
     std::vector<FacetIndex> facets;
   };
   Strips strips_[2];  // by layer
+  bool has_second_depth_ = false;
   std::size_t near_vertical_count_ = 0;
   double class_area_[3] = {}, projected_area_ = 0.0, projected_near_vertical_area_ = 0.0;
 };

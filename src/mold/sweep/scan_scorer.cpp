@@ -18,6 +18,9 @@ namespace {
 /// Clusters with fewer texels, or walls with fewer samples, are pooled with others of their kind.
 constexpr std::uint64_t k_least_fragments = 8;
 constexpr double k_least_wall_samples = 4.0;
+/// Less near-vertical surface than this share of the part is measured by rays alone: they take less time than
+/// the second-depth maps then.
+constexpr double k_second_depth_from = 0.12;
 /// Rays cost more than look-ups.
 constexpr double k_samples_of_thin_clusters = 0.5;  // of those of walls
 /// Even samples beat independent ones: the variance of a share r seen by n of them falls as n^-1.5. The
@@ -61,7 +64,9 @@ ScanScorer::ScanScorer(const ScanScorerPart& part, const ScanScorerSettings& set
       square_(part.part.frame().diagonal * part.part.frame().diagonal) {}
 
 DirectionScore ScanScorer::score(const glm::dvec3& direction) {
-  maps_.draw(part_.part, map_frame(direction), {.tau_deg = settings_.tau_deg});
+  maps_.draw(part_.part, map_frame(direction),
+             {.tau_deg = settings_.tau_deg,
+              .second_depth_from = settings_.settle_by_rays ? k_second_depth_from : 0.0});
   find_cluster_areas();
   Estimate estimate;
   add_clusters(estimate);
@@ -172,7 +177,7 @@ void ScanScorer::sample_walls(double area) {
     walls_[cluster].area += static_cast<double>(part.areas()[facet]);
     const WallLookup::Wall wall = lookup.wall(facet);
     samples.on_facet(facet, [&](const glm::vec3& position) {
-      verdicts_.push_back(lookup.ask(wall, position));
+      verdicts_.push_back(maps_.has_second_depth() ? lookup.ask(wall, position) : verdict::k_doubtful);
       sample_clusters_.push_back(cluster);
       if (verdicts_.back() != verdict::k_doubtful) return;
       doubtful_.push_back(static_cast<std::uint32_t>(verdicts_.size() - 1));

@@ -49,8 +49,7 @@ bool WallLookup::outside_of(FacetIndex facet, const glm::vec3& point) const {
 }
 
 WallLookup::Column WallLookup::column(int x, int y, const glm::vec3& point, float height) const {
-  const std::int64_t plus = maps_.cell(scan::k_down_layer, x, y).back,
-                     minus = maps_.cell(scan::k_up_layer, x, y).back;
+  const std::int64_t plus = maps_.back(scan::k_down_layer, x, y), minus = maps_.back(scan::k_up_layer, x, y);
   const bool has_plus = maps_.is_present(plus), has_minus = maps_.is_present(minus);
   Column column;
   if (has_plus) {

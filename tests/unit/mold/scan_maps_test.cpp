@@ -68,6 +68,24 @@ TEST(ScanMapsAlone, BothKernelsGiveTheSameBits) {
   }
 }
 
+TEST(ScanMapsAlone, FrontsAloneGiveTheSameSums) {
+  for (const std::size_t facets : {500U, 30'000U}) {
+    const Prepared prepared(test::subdivided(test::snap_hook({}).mesh, facets));
+    ScanMaps whole(300), portable_fronts(300, scan::k_portable_kernel), fronts(300);
+    for (const glm::dvec3& direction : directions()) {
+      constexpr double k_never = 2.0;
+      whole.draw(prepared.part, map_frame(direction), {});
+      EXPECT_TRUE(whole.has_second_depth());
+      for (ScanMaps* maps : {&fronts, &portable_fronts}) {
+        maps->draw(prepared.part, map_frame(direction), {.second_depth_from = k_never});
+        EXPECT_FALSE(maps->has_second_depth());
+        EXPECT_TRUE(same_sums(whole, *maps, prepared.part.clusters().size()));
+        EXPECT_EQ(whole.shadow_area(), maps->shadow_area());
+      }
+    }
+  }
+}
+
 TEST(ScanMapsAlone, DoNotDependOnWhatWasDrawnBefore) {
   const Prepared prepared(test::subdivided(test::snap_hook({}).mesh, 3000));
   ScanMaps used(128), fresh(128);
