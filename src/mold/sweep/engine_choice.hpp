@@ -26,7 +26,7 @@ struct ScoringPlan {
 [[nodiscard]] double ray_error(double samples);
 
 /// The method that takes less time for this error. The rule, with figures from parts of 5,000 to 500,000
-/// facets in tests/bench/speed.cpp: a map costs by the facet and by the texel, a ray hardly by the facet;
+/// facets in tests/bench/speed: a map costs by the facet and by the texel, a ray hardly by the facet;
 /// maps err as resolution^-1.25 and rays as samples^-0.75. So rays win for a coarse look at large parts
 /// alone. `closed`: the part is; otherwise only rays know what hides what.
 [[nodiscard]] ScoringPlan choose_engine(std::size_t facets, double wanted_error, bool closed);

@@ -1,0 +1,132 @@
+#include "bench/speed/process_rows.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "bench/speed/contest.hpp"
+#include "session/part_model.hpp"
+#include "support/process.hpp"
+
+namespace moldlight::bench {
+
+namespace {
+
+constexpr double k_gib = 1024.0 * 1024.0 * 1024.0;
+constexpr double k_time_limit_s = 300.0;
+
+/// The most memory that was resident at once, of this process alone.
+double peak_gib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / k_gib;
+  }
+  return 0.0;
+}
+
+test::ProcessResult run_and_check(const std::vector<std::string>& arguments) {
+  test::ProcessSettings settings;
+  settings.time_limit_s = k_time_limit_s;
+  test::ProcessResult result = test::Process(arguments, settings).finish();
+  if (result.exit_code != 0) throw Error(arguments[0] + " " + arguments[1] + " failed: " + result.err);
+  return result;
+}
+
+std::string program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+/// Reads a file once and forgets it: no reader can be faster.
+void stream_file(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw Error(path + " cannot be opened");
+  std::vector<char> bytes(std::size_t{1} << 20);
+  while (::read(file, bytes.data(), bytes.size()) > 0) {
+  }
+  ::close(file);
+}
+
+}  // namespace
+
+void load_and_report(const std::string& path) {
+  const auto start = std::chrono::steady_clock::now();
+  Part part = read_part(path, {}, {});
+  const double read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto model = prepare_part(std::move(part), {});
+  const double all_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu %.4f %.4f %.4f\n", model->part.mesh.facets.size(), read_s, all_s, peak_gib());
+}
+
+std::vector<LoadFigures> print_load_rows(const std::vector<PartFile>& parts, const BenchSettings& settings) {
+  std::printf("\nload  binary STL, or as named: read and weld; then adjacency, health, ray tree\n");
+  std::printf("  %-26s %9s %9s %9s %9s %9s %14s\n", "part", "facets", "read s", "rest s", "all s", "peak GiB",
+              "x file read");
+  std::vector<LoadFigures> all;
+  for (const PartFile& part : parts) {
+    LoadFigures figures;
+    std::vector<double> reads, wholes, ratios;
+    for (int round = 0; round < (settings.quick ? 1 : 3); ++round) {
+      const auto start = std::chrono::steady_clock::now();
+      stream_file(part.path);
+      const double streamed_s =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      std::istringstream words(run_and_check({program(), k_load_argument, part.path}).out);
+      double read_s = 0.0, all_s = 0.0, peak = 0.0;
+      if (!(words >> figures.facets >> read_s >> all_s >> peak)) throw Error("no figures of loading");
+      reads.push_back(read_s);
+      wholes.push_back(all_s);
+      ratios.push_back(all_s / streamed_s);
+      figures.peak_gib = std::max(figures.peak_gib, peak);
+    }
+    figures.seconds = median(wholes);
+    std::printf("  %-26s %9zu %9.3f %9.3f %9.3f %9.3f %14.1f\n", part.name.c_str(), figures.facets,
+                median(reads), figures.seconds - median(reads), figures.seconds, figures.peak_gib,
+                median(ratios));
+    std::fflush(stdout);
+    all.push_back(figures);
+  }
+  return all;
+}
+
+void print_classify_rows(const std::vector<PartFile>& parts, const BenchSettings& settings) {
+  std::printf("\nclassify  moldlight classify, default settings, one direction\n");
+  std::printf("  %-26s %9s %9s %9s %9s %9s\n", "part", "load s", "maps s", "measure s", "all s", "peak GiB");
+  for (const PartFile& part : parts) {
+    std::vector<std::string> arguments = {MOLDLIGHT_BINARY, "classify", part.path, "--direction",
+                                          "0,0,1",          "--json",   "-"};
+    if (settings.quick) arguments.insert(arguments.end(), {"--resolution", "256", "--samples", "20000"});
+    const test::ProcessResult run = run_and_check(arguments);
+    const auto timings = nlohmann::json::parse(run.out)["timings_ms"];
+    const auto seconds = [&](const char* key) { return timings[key].get<double>() / 1000.0; };
+    std::printf("  %-26s %9.3f %9.3f %9.3f %9.3f %9.3f\n", part.name.c_str(), seconds("load"),
+                seconds("maps"), seconds("measure"), run.seconds,
+                static_cast<double>(run.peak_memory) / k_gib);
+    std::fflush(stdout);
+  }
+}
+
+void print_whole_sweep_row(const PartFile& part) {
+  const test::ProcessResult run = run_and_check({MOLDLIGHT_BINARY, "sweep", part.path});
+  std::printf(
+      "\nwhole sweep  moldlight sweep %s, default settings, final figures included: %.2f s, peak %.3f GiB\n",
+      part.name.c_str(), run.seconds, static_cast<double>(run.peak_memory) / k_gib);
+  std::fflush(stdout);
+}
+
+bool print_view_rows(const std::vector<PartFile>& parts) {
+  const std::filesystem::path frames = std::filesystem::path(program()).parent_path() / "bench_view_frames";
+  if (!std::filesystem::exists(frames)) return false;
+  std::vector<std::string> arguments = {frames.string()};
+  for (const PartFile& part : parts) arguments.push_back(part.path);
+  std::printf("\nlive view  against (c), plain shading\n%s", run_and_check(arguments).out.c_str());
+  std::fflush(stdout);
+  return true;
+}
+
+}  // namespace moldlight::bench
