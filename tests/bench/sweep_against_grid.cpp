@@ -1,11 +1,12 @@
-// The default sweep's best direction against the best of 20,000 evenly spread ones scored by exact rays: a row
-// a part. Parts are the arguments, or those found. Ends with 1 if the grid has a better direction anywhere.
+// The default sweep's best direction against the best of 20,000 evenly spread ones scored by exact rays: a
+// row a part. Parts are the arguments, or those found. Ends with 1 if the grid has a better direction
+// anywhere.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
-#include "io/part_reader.hpp"
+#include "mold/candidates/candidate.hpp"
 #include "session/headless.hpp"
 #include "session/sweep/sweep.hpp"
 #include "support/grid_search.hpp"
@@ -21,8 +22,8 @@ std::vector<std::string> usual_parts() {
   if (const auto shared = test::shared_folder()) {
     for (const char* name : {"lego_brick_2x4.stl", "m5_stackchan_basecover_tilted.stl", "so101_trigger.stl",
                              "numpystl_rear_case.stl", "so101_base.stl", "odri_pulley_t30_output.stl",
-                             "screwcap_medical_bottle.stl", "trimesh_quadknot.obj", "framework_expansion_card.stl",
-                             "trimesh_featuretype.ply"}) {
+                             "screwcap_medical_bottle.stl", "trimesh_quadknot.obj",
+                             "framework_expansion_card.stl", "trimesh_featuretype.ply"}) {
       parts.push_back((*shared / "parts" / name).string());
     }
   }
@@ -44,9 +45,10 @@ bool compare(const gl::Context& context, const std::string& file) {
   const double found = best.areas[Region::undercut], share = 100.0 / model->geometry.total_area;
   const double slack = best.uncertainty.total + grid.uncertainty;
   const bool holds = found <= grid.undercut + slack;
-  std::printf("%-36s %10.4f %% %10.4f %% %+10.4f %% ± %.4f %%  %s\n",
+  std::printf("%-36s %10.4f %% %10.4f %% %+10.4f %% ± %.4f %% %7.2f°  %s\n",
               model->part.file.substr(model->part.file.find_last_of('/') + 1).c_str(), share * grid.undercut,
-              share * found, share * (found - grid.undercut), share * slack, holds ? "" : "MISSED");
+              share * found, share * (found - grid.undercut), share * slack,
+              line_angle_deg(best.direction, grid.direction), holds ? "" : "MISSED");
   if (!holds) {
     std::printf("    grid (%.5f, %.5f, %.5f), sweep (%.5f, %.5f, %.5f)\n", grid.direction.x, grid.direction.y,
                 grid.direction.z, best.direction.x, best.direction.y, best.direction.z);
@@ -63,7 +65,8 @@ int main(int argc, char** argv) {
   const auto context = create_context(Backend::automatic);
   const std::vector<std::string> parts =
       argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : usual_parts();
-  std::printf("undercut, share of the surface\n%-36s %12s %12s %12s\n", "part", "best of grid", "sweep", "difference");
+  std::printf("undercut, share of the surface\n%-36s %12s %12s %12s %21s\n", "part", "best of grid", "sweep",
+              "difference", "apart");
   bool all = true;
   for (const std::string& part : parts) all = compare(*context, part) && all;
   return all ? EXIT_SUCCESS : EXIT_FAILURE;

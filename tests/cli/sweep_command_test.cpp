@@ -114,18 +114,13 @@ TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
   EXPECT_FALSE(json["settings"].contains("jobs")) << "the report does not depend on it";
 }
 
-TEST(SweepCommand, FinalFiguresAreThoseOfClassifyToTheLastDigit) {
-  const SmallPart part;
-  // A direction that no rounding suits.
-  const Json json =
-      sweep_of(part.sweep({"--json", "-", "--direction", "0.3,-0.7,0.11", "--tolerance", "0.02"}));
-  for (const Json& candidate : json["candidates"]) {
+/// The figures of a sweep's candidates against classify, called with `classify` and its direction changed.
+void expect_figures_of_classify(const Json& sweep, const Names& classify) {
+  for (const Json& candidate : sweep["candidates"]) {
     std::string direction;
     for (const Json& component : candidate["direction"])
       direction += (direction.empty() ? "" : ",") + component.dump();
-    auto arguments = part.classify({"--json", "-", "--tolerance", "0.02"});
-    arguments[3] = direction;
-    const Json classified = json_of(run_moldlight(arguments).out);
+    const Json classified = json_of(run_moldlight(with(classify, "--direction", direction)).out);
     EXPECT_EQ(candidate["direction"].dump(), classified["direction"].dump());
     EXPECT_EQ(candidate["areas"].dump(), classified["areas"].dump()) << direction;
     EXPECT_EQ(candidate["fractions"].dump(), classified["fractions"].dump()) << direction;
@@ -136,6 +131,15 @@ TEST(SweepCommand, FinalFiguresAreThoseOfClassifyToTheLastDigit) {
   }
 }
 
+TEST(SweepCommand, FinalFiguresAreThoseOfClassifyToTheLastDigit) {
+  const SmallPart part;
+  // A direction that no rounding suits.
+  const Json json =
+      sweep_of(part.sweep({"--json", "-", "--direction", "0.3,-0.7,0.11", "--tolerance", "0.02"}));
+  ASSERT_GE(json["candidates"].size(), 2u);
+  expect_figures_of_classify(json, part.classify({"--json", "-", "--tolerance", "0.02"}));
+}
+
 TEST(SweepCommand, IsTheSameWhateverTheJobs) {
   const SmallPart part;
   const std::string one = part.output("one.csv"), two = part.output("two.csv");
@@ -144,6 +148,23 @@ TEST(SweepCommand, IsTheSameWhateverTheJobs) {
   EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
   EXPECT_FALSE(file_bytes(one).empty());
   EXPECT_EQ(file_bytes(one), file_bytes(two));
+}
+
+TEST(SweepCommand, ARealPartIsSweptAsItIsClassifiedWhateverTheJobs) {
+  const SmallPart part;
+  const std::string file = (test::asset_folder() / "parts" / "cable_clip.stl").string();
+  const std::string one = part.output("one.csv"), three = part.output("three.csv");
+  Names arguments = with(with(part.sweep({"--json", "-"}), "--directions", "150"), "--top", "2");
+  arguments[1] = file;
+  const Json first = sweep_of(with(with(arguments, "--jobs", "1"), "--csv", one));
+  const Json second = sweep_of(with(with(arguments, "--jobs", "3"), "--csv", three));
+  EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
+  EXPECT_FALSE(file_bytes(one).empty());
+  EXPECT_EQ(file_bytes(one), file_bytes(three));
+  ASSERT_EQ(first["candidates"].size(), 2u);
+  Names classify = part.classify({"--json", "-"});
+  classify[1] = file;
+  expect_figures_of_classify(first, classify);
 }
 
 TEST(SweepCommand, CsvHoldsEveryEvaluatedDirection) {

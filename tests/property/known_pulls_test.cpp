@@ -1,4 +1,5 @@
-// Real parts with known pulls: the pull is among the candidates, also for the part in any other position.
+// Real parts with known pulls: the pull is among the candidates and among the best of a sweep, also for the
+// part in any other position.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -6,6 +7,8 @@
 #include "io/part_reader.hpp"
 #include "mesh/adjacency.hpp"
 #include "mold/candidates/find_candidates.hpp"
+#include "session/sweep/sweep.hpp"
+#include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"
 
@@ -34,6 +37,8 @@ const KnownPull k_demo_pulls[] = {{"enclosure_lid.stl", {0, 0, 1}},
                                   {"cable_clip.stl", {0, 1, 0}},
                                   {"tilted_bracket.stl", {0.48, -0.36, 0.8}}};
 
+constexpr std::uintmax_t k_most_bytes_for_sweep = 500'000;
+
 /// Smallest angle to the pull of candidates that come from the part's shape alone.
 double nearest_deg(const TriangleMesh& mesh, const glm::dvec3& pull) {
   const CandidateOptions shape_alone{.kinds = {CandidateKind::revolution, CandidateKind::plane,
@@ -59,6 +64,60 @@ void expect_pull_found(const std::filesystem::path& file, const glm::dvec3& dire
     std::cout << ' ' << turned;
   }
   std::cout << " degrees\n";
+}
+
+/// A sweep of the turned part finds nothing worse than the pull; and the pull itself in the first tie group,
+/// unless there is something better.
+void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& direction, std::uint32_t seed) {
+  Part part = read_part(file.string(), {}, Progress());
+  const glm::dquat rotation = test::random_rotation(seed);
+  Classifier classifier(test::shared_context(),
+                        test::model_of(test::rotated(std::move(part.mesh), rotation)));
+  SweepSettings settings;
+  settings.directions = 150;
+  settings.refine = 2;
+  settings.top = 4;
+  settings.method.resolution = 1024;
+  settings.method.samples = 200'000;
+  const SweepResult result = run_sweep(classifier, settings, Progress{}, {});
+  MethodSettings method = settings.method;
+  method.direction = glm::normalize(rotation * direction);
+  const Classification pull = classifier.classify(method, Progress{});
+
+  const Classification& best = result.candidates.front().classification;
+  const double found = best.areas[Region::undercut], known = pull.areas[Region::undercut];
+  const double slack = best.uncertainty.total + pull.uncertainty.total;
+  EXPECT_LE(found, known + slack) << file;
+  double nearest = 90.0;
+  for (const SweepCandidate& candidate : result.candidates) {
+    if (candidate.tie_group > 1) break;
+    nearest = std::min(nearest, line_angle_deg(candidate.classification.direction, method.direction));
+  }
+  if (known <= found + slack) {
+    EXPECT_LT(nearest, 0.1) << file;
+  }
+  const double share = 100.0 / best.total_area;
+  std::cout << file.filename().string() << ": undercut " << share * found << " %, at the pull "
+            << share * known << " %, " << nearest << " degrees from it\n";
+}
+
+TEST(KnownPulls, OfTheDemoPartsAreBest) {
+  for (const KnownPull& pull : k_demo_pulls) {
+    expect_pull_is_best(test::asset_folder() / "parts" / pull.file, pull.direction, 5);
+  }
+}
+
+TEST(KnownPulls, OfTheSharedPartsAreBest) {
+  if (!test::shared_folder()) GTEST_SKIP() << "no shared parts";
+  std::size_t parts = 0;
+  for (const KnownPull& pull : k_shared_pulls) {
+    const auto file = *test::shared_folder() / "parts" / pull.file;
+    // The others take half a minute more.
+    if (std::filesystem::file_size(file) > k_most_bytes_for_sweep) continue;
+    expect_pull_is_best(file, pull.direction, 6);
+    ++parts;
+  }
+  std::cout << parts << " shared parts\n";
 }
 
 TEST(KnownPulls, OfTheDemoPartsAreCandidates) {

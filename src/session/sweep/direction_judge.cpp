@@ -20,7 +20,18 @@ DirectionJudge::DirectionJudge(const PartModel& model, const SweepSettings& sett
       tau_deg_(settings.method.tau_deg),
       objective_(parse_objective(settings.objective)),
       measure_{std::max(model.geometry.total_area, std::numeric_limits<double>::min()),
-               model.frame.diagonal} {}
+               model.frame.diagonal} {
+  // Files may hold vertices that no facet uses.
+  const TriangleMesh& mesh = model.part.mesh;
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const auto& facet : mesh.facets) {
+    for (const VertexIndex vertex : facet) {
+      if (used[vertex]) continue;
+      used[vertex] = true;
+      corners_.push_back(mesh.vertices[vertex] - model.frame.center);
+    }
+  }
+}
 
 double DirectionJudge::value_of_undercut(double area) const {
   return objective_.weights[static_cast<std::size_t>(Criterion::undercut)] * area / measure_.area;
@@ -33,12 +44,10 @@ bool DirectionJudge::by_undercut_alone() const {
 
 double DirectionJudge::draw_depth(const glm::dvec3& direction) const {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const auto& facet : model_.part.mesh.facets) {
-    for (const VertexIndex vertex : facet) {
-      const double height = glm::dot(model_.part.mesh.vertices[vertex] - model_.frame.center, direction);
-      low = std::min(low, height);
-      high = std::max(high, height);
-    }
+  for (const glm::dvec3& corner : corners_) {
+    const double height = glm::dot(corner, direction);
+    low = std::min(low, height);
+    high = std::max(high, height);
   }
   return high >= low ? high - low : 0.0;
 }

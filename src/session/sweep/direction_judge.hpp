@@ -36,6 +36,7 @@ class DirectionJudge {
   [[nodiscard]] double near_vertical_area(const glm::dvec3& direction) const;
 
   const PartModel& model_;
+  std::vector<glm::dvec3> corners_;  // of the facets, each once, from the frame's centre
   double tau_deg_;
   Objective objective_;
   PartMeasure measure_;

@@ -48,6 +48,14 @@ ScoringPool& ScoringEngine::pool() {
   return *pool_;
 }
 
+ScoringPool& ScoringEngine::same_samples_pool() {
+  if (engine_ == SweepEngine::rays) return pool();
+  if (!same_samples_pool_) {
+    same_samples_pool_ = make_ray_pool(static_cast<std::uint64_t>(settings_.scoring_samples));
+  }
+  return *same_samples_pool_;
+}
+
 std::unique_ptr<ScoringPool> ScoringEngine::make_pool(int samples) {
   if (engine_ == SweepEngine::gl) return make_gl_pool(samples);
   if (engine_ == SweepEngine::cpu) return make_scan_pool(plan_for(samples));

@@ -22,6 +22,9 @@ class ScoringEngine {
   [[nodiscard]] const std::string& description() const { return description_; }
   /// The pool for ranking many directions; the same at every call.
   [[nodiscard]] ScoringPool& pool();
+  /// A pool for telling near directions from each other: it asks exact rays from the same surface samples for
+  /// every direction. The same at every call.
+  [[nodiscard]] ScoringPool& same_samples_pool();
   /// A pool that scores by `samples` surface samples. Must not outlive the engine.
   [[nodiscard]] std::unique_ptr<ScoringPool> make_pool(int samples);
 
@@ -39,7 +42,7 @@ class ScoringEngine {
   std::string description_;
   std::deque<SurfaceSamples> sample_sets_;  // of the pools; their places do not change
   std::unique_ptr<const ScanPart> scan_part_;
-  std::unique_ptr<ScoringPool> pool_;
+  std::unique_ptr<ScoringPool> pool_, same_samples_pool_;
 };
 
 }  // namespace moldlight

@@ -200,8 +200,8 @@ SweepCandidate SweepRun::final_figures(const Contender& contender) {
   candidate.draw_depth = contender.figures[Criterion::draw_depth];
   candidate.undraughted_area = candidate.classification.near_vertical_area;
   const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
-  candidate.tilt =
-      tilt_margin(engine_.pool(), contender.candidate.direction, growth, [this] { return watch_.stopped(); });
+  candidate.tilt = tilt_margin(engine_.same_samples_pool(), contender.candidate.direction, growth,
+                               [this] { return watch_.stopped(); });
   return candidate;
 }
 
