@@ -74,11 +74,11 @@ void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& di
   Classifier classifier(test::shared_context(),
                         test::model_of(test::rotated(std::move(part.mesh), rotation)));
   SweepSettings settings;
-  settings.directions = 150;
+  settings.directions = 100;
   settings.refine = 2;
   settings.top = 4;
   settings.method.resolution = 1024;
-  settings.method.samples = 200'000;
+  settings.method.samples = 50'000;
   const SweepResult result = run_sweep(classifier, settings, Progress{}, {});
   MethodSettings method = settings.method;
   method.direction = glm::normalize(rotation * direction);

@@ -12,8 +12,8 @@ namespace moldlight::test {
 
 namespace {
 
-constexpr std::uint64_t k_coarse_samples = 10'000, k_fine_samples = 300'000;
-constexpr std::size_t k_scored_again = 40;
+constexpr std::uint64_t k_coarse_samples = 10'000, k_fine_samples = 200'000;
+constexpr std::size_t k_scored_again = 30;
 
 /// Indices into `directions`, least undercut first.
 std::vector<std::size_t> order_by_rays(const PartModel& model, const std::vector<glm::dvec3>& directions,
@@ -25,8 +25,7 @@ std::vector<std::size_t> order_by_rays(const PartModel& model, const std::vector
   ScoringPool pool([&] { return std::make_unique<RayScorer>(part, settings.tau_deg, lateral); }, 0);
   std::vector<ScoringTask> tasks;
   for (const glm::dvec3& direction : directions) tasks.push_back({.direction = direction});
-  const auto scores = pool.score(
-      tasks, [] { return false; }, {});
+  const auto scores = pool.score(tasks, [] { return false; }, {});
   std::vector<std::size_t> order(directions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
