@@ -8,6 +8,7 @@
 
 #include "gui/direction.hpp"
 #include "gui/direction_ball.hpp"
+#include "gui/panel_layout.hpp"
 #include "gui/view_mapping.hpp"
 
 namespace moldlight::gui {
@@ -49,18 +50,17 @@ int imgui_button(MouseButton button) {
   return 2;
 }
 
-/// The arrow's name beyond its tip, where the arrow itself does not run.
+/// The arrow's name beyond its tip, where the arrow itself does not run, on a tag that reads on any colour.
 void draw_name(const Ui& ui, ImDrawList& list, const ArrowOnScreen& arrow, std::string_view name,
                float alpha) {
   const glm::vec2 along = arrow.tip - arrow.tail, text = text_size(ui.fonts.small, name);
   const float length = glm::length(along);
   const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
-  const glm::vec2 at = arrow.tip + forward * ui.px(8) + glm::vec2(ui.px(8), -0.5F * text.y);
-  const ImU32 halo = faded(ui.colours->panel, 0.5F * alpha);
-  for (const glm::vec2 off : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)}) {
-    draw_text(list, ui.fonts.small, at + off, halo, name);
-  }
-  draw_text(list, ui.fonts.small, at, faded(ui.colours->text, alpha), name);
+  const glm::vec2 room = 0.5F * text + glm::vec2(ui.px(8), ui.px(3));
+  glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
+  if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
+  list.AddRectFilled(im(middle - room), im(middle + room), faded(ui.colours->panel, 0.85F * alpha), room.y);
+  draw_text(list, ui.fonts.small, middle - 0.5F * text, faded(ui.colours->text, alpha), name);
 }
 
 }  // namespace
@@ -163,7 +163,10 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
     const glm::vec2 reach(ui.px(k_tip_reach));
     ui.memory->controls[core ? "core arrow" : "cavity arrow"] = {shown->tip - reach, shown->tip + reach};
     const bool lively = (drag_ && drag_->core == core) || (near_tip_ && *near_tip_ == core);
-    draw_name(ui, list, *shown, core ? "+d  core" : "−d  cavity", lively ? 1.0F : 0.7F);
+    draw_name(ui, list, *shown, core ? "core" : "cavity",
+              lively                 ? 1.0F
+              : shown->toward_viewer ? 0.85F
+                                     : 0.5F);
     if (lively)
       list.AddCircle(im(shown->tip), ui.px(k_tip_reach), faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   }

@@ -78,7 +78,6 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
   return content;
 }
 
-/// Where the part goes and where the legend does: beside one another, or one above the other.
 /// Says which half comes off along an arrow, where its tip is not behind the part.
 void label_arrow(Canvas& canvas, const PartView& view, const Camera& camera, const glm::ivec2& size,
                  const PartingArrow& arrow, std::string_view label, const LegendStyle& style) {
