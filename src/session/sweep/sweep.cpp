@@ -1,7 +1,9 @@
 #include "session/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <future>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -70,7 +72,9 @@ class SweepRun {
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
   [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
+  /// Without the tilt margin.
   [[nodiscard]] SweepCandidate final_figures(const Contender& contender);
+  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
 
   Classifier& classifier_;
   const PartModel& model_;
@@ -199,15 +203,25 @@ SweepCandidate SweepRun::final_figures(const Contender& contender) {
   candidate.clamp_force = settings_.pressure * candidate.projected_area;
   candidate.draw_depth = contender.figures[Criterion::draw_depth];
   candidate.undraughted_area = candidate.classification.near_vertical_area;
-  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
-  candidate.tilt = tilt_margin(engine_.same_samples_pool(), contender.candidate.direction, growth,
-                               [this] { return watch_.stopped(); });
   return candidate;
+}
+
+std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
+  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
+  std::vector<std::optional<TiltMargin>> margins;
+  for (const Contender& contender : listed) {
+    margins.push_back(tilt_margin(engine_.same_samples_pool(), contender.candidate.direction, growth,
+                                  [this] { return watch_.stopped(); }));
+  }
+  return margins;
 }
 
 void SweepRun::classify_best() {
   const std::vector<Contender> listed =
       contenders_to_list(judge_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
+  // The margins want rays and the figures mostly the GL: together they keep all cores at work.
+  std::future<std::vector<std::optional<TiltMargin>>> margins =
+      std::async(std::launch::async, [&] { return tilt_margins(listed); });
   for (const Contender& contender : listed) {
     // Even when the time is over the best direction so far gets its figures.
     if (watch_.stopped() && !result_.candidates.empty()) break;
@@ -215,6 +229,8 @@ void SweepRun::classify_best() {
                   static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
     result_.candidates.push_back(final_figures(contender));
   }
+  const std::vector<std::optional<TiltMargin>> found = margins.get();
+  for (std::size_t i = 0; i < result_.candidates.size(); ++i) result_.candidates[i].tilt = found[i];
 }
 
 void SweepRun::rank() {
