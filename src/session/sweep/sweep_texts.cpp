@@ -40,8 +40,10 @@ std::string reasons_text(const Candidate& candidate, std::size_t most) {
 std::string tilt_text(const SweepCandidate& candidate) {
   if (!candidate.tilt) return "-";
   if (candidate.tilt->at_least()) return fmt::format("> {:g}°", candidate.tilt->deg);
-  return fmt::format("{:.2g}° to {}", candidate.tilt->deg,
-                     lean_text(candidate.classification.direction, candidate.tilt->toward));
+  constexpr double k_least_told_deg = 0.01;
+  const std::string side = lean_text(candidate.classification.direction, candidate.tilt->toward);
+  if (candidate.tilt->deg < k_least_told_deg) return fmt::format("< {:g}° to {}", k_least_told_deg, side);
+  return fmt::format("{:.2g}° to {}", candidate.tilt->deg, side);
 }
 
 std::string component_text(double value, int decimals) {

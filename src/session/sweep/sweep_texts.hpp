@@ -16,7 +16,7 @@ namespace moldlight {
 /// What speaks for a candidate, the strongest of each kind, so many at most, and how many more there are.
 [[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
 
-/// "2.5° to +x", "> 30°"; "-" where it is not known.
+/// "2.5° to +x", "< 0.01° to -y", "> 30°"; "-" where it is not known.
 [[nodiscard]] std::string tilt_text(const SweepCandidate& candidate);
 
 /// "0.00000, 0.60000, 0.80000".
