@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,8 +10,10 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_cluster_cells = 16;   // along a side of the unit frame
+constexpr int k_cell_bits = 4;        // 16 cells along a side of the unit frame
+constexpr int k_fine_bits = 6;        // 64 places along a side of a cell
 constexpr int k_cluster_normals = 4;  // along a side of a face of the cube of normals
+constexpr int k_normal_bits = 7;      // for 6 x 4 x 4 of them
 
 std::uint32_t cell(double value, int cells) {
   return static_cast<std::uint32_t>(std::clamp(static_cast<int>(value * cells), 0, cells - 1));
@@ -29,46 +30,72 @@ std::uint32_t normal_cell(const glm::dvec3& normal) {
   return (face * k_cluster_normals + u) * k_cluster_normals + v;
 }
 
+/// The bits of three numbers below 2^bits, interleaved (Morton): numbers close to each other stand for places
+/// close to each other.
+std::uint64_t interleaved(const std::uint32_t (&places)[3], int bits) {
+  std::uint64_t result = 0;
+  for (int bit = bits - 1; bit >= 0; --bit) {
+    for (const std::uint32_t place : places) result = result << 1 | (place >> bit & 1U);
+  }
+  return result;
+}
+
+struct PlacedFacet {
+  std::uint64_t key;  // cell, cell of the normal, place in the cell
+  FacetIndex facet;
+
+  [[nodiscard]] std::uint64_t cluster() const { return key >> (3 * k_fine_bits); }
+  bool operator<(const PlacedFacet& other) const {
+    return key != other.key ? key < other.key : facet < other.facet;
+  }
+};
+
 }  // namespace
 
 void ScanPart::find_clusters() {
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
-  std::vector<glm::dvec3> normal_sums;
-  cluster_of_facet_.reserve(mesh_->facets.size());
+  constexpr int k_place_bits = k_cell_bits + k_fine_bits;
+  std::vector<PlacedFacet> order;
+  order.reserve(mesh_->facets.size());
   for (FacetIndex facet = 0; facet < mesh_->facets.size(); ++facet) {
     const glm::dvec3 centre =
         (mesh_->corner(facet, 0) + mesh_->corner(facet, 1) + mesh_->corner(facet, 2)) / 3.0;
     const glm::dvec3 unit = (centre - frame_.center) / frame_.diagonal + 0.5;
-    std::uint32_t key = normal_cell(geometry_->normals[facet]);
-    for (int axis = 0; axis < 3; ++axis) key = key * k_cluster_cells + cell(unit[axis], k_cluster_cells);
-    const std::uint32_t number =
-        numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
-    if (number == clusters_.size()) {
-      clusters_.emplace_back();
+    std::uint32_t cells[3], places[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t place = cell(unit[axis], 1 << k_place_bits);
+      cells[axis] = place >> k_fine_bits;
+      places[axis] = place & ((1U << k_fine_bits) - 1);
+    }
+    const std::uint64_t cluster =
+        interleaved(cells, k_cell_bits) << k_normal_bits | normal_cell(geometry_->normals[facet]);
+    order.push_back({cluster << (3 * k_fine_bits) | interleaved(places, k_fine_bits), facet});
+  }
+  std::sort(order.begin(), order.end());
+
+  cluster_of_facet_.resize(order.size());
+  clustered_facets_.reserve(order.size());
+  std::vector<glm::dvec3> normal_sums;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || order[i].cluster() != order[i - 1].cluster()) {
+      clusters_.emplace_back().first = static_cast<std::uint32_t>(i);
       normal_sums.emplace_back(0.0);
     }
-    cluster_of_facet_.push_back(number);
-    clusters_[number].area += areas_[facet];
-    ++clusters_[number].count;
-    normal_sums[number] += geometry_->normals[facet];
+    const FacetIndex facet = order[i].facet;
+    cluster_of_facet_[facet] = static_cast<std::uint32_t>(clusters_.size() - 1);
+    clustered_facets_.push_back(facet);
+    clusters_.back().area += areas_[facet];
+    ++clusters_.back().count;
+    normal_sums.back() += geometry_->normals[facet];
   }
-  std::uint32_t first = 0;
   for (std::size_t i = 0; i < clusters_.size(); ++i) {
-    clusters_[i].first = first;
-    first += clusters_[i].count;
-    clusters_[i].count = 0;
+    Cluster& cluster = clusters_[i];
     const double length = glm::length(normal_sums[i]);
-    clusters_[i].axis = glm::vec3(length > 0.0 ? normal_sums[i] / length : glm::dvec3(0, 0, 1));
-    clusters_[i].cone_cosine = 1.0F;
-  }
-  clustered_facets_.resize(cluster_of_facet_.size());
-  for (FacetIndex facet = 0; facet < cluster_of_facet_.size(); ++facet) {
-    Cluster& cluster = clusters_[cluster_of_facet_[facet]];
-    clustered_facets_[cluster.first + cluster.count++] = facet;
-    const auto cosine = static_cast<float>(glm::dot(glm::dvec3(cluster.axis), geometry_->normals[facet]));
-    cluster.cone_cosine = std::min(cluster.cone_cosine, cosine);
-  }
-  for (Cluster& cluster : clusters_) {
+    cluster.axis = glm::vec3(length > 0.0 ? normal_sums[i] / length : glm::dvec3(0, 0, 1));
+    cluster.cone_cosine = 1.0F;
+    for (const FacetIndex facet : facets_of(cluster)) {
+      const auto cosine = static_cast<float>(glm::dot(glm::dvec3(cluster.axis), geometry_->normals[facet]));
+      cluster.cone_cosine = std::min(cluster.cone_cosine, cosine);
+    }
     cluster.cone_sine = std::sqrt(std::max(0.0F, 1.0F - cluster.cone_cosine * cluster.cone_cosine));
   }
 }

@@ -48,12 +48,13 @@ class ScanPart {
   }
   /// Areas in the unit frame (diagonal squared), padded like the normals.
   [[nodiscard]] const std::vector<float>& areas() const { return areas_; }
-  /// Facets close to one another that face about the same way; every facet belongs to one cluster.
+  /// Facets close to one another that face about the same way; every facet belongs to one cluster. Clusters
+  /// with close numbers are close to one another.
   struct Cluster {
     glm::vec3 axis{0, 0, 1};               // unit
     float cone_cosine = 0, cone_sine = 0;  // half the angle of a cone about the axis that holds all normals
     float area = 0;                        // unit frame squared
-    std::uint32_t first = 0, count = 0;    // of its facets in clustered_facets(), in ascending order
+    std::uint32_t first = 0, count = 0;    // of its facets, neighbours following each other
   };
   [[nodiscard]] const std::vector<Cluster>& clusters() const { return clusters_; }
   [[nodiscard]] const std::vector<std::uint32_t>& cluster_of_facet() const { return cluster_of_facet_; }

@@ -21,8 +21,9 @@ constexpr double k_least_wall_samples = 4.0;
 /// Less near-vertical surface than this share of the part is measured by rays alone: they take less time than
 /// the second-depth maps then.
 constexpr double k_second_depth_from = 0.12;
-/// Rays cost more than look-ups.
-constexpr double k_samples_of_thin_clusters = 0.5;  // of those of walls
+/// Thin clusters lie scattered, so that even samples of few of them are little better than independent ones:
+/// more for a small share, but a part of those of walls for a large one, as rays cost more than look-ups.
+constexpr double k_samples_of_thin_clusters = 0.4, k_thin_exponent = 0.75;
 /// Even samples beat independent ones: the variance of a share r seen by n of them falls as n^-1.5. The
 /// factors were found on real parts, so that two standard errors cover 95 of 100 errors.
 constexpr double k_texel_variance = 4.0, k_sample_variance = 1.0;
@@ -92,6 +93,7 @@ void ScanScorer::find_cluster_areas() {
   const auto threshold = static_cast<float>(std::sin(glm::radians(settings_.tau_deg))) + 1e-5F;
   const std::vector<ScanPart::Cluster>& clusters = part_.part.clusters();
   cluster_areas_.assign(clusters.size(), {0.0F, 0.0F});
+  mixed_.assign(clusters.size(), 0);
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const ScanPart::Cluster& cluster = clusters[i];
     const float sine = glm::dot(cluster.axis, direction);
@@ -102,6 +104,7 @@ void ScanScorer::find_cluster_areas() {
       cluster_areas_[i][sine > 0.0F ? scan::k_up_layer : scan::k_down_layer] = cluster.area;
       continue;
     }
+    mixed_[i] = 1;
     for (const FacetIndex facet : part_.part.facets_of(cluster)) {
       const FacetClass facet_class = maps_.facet_class(facet);
       if (facet_class == FacetClass::near_vertical) continue;
@@ -134,8 +137,9 @@ void ScanScorer::add_clusters(Estimate& estimate) {
 
 void ScanScorer::add_thin_clusters(Estimate& estimate) {
   const double whole = thin_areas_[0] + thin_areas_[1];
-  EvenSamples samples(part_.part, whole,
-                      k_samples_of_thin_clusters * settings_.samples * std::sqrt(share(whole)));
+  EvenSamples samples(
+      part_.part, whole,
+      k_samples_of_thin_clusters * settings_.samples * std::pow(share(whole), k_thin_exponent));
   for (const scan::Layer layer : {scan::k_up_layer, scan::k_down_layer}) {
     const double area = thin_areas_[layer];
     if (area <= 0.0) continue;
@@ -166,23 +170,26 @@ void ScanScorer::add_thin_clusters(Estimate& estimate) {
 void ScanScorer::sample_walls(double area) {
   const ScanPart& part = part_.part;
   const WallLookup lookup(part, maps_, settings_.lateral);
-  EvenSamples samples(part, area, settings_.samples * std::sqrt(share(area)));
+  EvenSamples samples(part, area, settings_.samples * share(area));
   walls_.assign(part.clusters().size(), {});
   verdicts_.clear();
   sample_clusters_.clear();
   doubtful_.clear();
   origins_.clear();
-  for (const FacetIndex facet : maps_.near_vertical()) {
-    const std::uint32_t cluster = part.cluster_of_facet()[facet];
-    walls_[cluster].area += static_cast<double>(part.areas()[facet]);
-    const WallLookup::Wall wall = lookup.wall(facet);
-    samples.on_facet(facet, [&](const glm::vec3& position) {
-      verdicts_.push_back(maps_.has_second_depth() ? lookup.ask(wall, position) : verdict::k_doubtful);
-      sample_clusters_.push_back(cluster);
-      if (verdicts_.back() != verdict::k_doubtful) return;
-      doubtful_.push_back(static_cast<std::uint32_t>(verdicts_.size() - 1));
-      origins_.push_back(lookup.lateral_point(wall, position));
-    });
+  for (std::uint32_t cluster = 0; cluster < walls_.size(); ++cluster) {
+    if (!mixed_[cluster]) continue;
+    for (const FacetIndex facet : part.facets_of(part.clusters()[cluster])) {
+      if (maps_.facet_class(facet) != FacetClass::near_vertical) continue;
+      walls_[cluster].area += static_cast<double>(part.areas()[facet]);
+      const WallLookup::Wall wall = lookup.wall(facet);
+      samples.on_facet(facet, [&](const glm::vec3& position) {
+        verdicts_.push_back(maps_.has_second_depth() ? lookup.ask(wall, position) : verdict::k_doubtful);
+        sample_clusters_.push_back(cluster);
+        if (verdicts_.back() != verdict::k_doubtful) return;
+        doubtful_.push_back(static_cast<std::uint32_t>(verdicts_.size() - 1));
+        origins_.push_back(lookup.lateral_point(wall, position));
+      });
+    }
   }
 }
 

@@ -26,8 +26,8 @@ struct ScanScorerSettings {
   int resolution = 512;  // of the maps, [16, 8192]
   double tau_deg = 1.0;
   double lateral = 0.0;  // lateral tolerance in the unit frame
-  /// Surface samples if the whole part were near-vertical; for a share s of it, sqrt(s) times as many.
-  double samples = 20'000;
+  /// Surface samples if the whole part were near-vertical; for a share of it, that share of them.
+  double samples = 50'000;
   bool settle_by_rays = true;  // exact rays for near-vertical samples that the maps leave in doubt
 };
 
@@ -77,6 +77,7 @@ class ScanScorer : public DirectionScorer {
   ScanMaps maps_;
   double square_;                                    // model units squared per unit frame squared
   std::vector<std::array<float, 2>> cluster_areas_;  // of up and down facets, unit frame squared
+  std::vector<std::uint8_t> mixed_;                  // one a cluster: 0 if no facet of it is near-vertical
   std::vector<Thin> thin_;
   std::array<double, 2> thin_areas_{};
   std::vector<Wall> walls_;  // one a cluster
