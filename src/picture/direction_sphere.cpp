@@ -117,7 +117,7 @@ void draw_table(DesignSpace& at, double top, const UndercutField& field, const S
 }
 
 /// What the marks mean, below the map.
-void draw_key(DesignSpace& at, const SphereContent& content) {
+void draw_key(DesignSpace& at, const SphereContent& content, bool dark) {
   const double base = k_bottom + 40.0;
   at.text({k_map_centre.x, base},
           "equal-area map of the directions about +z; a direction and its opposite are one",
@@ -134,6 +134,9 @@ void draw_key(DesignSpace& at, const SphereContent& content) {
   entry("listed");
   at.canvas().ring(at.place({x, base - 4.0}), 8.0 * at.scale(), at.inks().normal, 1.3 * at.scale());
   entry("how far the best may lean");
+  draw_unknown(at.canvas(), at.box({x - 7.0, base - 11.0}, {14.0, 14.0}),
+               {.dark = dark, .scale = at.scale()});
+  entry("not looked at");
 }
 
 }  // namespace
@@ -181,7 +184,7 @@ Image direction_sphere_picture(const glm::ivec2& size, const UndercutField& fiel
   } else {
     draw_table(at, y, field, content);
   }
-  draw_key(at, content);
+  draw_key(at, content, dark);
   return canvas.image();
 }
 

@@ -119,16 +119,19 @@ void draw_marks(Canvas& canvas, const MapPlace& place, const std::vector<SphereM
                 const std::vector<Box>& taken, double scale) {
   std::vector<LabelledMark> labelled;
   for (const SphereMark& mark : marks) {
-    const TextStyle text{.size_px = k_label_px * scale, .weight = FontWeight::semibold, .tabular = true};
-    const double width = canvas.text_width(mark.label, text) + 10.0 * scale, height = 18.0 * scale;
-    labelled.push_back({pixel_of(place, mark.direction),
-                        (mark.best ? k_best_radius : k_listed_radius) * scale,
-                        {std::max(width, height), height}});
+    const double radius = (mark.best ? k_best_radius : k_listed_radius) * scale;
+    glm::dvec2 label(0.0);
+    if (!mark.label.empty()) {
+      const TextStyle text{.size_px = k_label_px * scale, .weight = FontWeight::semibold, .tabular = true};
+      const double height = 18.0 * scale;
+      label = {std::max(canvas.text_width(mark.label, text) + 10.0 * scale, height), height};
+    }
+    labelled.push_back({pixel_of(place, mark.direction), radius, label});
   }
   const Box room{place.centre - place.radius - 30.0 * scale, glm::dvec2(2.0 * place.radius + 60.0 * scale)};
   const auto places = place_labels(labelled, taken, room);
   for (std::size_t k = 0; k < marks.size(); ++k) {
-    if (!places[k]) continue;
+    if (!places[k] || marks[k].label.empty()) continue;
     const glm::dvec2 middle = places[k]->corner + 0.5 * places[k]->size;
     const glm::dvec2& centre = labelled[k].centre;
     const glm::dvec2 nearest = glm::clamp(centre, places[k]->corner, places[k]->far_corner());
@@ -154,7 +157,7 @@ void draw_marks(Canvas& canvas, const MapPlace& place, const std::vector<SphereM
     }
   }
   for (std::size_t k = marks.size(); k-- > 0;) {
-    if (places[k]) draw_label(canvas, *places[k], marks[k], scale);
+    if (places[k] && !marks[k].label.empty()) draw_label(canvas, *places[k], marks[k], scale);
   }
 }
 
@@ -196,6 +199,16 @@ void draw_degrees(Canvas& canvas, const MapPlace& place, double scale) {
 }
 
 }  // namespace
+
+void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style) {
+  const Shade shade = bare_shade(style.dark);
+  const auto ink = [](const glm::dvec3& c) {
+    return Ink{
+        {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)}};
+  };
+  canvas.fill_box(box, ink(shade.bare), 3.0 * style.scale);
+  canvas.hatch_box(box, ink(shade.stripe), 3.0 * style.scale, 0.7 * k_hatch_pitch * style.scale);
+}
 
 void draw_mark(Canvas& canvas, const glm::dvec2& at, bool best, double scale) {
   if (best) {

@@ -22,7 +22,7 @@ struct UndercutField {
 /// A direction marked on the map; on the rim its opposite is marked, too.
 struct SphereMark {
   glm::dvec3 direction{0, 0, 1};  // unit
-  std::string label = {};
+  std::string label = {};         // none where there is no room for it, or it is empty
   bool best = false;
   double tilt_deg = 0.0;  // a circle so wide is drawn around it, unless the mark hides it; 0 for none
 };
@@ -36,6 +36,9 @@ struct MapPlace {
 /// evaluated the map is gray and hatched.
 void draw_sphere_map(Canvas& canvas, const MapPlace& place, const UndercutField& field,
                      const std::vector<SphereMark>& marks, const LegendStyle& style);
+
+/// What stands for directions of which nothing is known, in a box.
+void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style);
 
 /// A small sample of a mark, for a legend.
 void draw_mark(Canvas& canvas, const glm::dvec2& at, bool best, double scale);

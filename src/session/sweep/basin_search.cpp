@@ -14,7 +14,6 @@ namespace {
 
 constexpr double k_basin_separation_deg = 3.0;  // starts are at least so far apart
 constexpr double k_same_basin_deg = 1.0;        // basins nearer than this have met
-constexpr double k_first_step_deg = 2.0;
 constexpr double k_last_step_deg = 0.05;
 constexpr int k_probes = 6;  // directions around a basin's best in every round
 constexpr int k_most_rounds = 60;
@@ -24,7 +23,7 @@ struct Basin {
   glm::dvec3 best;
   DirectionScore score;
   double value = 0.0;  // of the objective
-  double step_deg = k_first_step_deg;
+  double step_deg = 0.0;
   std::size_t origin = 0;  // contender
 };
 
@@ -41,6 +40,7 @@ std::vector<Basin> basins_to_refine(const BasinSearch& search, std::span<const C
     basins.push_back({.best = start.candidate.direction,
                       .score = start.score,
                       .value = search.judge.value(start.figures),
+                      .step_deg = search.first_step_deg,
                       .origin = i});
   }
   return basins;
@@ -76,10 +76,12 @@ Probes probes_of_round(const BasinSearch& search, std::span<const Basin> basins,
   return probes;
 }
 
-/// A basin that ends beside a direction that is as good, however found, adds nothing.
+/// A basin adds nothing that ends beside a direction that is as good, or beside a feature's that may be:
+/// closer scoring decides between what was found by search.
 bool adds_nothing(const BasinSearch& search, const Basin& basin, std::span<const Contender> contenders) {
   return std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
-    const double noise = basin.score.undercut_error + other.figures.undercut_uncertainty;
+    const double noise =
+        other.figures.exact ? basin.score.undercut_error + other.figures.undercut_uncertainty : 0.0;
     return line_angle_deg(basin.best, other.candidate.direction) < k_same_basin_deg &&
            search.judge.value(other.figures) <= basin.value + search.judge.value_of_undercut(noise);
   });

@@ -19,10 +19,12 @@ struct BasinSearch {
   const SweepWatch& watch;
   /// Told of every direction tried, in an order that does not depend on the number of threads.
   std::function<void(const EvaluatedDirection&)> evaluated;
+  double first_step_deg = 2.0;
 };
 
 /// Starts at the best contenders in `order` (at most `most`, well apart from each other) and tries six
-/// directions around the best of each, in steps of 2 degrees halved down to 0.05. Gives what is better than,
+/// directions around the best of each, in steps that are halved from the first down to 0.05 degrees.
+/// The contenders' scores must be of the search's pool. Gives what is better than,
 /// or away from, every contender there was; basins that meet go on as one.
 [[nodiscard]] std::vector<Contender> refine_basins(const BasinSearch& search,
                                                    std::span<const Contender> contenders,

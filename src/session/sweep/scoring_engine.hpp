@@ -25,6 +25,10 @@ class ScoringEngine {
   /// A pool for telling near directions from each other: it asks exact rays from the same surface samples for
   /// every direction. The same at every call.
   [[nodiscard]] ScoringPool& same_samples_pool();
+  /// Such a pool with so many samples. Must not outlive the engine.
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_same_samples_pool(int samples) {
+    return make_ray_pool(static_cast<std::uint64_t>(samples));
+  }
   /// A pool that scores by `samples` surface samples. Must not outlive the engine.
   [[nodiscard]] std::unique_ptr<ScoringPool> make_pool(int samples);
 

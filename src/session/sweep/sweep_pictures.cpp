@@ -18,6 +18,8 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_most_tiles = 12;
+/// More labels would hide the map.
+constexpr std::size_t k_most_labels = 30;
 /// Samples by which a tile's view is chosen; its figures are the sweep's.
 constexpr int k_view_samples = 40'000;
 constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
@@ -55,6 +57,12 @@ std::string with_minus(std::string text) {
   return text;
 }
 
+/// An area in a column of a picture, which has no room for six digits and an exponent.
+std::string area_text(const FigureColumn& column, double area) {
+  const std::string text = column.text(area);
+  return text.find('e') == std::string::npos ? text : with_minus(fmt::format("{:.3g}", area));
+}
+
 std::string counted(std::size_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
@@ -77,7 +85,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
     const SweepCandidate& candidate = result.candidates[k];
     SphereRow row;
     row.mark = {.direction = candidate.classification.direction,
-                .label = fmt::format("{}{}", candidate.rank, ties[k]),
+                .label = k < k_most_labels ? fmt::format("{}{}", candidate.rank, ties[k]) : std::string(),
                 .best = candidate.rank == 1,
                 .tilt_deg = k == 0 && candidate.tilt ? candidate.tilt->deg : 0.0};
     row.number = fmt::format("{}", candidate.rank);
@@ -87,8 +95,8 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
       row.direction[static_cast<std::size_t>(axis)] =
           with_minus(component_text(candidate.classification.direction[axis], 3));
     }
-    row.area = areas.text(row.undercut);
-    row.error = fmt::format("{:.2g}", candidate.classification.uncertainty.total);
+    row.area = area_text(areas, row.undercut);
+    row.error = with_minus(fmt::format("{:.2g}", candidate.classification.uncertainty.total));
     row.share = fmt::format("{:.2f}", share_pct(model, row.undercut));
     row.tilt = with_minus(tilt_text(candidate));
     row.reasons = reasons(candidate.candidate);
@@ -105,7 +113,7 @@ ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate
   tile.number = fmt::format("{}", candidate.rank);
   tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
   if (!tie.empty()) tile.remark = fmt::format("tie {}", tie);
-  tile.figures = {{"undercut " + area, fmt::format("{} ± {:.2g}", areas.text(undercut),
+  tile.figures = {{"undercut " + area, fmt::format("{} ± {:.2g}", area_text(areas, undercut),
                                                    candidate.classification.uncertainty.total)},
                   {"share", fmt::format("{:.2f} %", share_pct(model, undercut))},
                   {"patches", fmt::format("{}", candidate.patches)},
