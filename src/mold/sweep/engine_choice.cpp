@@ -12,7 +12,7 @@ namespace {
 // Errors on real parts, over axes and slanted directions.
 constexpr double k_ray_error_at = 0.0011, k_ray_samples = 10'000.0, k_ray_exponent = 0.75;
 constexpr double k_scan_error_at = 0.0002, k_scan_resolution = 512.0, k_scan_exponent = 1.25;
-constexpr double k_scan_samples_per_texel = 50'000.0 / 512.0;
+constexpr double k_scan_samples_per_texel = 30'000.0 / 512.0;
 
 // Smaller maps save little time, larger ones take too much memory for each thread.
 constexpr double k_least_resolution = 256.0, k_most_resolution = 4096.0;

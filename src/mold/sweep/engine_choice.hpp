@@ -14,7 +14,7 @@ enum class ScoringMethod : std::uint8_t { scan, rays };
 struct ScoringPlan {
   ScoringMethod method = ScoringMethod::scan;
   int resolution = 512;                 // of the maps
-  double scan_samples = 50'000;         // ScanScorerSettings::samples
+  double scan_samples = 30'000;         // ScanScorerSettings::samples
   double ray_samples = 100'000;         // of the whole part
   double scan_ms = 0.0, rays_ms = 0.0;  // expected time of a direction on one core, by either method
 

@@ -353,6 +353,8 @@ struct Filler {
   inline void add_span(std::size_t job, std::int32_t cell, std::int32_t count, float height, float step) {
     spans[span_count] = {static_cast<std::uint32_t>(job), cell, count, height, step};
     span_count += count > 0 ? 1 : 0;
+    // Written only after the other facets of the batch: by then the entries are at hand.
+    if constexpr ((k_entries & k_front) != 0) __builtin_prefetch(target.front[jobs[job].layer] + cell, 1);
   }
 
   /// Spans of one row each of four triangles or of four rows of one triangle.

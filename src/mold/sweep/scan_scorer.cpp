@@ -23,7 +23,7 @@ constexpr double k_least_wall_samples = 4.0;
 constexpr double k_second_depth_from = 0.12;
 /// Thin clusters lie scattered, so that even samples of few of them are little better than independent ones:
 /// more for a small share, but a part of those of walls for a large one, as rays cost more than look-ups.
-constexpr double k_samples_of_thin_clusters = 0.4, k_thin_exponent = 0.75;
+constexpr double k_samples_of_thin_clusters = 0.6, k_thin_exponent = 0.75;
 /// Even samples beat independent ones: the variance of a share r seen by n of them falls as n^-1.5. The
 /// factors were found on real parts, so that two standard errors cover 95 of 100 errors.
 constexpr double k_texel_variance = 4.0, k_sample_variance = 1.0;

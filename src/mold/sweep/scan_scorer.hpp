@@ -27,7 +27,7 @@ struct ScanScorerSettings {
   double tau_deg = 1.0;
   double lateral = 0.0;  // lateral tolerance in the unit frame
   /// Surface samples if the whole part were near-vertical; for a share of it, that share of them.
-  double samples = 50'000;
+  double samples = 30'000;
   bool settle_by_rays = true;  // exact rays for near-vertical samples that the maps leave in doubt
 };
 

@@ -47,19 +47,22 @@ std::vector<PartFile> make_parts(const test::ScratchFolder& folder, const BenchS
 }
 
 void print_summary(const std::vector<SweepFigures>& sweeps, const std::vector<LoadFigures>& loads) {
-  std::printf("\nsummary  ratios at equal error but for (a), whose error is larger; all cores\n");
-  std::printf("  %-26s %9s %9s %9s %9s %9s %9s %9s %9s\n", "part", "facets", "ms/dir", "error", "x (a)",
-              "x (b)", "of (d)", "maps/(d)", "threads");
+  std::printf(
+      "\nsummary  ratios of core time; (b) at equal error, (a) at an error as large as its row says\n");
+  std::printf("  %-22s %8s %8s %8s %9s %7s %7s %7s %9s %8s %8s\n", "part", "facets", "ms/dir", "core ms",
+              "error", "x (a)", "x (b)", "of (d)", "maps/(d)", "threads", "on cores");
   for (const SweepFigures& f : sweeps) {
-    std::printf("  %-26s %9zu %9.3f %7.4f %% %9.1f %9.2f %9.2f %9.2f %9.2f\n", f.part.c_str(), f.facets, f.ms,
-                100.0 * f.error, f.over_paper, f.over_rays, f.of_limit, f.map_pair_of_limit, f.threads_gain);
+    std::printf("  %-22s %8zu %8.3f %8.3f %7.4f %% %7.1f %7.2f %7.2f %9.2f %8.2f %8.2f\n", f.part.c_str(),
+                f.facets, f.ms, f.core_ms, 100.0 * f.error, f.over_paper, f.over_rays, f.of_limit,
+                f.map_pair_of_limit, f.threads_gain, f.threads_gain_undisturbed);
   }
   if (sweeps.size() > 1) {
     const auto by_facets = [](const SweepFigures& a, const SweepFigures& b) { return a.facets < b.facets; };
     const auto [few, many] = std::minmax_element(sweeps.begin(), sweeps.end(), by_facets);
     std::printf("  from %zu to %zu facets, %.0f times as many: %.1f times the time of a direction\n",
                 few->facets, many->facets,
-                static_cast<double>(many->facets) / static_cast<double>(few->facets), many->ms / few->ms);
+                static_cast<double>(many->facets) / static_cast<double>(few->facets),
+                many->core_ms / few->core_ms);
   }
   for (const LoadFigures& load : loads) {
     if (load.facets < 1'000'000) continue;

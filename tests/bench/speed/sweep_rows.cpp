@@ -140,17 +140,21 @@ SweepFigures print_sweep_rows(const std::string& name, Contenders& contenders, c
   print_row(contest, limit_row, "vertices and facets read, both maps written once", scan_row);
   std::fflush(stdout);
 
-  constexpr Contest::Time time = Contest::k_wall;
+  const auto cores = [&](const Row& slower, const Row& faster) {
+    return contest.ratio(slower.contestant, faster.contestant, Contest::k_cores);
+  };
   SweepFigures figures;
   figures.part = name;
   figures.facets = contenders.facets();
-  figures.ms = contest.ms(scan_row.contestant, time);
+  figures.ms = contest.ms(scan_row.contestant, Contest::k_wall);
+  figures.core_ms = contest.ms(scan_row.contestant, Contest::k_cores);
   figures.error = scan_error;
-  figures.over_paper = contest.ratio(paper_row.contestant, scan_row.contestant, time);
-  figures.over_rays = contest.ratio(ray_row.contestant, scan_row.contestant, time);
-  figures.of_limit = contest.ratio(scan_row.contestant, limit_row.contestant, time);
-  figures.map_pair_of_limit = contest.ratio(maps_row.contestant, limit_row.contestant, time);
-  figures.threads_gain = contest.ratio(alone_row.contestant, scan_row.contestant, time);
+  figures.over_paper = cores(paper_row, scan_row);
+  figures.over_rays = cores(ray_row, scan_row);
+  figures.of_limit = cores(scan_row, limit_row);
+  figures.map_pair_of_limit = cores(maps_row, limit_row);
+  figures.threads_gain = contest.ratio(alone_row.contestant, scan_row.contestant, Contest::k_wall);
+  figures.threads_gain_undisturbed = static_cast<double>(maps.size()) * cores(alone_row, scan_row);
   return figures;
 }
 

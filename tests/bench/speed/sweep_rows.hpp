@@ -10,14 +10,16 @@
 
 namespace moldlight::bench {
 
-/// What the bars are about; ratios are of times, the larger the better for the maps on the CPU, save
-/// `of_limit`.
+/// Ratios are of the time that all cores together spend, which holds on a machine that others use too.
 struct SweepFigures {
   std::string part;
   std::size_t facets = 0;
-  double ms = 0.0;  // a direction, all cores
+  double ms = 0.0, core_ms = 0.0;  // a direction on all cores: by the clock, and spent by them together
   double error = 0.0;
-  double over_paper = 0.0, over_rays = 0.0, of_limit = 0.0, map_pair_of_limit = 0.0, threads_gain = 0.0;
+  double over_paper = 0.0, over_rays = 0.0;        // how many times as long the rivals take
+  double of_limit = 0.0, map_pair_of_limit = 0.0;  // how many times as long as the limit
+  /// One thread over all threads: by the clock, and what it would be if every thread had a core for itself.
+  double threads_gain = 0.0, threads_gain_undisturbed = 0.0;
 };
 
 /// Prints a row an engine. Needs `context` current on this thread.
