@@ -488,7 +488,7 @@ struct Filler {
       lost = taken & !wins;
       std::size_t& count = replaced_count[job.layer];
       replaced[job.layer][count] = facet_of(old);
-      count += taken & wins ? 1 : 0;
+      count += (taken & wins) ? 1 : 0;
       if (count >= k_queue_size) count_replaced(job.layer);
     }
     if constexpr ((k_entries & k_back) != 0) {

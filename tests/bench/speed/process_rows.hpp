@@ -19,7 +19,7 @@ void load_and_report(const std::string& path);
 
 struct LoadFigures {
   std::size_t facets = 0;
-  double seconds = 0.0;  // to read, weld, orient, find neighbours, check health and build the ray tree
+  double seconds = 0.0;  // to read, weld, orient, find neighbours and check health
   double peak_gib = 0.0;
 };
 
