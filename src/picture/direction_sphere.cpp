@@ -24,8 +24,8 @@ constexpr double k_row = 50.0, k_short_row = 26.0;
 constexpr double k_number_right = k_left + 18.0, k_tie_left = k_left + 21.0, k_swatch = k_left + 46.0,
                  k_reason_left = k_left + 66.0;
 constexpr std::array<double, 3> k_direction_right = {k_left + 120.0, k_left + 180.0, k_left + 240.0};
-constexpr double k_area_right = k_left + 322.0, k_error_right = k_left + 392.0,
-                 k_share_right = k_left + 450.0;
+constexpr double k_area_right = k_left + 318.0, k_error_right = k_left + 380.0,
+                 k_share_right = k_left + 436.0;
 
 /// Rows of the table, with and without the line that says why.
 constexpr std::size_t k_tall_rows = 10, k_short_rows = 19;
