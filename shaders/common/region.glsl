@@ -88,7 +88,10 @@ uint accessible_past(Sight sight, uint plus, uint minus) {
 uint accessible_at(vec3 point, uint facet, vec2 shift) {
   Sight sight = sight_of(point, facet);
   ivec2 texel = ivec2(floor(sight.position + shift));
-  return accessible_past(sight, map_entry(t_map_plus, texel), map_entry(t_map_minus, texel));
+  // Software GL reads both maps whatever the class; one texel for all, where the answer is not used, stays cached.
+  ivec2 plus_texel = sight.class_of_facet == k_down ? ivec2(0) : texel;
+  ivec2 minus_texel = sight.class_of_facet == k_up ? ivec2(0) : texel;
+  return accessible_past(sight, map_entry(t_map_plus, plus_texel), map_entry(t_map_minus, minus_texel));
 }
 #endif
 

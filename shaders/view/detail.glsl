@@ -2,7 +2,7 @@
 uniform bool u_draft_colours;
 uniform float u_draft_sines[6];  // ascending: limits between the seven colours
 uniform vec3 u_draft[7];
-uniform vec3 u_direction;
+uniform vec3 u_parting;
 uniform float u_opened;      // how far core and cavity surface are moved apart
 uniform float u_facet_edge;  // half width in pixels; 0: none
 uniform vec3 u_facet_edge_colour;
@@ -15,7 +15,7 @@ uniform usamplerBuffer t_corners;   // three vertices a facet, one a texel
 uniform mat4 u_pixel_from_unit;     // pixels before the division by w
 uniform float u_pixel_length;       // at the target, unit frame
 
-vec3 shift_of(uint bits) { return (bits == 1u ? u_opened : bits == 2u ? -u_opened : 0.0) * u_direction; }
+vec3 shift_of(uint bits) { return (bits == 1u ? u_opened : bits == 2u ? -u_opened : 0.0) * u_parting; }
 
 vec2 corner_pixel(uint facet, int corner, vec3 shift) {
   int vertex = 3 * int(texelFetch(t_corners, 3 * int(facet) + corner).r);
@@ -35,7 +35,7 @@ void detail(vec2 at, uint facet, uint bits, bool back, inout vec3 n, inout vec3 
   vec3 shift = shift_of(bits);
   bool cut = u_section && back;
   if (u_draft_colours && !cut) {
-    float sine = dot(plane.xyz, u_direction);
+    float sine = dot(plane.xyz, u_parting);
     int band = 0;
     for (int i = 0; i < 6; ++i) band += sine >= u_draft_sines[i] ? 1 : 0;
     albedo = u_draft[band];
@@ -43,7 +43,7 @@ void detail(vec2 at, uint facet, uint bits, bool back, inout vec3 n, inout vec3 
   }
   if (u_level_step > 0.0 && facet_class(facet) == k_near_vertical && !cut) {
     vec3 position = on_plane(at, plane + vec4(0.0, 0.0, 0.0, dot(plane.xyz, shift)));
-    float level = dot(position - shift, u_direction);
+    float level = dot(position - shift, u_parting);
     float a_pixel = u_pixel_length / u_level_step;
     float from_line = abs(fract(level / u_level_step) - 0.5) - 0.5 + 0.9 * a_pixel;
     albedo = mix(albedo, u_level_colour, 0.7 * clamp(from_line / a_pixel + 0.5, 0.0, 1.0));
@@ -54,7 +54,7 @@ void detail(vec2 at, uint facet, uint bits, bool back, inout vec3 n, inout vec3 
     albedo = mix(albedo, u_facet_edge_colour, 0.55 * clamp(u_facet_edge + 0.5 - nearest, 0.0, 1.0));
   }
   if (cut) {
-    n = -u_direction;
+    n = -u_parting;
     float across = abs(fract((at.x - at.y) * 0.70711 / 9.0) - 0.5) * 9.0;
     // Backs are dimmed later on; the cut is no back.
     albedo = u_cut_colour * (1.0 - 0.25 * clamp(across - 3.2, 0.0, 1.0)) / 0.45;

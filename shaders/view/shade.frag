@@ -1,10 +1,10 @@
 #version 330 core
-// Colour and light of the visible fragments. DETAIL: what is not always wanted, such as draft colours, facet edges,
-// level lines, the cut of a section and an opened mold.
+// Regions, colour and light of the visible fragments, each classified once. OPENED: the geometry pass knows the
+// regions already. PLAIN: none are wanted. DETAIL: what is not always wanted, such as draft colours, facet edges, level
+// lines, the cut of a section and an opened mold.
 #include "view/light.glsl"
 #include "view/surface_bits.glsl"
 uniform usampler2D t_surface;
-uniform usampler2D t_accessible;
 uniform sampler2D t_openness;
 uniform vec3 u_colours[4];  // by accessibility bits; undercut is 0
 uniform vec3 u_eye_right;
@@ -14,9 +14,15 @@ uniform vec2 u_hatch_origin;  // a point that goes with the scene, px
 uniform vec2 u_hatch;         // pitch and strength; 0: none
 uniform float u_others_opacity;
 layout(location = 0) out vec4 o_colour;
-#ifdef DETAIL
+layout(location = 1) out uint o_accessible;  // bits
+#if defined(DETAIL) || !(defined(OPENED) || defined(PLAIN))
 #include "common/facets.glsl"
 #include "view/sight.glsl"
+#endif
+#if !(defined(OPENED) || defined(PLAIN))
+#include "view/smoothed_region.glsl"
+#endif
+#ifdef DETAIL
 #include "view/detail.glsl"
 #endif
 
@@ -29,12 +35,23 @@ float stripes(vec2 at, float pitch) {
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec2 surface = texelFetch(t_surface, at, 0).rg;
-  uint bits = texelFetch(t_accessible, at, 0).r;
+#if defined(OPENED)
+  uint bits = surface_accessible(surface);
+#elif defined(PLAIN)
+  uint bits = 3u;
+#else
+  uint facet = surface_facet(surface);
+  uint bits = smoothed_region(on_plane(gl_FragCoord.xy, facet_plane(facet)), facet);
+#endif
+  o_accessible = bits;
   bool back = surface_shows_back(surface);
   vec3 n = surface_normal(surface);
   float openness = texelFetch(t_openness, at, 0).r;
   vec3 albedo = u_colours[bits];
-  float hatch = bits == 0u ? u_hatch.y * stripes(gl_FragCoord.xy - u_hatch_origin, u_hatch.x) : 0.0;
+  float hatch = 0.0;
+#ifndef PLAIN
+  if (bits == 0u) hatch = u_hatch.y * stripes(gl_FragCoord.xy - u_hatch_origin, u_hatch.x);
+#endif
 #ifdef DETAIL
   detail(gl_FragCoord.xy, surface_facet(surface), bits, back, n, albedo, hatch);
 #endif

@@ -13,6 +13,8 @@
 #include "gui/shipped_parts.hpp"
 #include "gui/store/state_folder.hpp"
 #include "gui/window.hpp"
+#include "session/frame_benchmark.hpp"
+#include "session/headless.hpp"
 
 namespace moldlight::cli {
 
@@ -25,7 +27,7 @@ struct ViewFlags {
   gui::WindowSettings window;
   std::string settings, screenshot, script, size = "1280x720";
   float scale = 1.0F;
-  bool settings_given = false;
+  bool settings_given = false, benchmark = false;
 };
 
 glm::ivec2 parse_size(const std::string& text) {
@@ -49,7 +51,19 @@ std::string read_whole(const std::string& path) {
   return *text;
 }
 
-int run(const ViewFlags& flags, const Progress& progress) {
+int print_frame_times(const ViewFlags& flags, Console& console, const Progress& progress) {
+  if (flags.part.empty()) throw UsageError("--benchmark needs a PART");
+  const auto model = load_part(flags.part, flags.reading, progress);
+  const auto context = create_context(flags.notes.method.backend);
+  const FrameTimes times =
+      measure_frames(*context, model, flags.notes.method, parse_size(flags.size), progress);
+  console.result(fmt::format("# {}, {}, {}\n{}", context->backend(), context->renderer(), flags.size,
+                             frame_times_text(times)));
+  return 0;
+}
+
+int run(const ViewFlags& flags, Console& console, const Progress& progress) {
+  if (flags.benchmark) return print_frame_times(flags, console, progress);
   if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script goes with --screenshot");
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
@@ -101,6 +115,10 @@ void add_view_command(CLI::App& program, Request& request) {
       ->check(CLI::Range(0.5F, 4.0F));
   command->add_option("--script", flags->script, "Play these input events before the picture is taken")
       ->option_text("EVENTS.json");
+  command->add_flag(
+      "--benchmark", flags->benchmark,
+      "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
+      "with the direction at rest, and with a direction that changes every frame");
   add_method_flags(*command, flags->notes.method);
   add_option_flags(*command, gui::look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);
@@ -112,7 +130,9 @@ void add_view_command(CLI::App& program, Request& request) {
           flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
                                                             std::ranges::any_of(gui::look_options(), names)));
     }
-    request.body = [flags](Console&, const Progress& progress) { return run(*flags, progress); };
+    request.body = [flags](Console& console, const Progress& progress) {
+      return run(*flags, console, progress);
+    };
   });
 }
 

@@ -229,6 +229,7 @@ void App::pick() {
 }
 
 void App::apply(const Edits& edits) {
+  const glm::dvec3 former_direction = state_.settings.method.direction;
   if (!(edits.camera == state_.camera)) flight_.stop();
   state_.camera = edits.camera;
   state_.settings = edits.settings;
@@ -247,7 +248,9 @@ void App::apply(const Edits& edits) {
   } else if (!held && !turn_.flying()) {
     history_.settle(state_.settings);
   }
+  const bool turning = edits.dragging || turn_.flying();
   turn_direction(held);
+  direction_moves_ = turning && state_.settings.method.direction != former_direction;
   for (const Command& command : edits.commands) {
     std::visit(CommandRunner{*this}, command);
     settle_frames_ = k_settle_frames;
@@ -284,6 +287,7 @@ SceneSettings App::scene_settings() const {
   scene.view = view_settings(state_.settings.look, state_.settings.method, state_.window.theme, extent_,
                              opening_.at(now_s_), scale_);
   scene.camera = state_.camera;
+  scene.direction_moves = direction_moves_;
   scene.marks.undercut_glow = glow();
   if (state_.hover) {
     scene.marks.hovered = state_.hover->point.facet;

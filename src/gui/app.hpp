@@ -147,6 +147,7 @@ class App {
   double now_s_ = 0.0, next_frame_s_ = 0.0;
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
+  bool direction_moves_ = false;  // under a hand or in a flight, in this frame
   bool refining_ = false, candidates_missing_ = false, was_split_ = false;
   bool had_undercut_ = true;  // of the last figures; none is known yet
   double glow_start_s_ = -1e9;

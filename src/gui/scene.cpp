@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "session/live_maps.hpp"
+
 namespace moldlight::gui {
 
 namespace {
@@ -37,9 +39,11 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       map_picture_(context.functions()) {}
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
-  if (!maps_of_ || !same_maps(*maps_of_, settings.method)) {
-    classifier_.draw_maps(settings.method);
-    maps_of_ = settings.method;
+  const MethodSettings method =
+      settings.direction_moves ? live_method(settings.method, model_->frame.diagonal) : settings.method;
+  if (!maps_of_ || !same_maps(*maps_of_, method)) {
+    classifier_.draw_maps(method);
+    maps_of_ = method;
     thumbnails_stale_ = true;
   }
   drawn_ = true;

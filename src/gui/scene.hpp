@@ -26,6 +26,7 @@ struct SceneSettings {
   ViewSettings view;
   Camera camera;
   ViewMarks marks;
+  bool direction_moves = false;  // maps may be coarser than the method's
 };
 
 /// Needs its context current at every call.
@@ -52,7 +53,7 @@ class Scene {
   Classifier classifier_;
   PartView view_;
   MapPicture map_picture_;
-  std::optional<MethodSettings> maps_of_;  // the settings for which the maps were drawn
+  std::optional<MethodSettings> maps_of_;  // the settings by which the maps were drawn
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;

@@ -84,12 +84,11 @@ void PartView::draw_sample(const PartBuffers& part, const ShadowMaps& maps) {
   const int taps = !settings.ambient_occlusion ? 0 : moving ? k_taps_moving : k_taps_at_rest;
   const auto layer = [&](Layer which) {
     passes.draw_surface(frame, *targets_, which, part, maps);
-    passes.classify(frame, *targets_, which, part, maps);
     passes.draw_openness(frame, *targets_, taps);
     if (which == Layer::undercuts_alone || settings.others_opacity >= 1.0) {
       passes.draw_background(frame, *targets_);
     }
-    passes.shade(frame, *targets_, which, part);
+    passes.shade(frame, *targets_, which, part, maps);
   };
   if (settings.others_opacity < 1.0) layer(Layer::undercuts_alone);
   layer(Layer::whole);

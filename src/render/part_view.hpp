@@ -1,7 +1,7 @@
 // The picture of the part: one path for the window's viewport, still pictures and contact sheets.
 //
-// Deferred: the facet and the normal of each visible fragment are drawn first; then each fragment is
-// classified once (shaders/common/region.glsl) and shaded. A picture at rest is refined: later calls average
+// Deferred: the facet and the normal of each visible fragment are drawn first; then one pass classifies each
+// fragment once (shaders/common/region.glsl) and shades it. A picture at rest is refined: later calls average
 // it with copies shifted by parts of a pixel.
 #pragma once
 

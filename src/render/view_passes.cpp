@@ -25,6 +25,7 @@ constexpr double k_openness_radius = 0.09, k_openness_share = 0.11;
 constexpr double k_hatch_pitch_px = 7.0, k_hatch_strength = 0.30;
 constexpr double k_level_pitch_px = 6.0;
 constexpr int k_arrow_sides = 48;
+constexpr int k_first_map_unit = 7;  // of the shading's textures
 
 bool opened(const ViewFrame& frame) { return frame.settings.open_mold > 0.0; }
 
@@ -117,23 +118,6 @@ void ViewPasses::draw_cut(const ViewFrame& frame, const ViewTargets& targets) {
   draw_fullscreen();
 }
 
-void ViewPasses::classify(const ViewFrame& frame, const ViewTargets& targets, Layer layer,
-                          const PartBuffers& part, const ShadowMaps& maps) {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_accessible.name());
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_GREATER);
-  const bool known = by_region(frame, layer);
-  const gl::Program& program = programs_.use("common/at_infinity.vert", "view/region.frag",
-                                             {known ? "OPENED" : "", known ? "" : symmetric(maps)});
-  program.set_texture("t_surface", 0, GL_TEXTURE_2D, targets.surface);
-  if (!known) {
-    maps.bind(program, part, 1);
-    program.set("u_map_shift", frame.map_shift);
-    frame.set_sight(program);
-  }
-  draw_fullscreen();
-}
-
 void ViewPasses::draw_openness(const ViewFrame& frame, const ViewTargets& targets, int taps) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_openness.name());
   if (taps == 0) {
@@ -185,18 +169,27 @@ void ViewPasses::draw_background(const ViewFrame& frame, const ViewTargets& targ
 }
 
 void ViewPasses::shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer,
-                       const PartBuffers& part) {
+                       const PartBuffers& part, const ShadowMaps& maps) {
   const ViewSettings& settings = frame.settings;
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_colour.name());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_shaded.name());
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthMask(GL_FALSE);
   gl_->DepthFunc(GL_GREATER);
   const bool detail = needs_detail(settings);
-  const gl::Program& program =
-      programs_.use("common/at_infinity.vert", "view/shade.frag", {detail ? "DETAIL" : ""});
+  const bool known = by_region(frame, layer);
+  const bool plain =
+      !known && settings.colour_mode == ColourMode::plain && !detail && settings.others_opacity >= 1.0;
+  const bool classified = !known && !plain;
+  const gl::Program& program = programs_.use("common/at_infinity.vert", "view/shade.frag",
+                                             {known ? "OPENED" : "", plain ? "PLAIN" : "",
+                                              classified ? symmetric(maps) : "", detail ? "DETAIL" : ""});
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, targets.surface);
-  program.set_texture("t_accessible", 1, GL_TEXTURE_2D, targets.accessible);
-  program.set_texture("t_openness", 2, GL_TEXTURE_2D, targets.openness);
+  program.set_texture("t_openness", 1, GL_TEXTURE_2D, targets.openness);
+  if (classified) {
+    maps.bind(program, part, k_first_map_unit);
+    program.set("u_map_shift", frame.map_shift);
+    frame.set_sight(program);
+  }
   const bool regions = settings.colour_mode == ColourMode::regions;
   for (unsigned bits = 0; bits < 4; ++bits) {
     const Region region = region_of((bits & 1U) != 0, (bits & 2U) != 0);
@@ -204,11 +197,13 @@ void ViewPasses::shade(const ViewFrame& frame, const ViewTargets& targets, Layer
                 light_value(regions ? region_colour(region, settings.palette) : k_plain_surface));
   }
   frame.set_eye_axes(program);
-  const glm::dvec2 origin =
-      project(frame.camera, frame.size, glm::dvec3(0.0)).value_or(glm::dvec2(0.0)) + frame.shift_px;
-  program.set("u_hatch_origin", glm::vec2(origin.x, frame.size.y - origin.y));
-  program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
-                                   settings.hatch_undercut && regions ? k_hatch_strength : 0.0));
+  if (!plain) {
+    const glm::dvec2 origin =
+        project(frame.camera, frame.size, glm::dvec3(0.0)).value_or(glm::dvec2(0.0)) + frame.shift_px;
+    program.set("u_hatch_origin", glm::vec2(origin.x, frame.size.y - origin.y));
+    program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
+                                     settings.hatch_undercut && regions ? k_hatch_strength : 0.0));
+  }
   const bool ghost = settings.others_opacity < 1.0 && layer == Layer::whole;
   program.set("u_others_opacity", ghost ? static_cast<float>(settings.others_opacity) : 1.0F);
   if (detail) set_detail(program, frame, part);
@@ -229,7 +224,7 @@ void ViewPasses::set_detail(const gl::Program& program, const ViewFrame& frame,
   program.set_texture("t_positions", 5, GL_TEXTURE_BUFFER, part.positions());
   program.set_texture("t_corners", 6, GL_TEXTURE_BUFFER, part.corners());
   frame.set_sight(program);
-  program.set("u_direction", glm::vec3(frame.direction));
+  program.set("u_parting", glm::vec3(frame.direction));
   program.set("u_draft_colours", settings.colour_mode == ColourMode::draft_angle ? 1 : 0);
   const DraftScale scale = draft_scale(settings.tau_deg, settings.palette);
   for (std::size_t i = 0; i < scale.limits_deg.size(); ++i) {

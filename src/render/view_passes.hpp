@@ -24,12 +24,11 @@ class ViewPasses {
   /// Facet, normal and depth of each visible fragment.
   void draw_surface(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part,
                     const ShadowMaps& maps);
-  /// The accessibility bits of each.
-  void classify(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part,
-                const ShadowMaps& maps);
   void draw_openness(const ViewFrame& frame, const ViewTargets& targets, int taps);
   void draw_background(const ViewFrame& frame, const ViewTargets& targets);
-  void shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part);
+  /// Accessibility bits and colour of each. A plain picture of one layer knows no regions.
+  void shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part,
+             const ShadowMaps& maps);
   void draw_lines(const ViewFrame& frame, const ViewTargets& targets, const PartBuffers& part);
   void draw_arrows(const ViewFrame& frame, const ViewTargets& targets);
 

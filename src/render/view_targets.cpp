@@ -17,6 +17,8 @@ ViewTargets::ViewTargets(const gl::Functions& gl, const glm::ivec2& wanted) : si
   to_surface = framebuffer(surface, &depth);
   to_accessible = framebuffer(accessible, &depth);
   to_colour = framebuffer(colour, &depth);
+  const GLuint shaded[] = {colour.name(), accessible.name()};
+  to_shaded = gl::make_framebuffer(gl, {.colours = shaded, .depth = depth.name()});
   to_depth = gl::make_framebuffer(gl, {.colours = {}, .depth = depth.name()});
   to_openness = framebuffer(openness, nullptr);
 }

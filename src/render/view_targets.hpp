@@ -21,6 +21,7 @@ struct ViewTargets {
   gl::Texture colour;                                    // RGBA8, one sample in sRGB
   gl::Texture sum;                                       // RGBA32F, squares of samples
   gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
+  gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
   gl::Framebuffer to_depth, to_openness, to_sum;
 };
 
