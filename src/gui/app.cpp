@@ -120,6 +120,7 @@ void App::frame(const FrameInput& input) {
   apply(edits);
   figures_.update(state_, state_.figures, now_s_, !edits.dragging && !turn_.flying());
   watch_undercut();
+  measure_face();
   const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
   settle_frames_ = event ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
@@ -168,6 +169,20 @@ void App::watch_undercut() {
   had_undercut_ = has;
 }
 
+void App::choose_face(std::optional<ChosenFace> face) {
+  if (state_.face.has_value() == face.has_value() && (!face || face->number == state_.face->number)) return;
+  state_.face = std::move(face);
+  face_figures_of_ = 0;
+  scene_->choose_face(state_.face ? &*state_.face : nullptr);
+  measure_face();
+}
+
+void App::measure_face() {
+  if (!state_.face || !state_.figures.shown || face_figures_of_ == state_.figures.revision) return;
+  state_.face->figures = face_figures(*state_.model, *state_.figures.shown, state_.face->number);
+  face_figures_of_ = state_.figures.revision;
+}
+
 double App::glow() const {
   const double t = (now_s_ - glow_start_s_) / k_glow_s;
   return t < 0.0 || t >= 1.0 ? 0.0 : std::sin(t * glm::pi<double>());
@@ -187,6 +202,7 @@ void App::install(LoadedPart part) {
   state_.sweep_choices.compared.reset();
   turn_.stop();
   state_.hover.reset();
+  state_.face.reset();
   extent_direction_ = glm::dvec3(0.0);
   file_watch_.watch(part.path);
   std::erase(state_.recent, part.path);

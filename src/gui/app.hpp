@@ -103,6 +103,8 @@ class App {
   void plan_next_frame();
   [[nodiscard]] std::vector<unsigned> shipped_pictures(const Ui& ui);
   void watch_undercut();
+  void choose_face(std::optional<ChosenFace> face);
+  void measure_face();
   [[nodiscard]] double glow() const;
   /// What is drawn of a sweep's directions: one of the small pictures a frame.
   void draw_candidates();
@@ -147,7 +149,8 @@ class App {
   double now_s_ = 0.0, next_frame_s_ = 0.0;
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
-  bool direction_moves_ = false;  // under a hand or in a flight, in this frame
+  std::uint64_t face_figures_of_ = 0;  // revision of the figures
+  bool direction_moves_ = false;       // under a hand or in a flight, in this frame
   bool refining_ = false, candidates_missing_ = false, was_split_ = false;
   bool had_undercut_ = true;  // of the last figures; none is known yet
   double glow_start_s_ = -1e9;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/chosen_face.hpp"
 #include "gui/feature_directions.hpp"
 #include "gui/jobs/load_job.hpp"
 #include "gui/look_settings.hpp"
@@ -48,7 +49,8 @@ struct Figures {
   std::optional<Classification> shown;
   bool stale = false;  // of other settings than the present ones
   bool measuring = false;
-  std::string error;  // why there are none
+  std::uint64_t revision = 0;  // rises when others are shown
+  std::string error;           // why there are none
 };
 
 struct Loading {
@@ -84,6 +86,7 @@ struct AppState {
   SweepChoices sweep_choices;
   SweepState sweep;
   std::optional<Hover> hover;
+  std::optional<ChosenFace> face;  // chosen by a click
   std::optional<Loading> loading;
   std::vector<Toast> toasts;
   Dialogs dialogs;

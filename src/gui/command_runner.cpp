@@ -116,6 +116,10 @@ void App::CommandRunner::operator()(const StartSweep&) const {
 
 void App::CommandRunner::operator()(const CancelSweep&) const { app.sweep_.cancel(); }
 
+void App::CommandRunner::operator()(const ChooseFace& command) const {
+  app.choose_face(command.facet ? face_of(*app.state_.model, *command.facet) : std::nullopt);
+}
+
 void App::CommandRunner::operator()(const Quit&) const { app.quitting_ = true; }
 
 void App::CommandRunner::operator()(const FlyToDirection& command) const {

@@ -28,6 +28,7 @@ struct App::CommandRunner {
   void operator()(const StartSweep&) const;
   void operator()(const CancelSweep&) const;
   void operator()(const FlyToDirection& command) const;
+  void operator()(const ChooseFace& command) const;
   void operator()(const Quit&) const;
 };
 

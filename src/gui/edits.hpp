@@ -1,6 +1,7 @@
 // What panels and mouse ask for in a frame. The app carries it out when the frame's windows are done.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,6 +29,10 @@ struct ToggleProjection {};
 /// The direction becomes the normal of the facet (or the axis of the round wall) under the cursor.
 struct TakeNormal {};
 struct TakeAxis {};
+/// The CAD face of the facet is chosen; of nothing, none is.
+struct ChooseFace {
+  std::optional<FacetIndex> facet;
+};
 struct TakePicture {};
 struct SaveNotesBeside {
   bool beside = true;
@@ -54,7 +59,7 @@ struct Export {
 using Command =
     std::variant<OpenPart, CancelLoading, Undo, Redo, FitView, LookFrom, LookAlongDirection, ToggleProjection,
                  TakeNormal, TakeAxis, TakePicture, SaveNotesBeside, ResetLayout, DismissToasts, Say, Export,
-                 StartSweep, CancelSweep, FlyToDirection, Quit>;
+                 StartSweep, CancelSweep, FlyToDirection, ChooseFace, Quit>;
 
 /// Values begin as they are in the state; commands are carried out in order after them.
 struct Edits {

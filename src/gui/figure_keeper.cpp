@@ -37,6 +37,7 @@ void FigureKeeper::update(const AppState& state, Figures& figures, double now_s,
     figures.shown = std::move(outcome->classification);
     figures.error = std::move(outcome->error);
     figures.stale = false;
+    ++figures.revision;
   }
   figures.measuring = requested_ && measurer_.busy();
 }

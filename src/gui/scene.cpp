@@ -46,9 +46,26 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     maps_of_ = method;
     thumbnails_stale_ = true;
   }
+  if (settings.view.contour_edges) find_contour_edges(method);
   drawn_ = true;
   return view_.draw(target, classifier_.buffers(), classifier_.maps(), settings.camera, settings.view,
                     settings.marks);
+}
+
+void Scene::find_contour_edges(const MethodSettings& method) {
+  if (contour_of_ && contour_of_->direction == method.direction && contour_of_->tau_deg == method.tau_deg)
+    return;
+  const std::vector<FacetClass> classes =
+      facet_classes(model_->geometry, glm::normalize(method.direction), method.tau_deg);
+  const TriangleMesh& mesh = model_->part.mesh;
+  view_.set_contour_edges(contour_edges(mesh, model_->edges.convex, classes, model_->frame),
+                          contour_edges(mesh, model_->edges.concave, classes, model_->frame));
+  contour_of_ = method;
+}
+
+void Scene::choose_face(const ChosenFace* face) {
+  view_.choose_facets(face != nullptr ? face->facets : std::vector<FacetIndex>());
+  view_.set_outline(face != nullptr ? outline_of(*model_, *face) : std::vector<ViewSegment>());
 }
 
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {

@@ -37,6 +37,8 @@ class Scene {
   /// Draws over the whole target, which is bound afterwards. Returns true while drawing the same again would
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
+  /// Marks a face, or none.
+  void choose_face(const ChosenFace* face);
   /// What the picture last drawn shows at a pixel.
   [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
   /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.
@@ -48,12 +50,15 @@ class Scene {
   [[nodiscard]] const std::shared_ptr<const PartModel>& model() const { return model_; }
 
  private:
+  void find_contour_edges(const MethodSettings& method);
+
   const gl::Context* context_;
   std::shared_ptr<const PartModel> model_;
   Classifier classifier_;
   PartView view_;
   MapPicture map_picture_;
-  std::optional<MethodSettings> maps_of_;  // the settings by which the maps were drawn
+  std::optional<MethodSettings> maps_of_;     // the settings by which the maps were drawn
+  std::optional<MethodSettings> contour_of_;  // the settings for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;

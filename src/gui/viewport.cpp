@@ -16,6 +16,7 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_tip_reach = 12.0F;            // layout units around a tip in which it is grabbed
+constexpr float k_click_reach = 3.0F;           // pixels; a mouse that moves further drags
 constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
 constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
 
@@ -72,10 +73,16 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (!state.model) {
     gesture_ = Gesture::none;
     drag_.reset();
+    press_.reset();
     return;
   }
   if (gesture_ != Gesture::none && !io.MouseDown[imgui_button(button_)]) gesture_ = Gesture::none;
   if (drag_ && !io.MouseDown[0]) drag_.reset();
+  if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
+  if (press_ && !io.MouseDown[0]) {
+    edits.ask(ChooseFace{press_->facet});
+    press_.reset();
+  }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   if (!dragging() && on_scene) {
     for (const bool core : {true, false}) {
@@ -109,6 +116,8 @@ void Viewport::start(const Ui&, const AppState& state, const SceneFrame& frame, 
     drag_ = ArrowDrag{.core = *near_tip_, .front = shown->toward_viewer, .grip = shown->tip - mouse};
     return;
   }
+  if (button == MouseButton::left)
+    press_ = Press{state.hover ? std::optional(state.hover->point.facet) : std::nullopt};
   gesture_ = gesture_of(state.window.navigation, button, held_modifiers());
   button_ = button;
   // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.
@@ -139,7 +148,7 @@ void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) 
 void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits& edits) const {
   const auto centre = project(state.camera, frame.size, glm::dvec3(0.0));
   // A press alone, or a hand that trembles, leaves the direction as it is.
-  if (!centre || !ImGui::IsMouseDragging(0, 3.0F)) return;
+  if (!centre || !ImGui::IsMouseDragging(0, k_click_reach)) return;
   const glm::dvec2 tip = glm::dvec2(from_im(ImGui::GetIO().MousePos) + drag_->grip) - *centre;
   // How far out the tip stands depends on where it points: that is found by going round a few times.
   glm::dvec3 direction = glm::normalize(state.settings.method.direction) * (drag_->core ? 1.0 : -1.0);

@@ -48,6 +48,10 @@ class Viewport {
   Gesture gesture_ = Gesture::none;
   MouseButton button_ = MouseButton::left;
   glm::dvec3 pivot_{0.0};
+  struct Press {
+    std::optional<FacetIndex> facet;
+  };
+  std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
   std::optional<ArrowDrag> drag_;
   std::optional<bool> near_tip_;  // the tip under the cursor: the core's or not
   bool hovers_ = false;

@@ -99,6 +99,11 @@ void PartView::draw_sample(const PartBuffers& part, const ShadowMaps& maps) {
 
 void PartView::choose_facets(std::span<const FacetIndex> facets) { passes_->choose_facets(facets); }
 
+void PartView::set_outline(std::span<const ViewSegment> segments) {
+  passes_->set_outline(segments);
+  shown_->samples = 0;
+}
+
 void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {
   passes_->set_contour_edges(convex, concave);
   shown_->samples = 0;

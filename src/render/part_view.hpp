@@ -58,6 +58,8 @@ class PartView {
 
   /// Facets that are marked from the next call of draw() on.
   void choose_facets(std::span<const FacetIndex> facets);
+  /// Segments that are drawn over the picture in the colour of marks, from the next call of draw() on.
+  void set_outline(std::span<const ViewSegment> segments);
   /// The contour edges of the direction, which ViewSettings::contour_edges shows (see contour_edges()).
   void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
 

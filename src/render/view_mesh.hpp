@@ -39,7 +39,7 @@ class ViewMesh {
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] std::span<const glm::vec3> extremes() const { return extremes_; }
 
-  SegmentBuffer feature_edges, convex_contour, concave_contour;
+  SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
 
  private:
   const gl::Functions* gl_;

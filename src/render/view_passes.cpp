@@ -308,6 +308,10 @@ void ViewPasses::draw_lines(const ViewFrame& frame, const ViewTargets& targets, 
     draw_segments(frame, targets, part, mesh_.concave_contour,
                   {glm::vec4(0.04F, 0.04F, 0.05F, opacity), 2.6});
   }
+  // Dark below light: it stands out from every colour.
+  const glm::vec3 mark = screen_value(k_hover_mark);
+  draw_segments(frame, targets, part, mesh_.outline, {glm::vec4(0.0F, 0.0F, 0.0F, 0.75F), 4.2});
+  draw_segments(frame, targets, part, mesh_.outline, {glm::vec4(mark, 1.0F), 2.2});
 }
 
 void ViewPasses::draw_arrows(const ViewFrame& frame, const ViewTargets& targets) {
@@ -399,6 +403,10 @@ void ViewPasses::choose_facets(std::span<const FacetIndex> facets) {
   chosen_buffer_ = gl::make_buffer(*gl_, GL_TEXTURE_BUFFER, std::span<const std::uint8_t>(chosen));
   chosen_ = gl::make_buffer_texture(*gl_, GL_R8UI, chosen_buffer_);
   any_chosen_ = !facets.empty();
+}
+
+void ViewPasses::set_outline(std::span<const ViewSegment> segments) {
+  mesh_.outline = SegmentBuffer(*gl_, segments);
 }
 
 void ViewPasses::set_contour_edges(std::span<const ViewSegment> convex,

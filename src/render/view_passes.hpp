@@ -39,6 +39,7 @@ class ViewPasses {
   void draw_marks(const ViewTargets& targets, const ViewMarks& marks, GLuint framebuffer);
 
   void choose_facets(std::span<const FacetIndex> facets);
+  void set_outline(std::span<const ViewSegment> segments);
   void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
 
  private:

@@ -154,6 +154,7 @@ void apply_shortcut(const KeyPress& press, const AppState& state, Edits& edits) 
       edits.dialogs.panels_hidden = hidden;
       edits.sweep_choices.compared.reset();
       edits.sweep_choices.large_ball = false;
+      if (state.face) edits.ask(ChooseFace{});
       edits.ask(DismissToasts{});
       return;
     }

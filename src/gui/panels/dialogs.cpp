@@ -17,6 +17,7 @@ constexpr std::array k_direction_help = {
     HelpLine{"Ctrl while dragging", "snap to the part's own directions"},
     HelpLine{"Esc", "undo the drag"},
     HelpLine{"Double click", "direction: normal of that facet"},
+    HelpLine{"Click", "choose the CAD face there (STEP)"},
     HelpLine{"Alt + double click", "direction: axis of that round wall"},
     HelpLine{"N / A", "the same for the facet under the cursor"},
     HelpLine{"Arrow keys", "turn by 1°, with Shift by 0.1°"},

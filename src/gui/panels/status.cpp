@@ -22,6 +22,20 @@ std::string facet_line(const Hover& hover) {
                      draft < 0.0 ? "−" : "", std::abs(draft), region_name(hover.point.region));
 }
 
+/// The chosen face, with the shares that `--faces` tells; those that print as nothing are left out.
+std::string face_line(const AppState& state) {
+  const ChosenFace& face = *state.face;
+  std::string line = fmt::format("face {}", grouped(std::to_string(face.number)));
+  if (!face.figures) return line + "  ·  measuring …";
+  const double area = face.figures->areas.total();
+  line += fmt::format("  ·  {} {}", grouped(fmt::format("{:.5g}", area)), powered_unit(state.model->part, 2));
+  for (const Region region : k_regions) {
+    const double share = area > 0.0 ? 100.0 * face.figures->areas[region] / area : 0.0;
+    if (share >= 0.05) line += fmt::format("  ·  {} {:.1f} %", region_name(region), share);
+  }
+  return line;
+}
+
 std::string blocker_line(const AppState& state, const Blocker& blocker) {
   return fmt::format("blocked by facet {}, {} {} {}", grouped(std::to_string(blocker.facet)),
                      fmt::format("{:.4g}", blocker.distance), length_unit(state.model->part),
@@ -31,21 +45,23 @@ std::string blocker_line(const AppState& state, const Blocker& blocker) {
 }  // namespace
 
 void draw_status(const PanelContext& context) {
-  if (!context.state.hover || !context.state.model) return;
+  if (!context.state.model || (!context.state.hover && !context.state.face)) return;
   const Ui& ui = context.ui;
-  const Hover& hover = *context.state.hover;
   const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
   ImGui::SetNextWindowPos(
       ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), static_cast<float>(area.max.y) - ui.px(12)),
       ImGuiCond_Always, ImVec2(0.5F, 1.0F));
   ImGui::Begin("Status", nullptr, k_card | ImGuiWindowFlags_NoInputs);
-  const std::string line = facet_line(hover);
-  ImGui::TextUnformatted(line.c_str());
-  if (hover.blocker) {
-    const std::string reason = blocker_line(context.state, *hover.blocker);
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.colours->muted);
-    ImGui::TextUnformatted(reason.c_str());
+  const auto write = [&](const std::string& line, ImU32 colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(line.c_str());
     ImGui::PopStyleColor();
+  };
+  if (context.state.face)
+    write(face_line(context.state), context.state.figures.stale ? ui.colours->muted : ui.colours->text);
+  if (const auto& hover = context.state.hover) {
+    write(facet_line(*hover), ui.colours->text);
+    if (hover->blocker) write(blocker_line(context.state, *hover->blocker), ui.colours->muted);
   }
   ImGui::End();
 }
