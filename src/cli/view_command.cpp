@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
+#include "cli/reading_flags.hpp"
 #include "gui/screenshot.hpp"
 #include "gui/shipped_parts.hpp"
 #include "gui/store/state_folder.hpp"
@@ -119,6 +120,7 @@ void add_view_command(CLI::App& program, Request& request) {
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
       "with the direction at rest, and with a direction that changes every frame");
+  add_reading_flags(*command, flags->reading);
   add_method_flags(*command, flags->notes.method);
   add_option_flags(*command, gui::look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);

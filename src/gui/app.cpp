@@ -53,6 +53,7 @@ App::App(const gl::Context& context, AppOptions options)
       figures_(options_.make_context, options_.wake),
       sweep_(options_.make_context, options_.wake) {
   state_.window = options_.user.window;
+  state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
   state_.shipped = options_.shipped_parts;
   state_.camera.orientation = standard_orientation(StandardView::isometric);
@@ -255,7 +256,12 @@ void App::apply(const Edits& edits) {
     settle_frames_ = k_settle_frames;
   }
   state_.dialogs = edits.dialogs;
+  const bool was_large = state_.sweep_choices.large_ball,
+             was_compared = state_.sweep_choices.compared.has_value();
   state_.sweep_choices = edits.sweep_choices;
+  // The large ball would cover one of the two pictures.
+  if (state_.sweep_choices.large_ball && !was_large) state_.sweep_choices.compared.reset();
+  if (state_.sweep_choices.compared && !was_compared) state_.sweep_choices.large_ball = false;
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {
     state_.settings = history_.settled();
@@ -402,6 +408,7 @@ void App::save() {
   if (!options_.persistent) return;
   try {
     options_.user.window = state_.window;
+    options_.user.sweep = state_.sweep_choices.options;
     options_.user.recent = state_.recent;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "gl/colour_target.hpp"
 #include "render/part_view.hpp"
 #include "session/classifier.hpp"
 #include "session/live_maps.hpp"
@@ -27,9 +28,7 @@ double median(std::vector<double> values) {
 FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<const PartModel>& model,
                           const MethodSettings& method, const glm::ivec2& size, const Progress& progress) {
   const gl::Functions& gl = context.functions();
-  const gl::Texture picture = gl::make_texture_2d(gl, GL_RGBA8, size.x, size.y);
-  const GLuint name = picture.name();
-  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {&name, 1}});
+  const gl::ColourTarget picture(gl, size);
   Classifier resting(context, model), changing(context, model);
   PartView view(gl, view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame));
   Camera start;
@@ -40,7 +39,7 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
   const auto timed = [&](const auto& draw) {
     const auto begin = std::chrono::steady_clock::now();
     draw();
-    gl.Finish();
+    static_cast<void>(view.pick(size / 2));  // waits for the GL, as a cursor on the part does
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   };
   std::vector<double> plain_ms, rest_ms, changing_ms, rest_ratio, changing_ratio;
@@ -49,7 +48,7 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     const Camera camera = orbited(start, 0.05 * turn, 0.01 * turn, {0, 0, 1}, glm::dvec3(0.0));
     ViewSettings settings;
     const auto draw = [&](const Classifier& classifier) {
-      view.draw({framebuffer.name(), size}, classifier.buffers(), classifier.maps(), camera, settings);
+      view.draw({picture.framebuffer(), size}, classifier.buffers(), classifier.maps(), camera, settings);
     };
     settings.colour_mode = ColourMode::plain;
     const double plain = timed([&] { draw(resting); });

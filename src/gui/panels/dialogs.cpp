@@ -73,7 +73,8 @@ void draw_lines(const Ui& ui, std::string_view heading, std::span<const HelpLine
   const float left = ImGui::GetCursorPosX();
   for (const HelpLine& line : lines) {
     ImGui::TextUnformatted(line.keys);
-    ImGui::SameLine(left + ui.px(148));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + ui.px(148));
     ImGui::PushStyleColor(ImGuiCol_Text, ui.colours->muted);
     ImGui::TextUnformatted(line.meaning);
     ImGui::PopStyleColor();

@@ -1,6 +1,11 @@
 // What the picture shows: the mold's opening, section, colours, edges.
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "render/view_colours.hpp"
 
 namespace moldlight::gui {
 
@@ -26,6 +31,32 @@ void draw_chips(const Ui& ui, LookSettings& look) {
   }
 }
 
+/// The colours of the draft angles, each between two of the limits that stand below.
+void draw_draft_key(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const DraftScale scale =
+      draft_scale(context.state.settings.method.tau_deg, context.state.settings.look.palette);
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos()) + glm::vec2(ui.px(8), ui.px(3));
+  const float step =
+      (ImGui::GetContentRegionAvail().x - ui.px(16)) / static_cast<float>(scale.colours.size());
+  const float height = ui.px(8);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t k = 0; k < scale.colours.size(); ++k) {
+    const glm::vec2 min = start + glm::vec2(static_cast<float>(k) * step, 0.0F);
+    list.AddRectFilled(im(min), im(min + glm::vec2(step - ui.px(1), height)), packed(scale.colours[k]),
+                       ui.px(2));
+  }
+  for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
+    const double limit = scale.limits_deg[k];
+    const std::string text = fmt::format("{}{:.3g}°", limit < 0.0 ? "−" : "", std::abs(limit));
+    draw_text(list, ui.fonts.small,
+              start + glm::vec2(static_cast<float>(k + 1) * step - 0.5F * text_size(ui.fonts.small, text).x,
+                                height + ui.px(3)),
+              ui.colours->muted, text);
+  }
+  ImGui::Dummy(ImVec2(1.0F, height + ui.px(6) + ui.fonts.small.size));
+}
+
 }  // namespace
 
 void draw_look_panel(const PanelContext& context) {
@@ -37,6 +68,7 @@ void draw_look_panel(const PanelContext& context) {
       if (is_switch && option.key != "section") continue;
       if (option.key == "section_height" && !look.section) continue;
       option_row(ui, option, look);
+      if (option.key == "colouring" && look.colouring == Colouring::draft) draw_draft_key(context);
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));

@@ -31,7 +31,13 @@ std::string short_direction(const glm::dvec3& direction) {
     if (std::abs(direction[axis]) == 1.0)
       return fmt::format("{}{}", direction[axis] > 0.0 ? "+" : "−", "XYZ"[axis]);
   }
-  return direction_text(direction);
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool none = std::abs(direction[axis]) < 5e-3, minus = direction[axis] < 0.0 && !none;
+    text += fmt::format("{}{}{:.2f}", axis > 0 ? ", " : "", minus ? "−" : "",
+                        none ? 0.0 : std::abs(direction[axis]));
+  }
+  return text;
 }
 
 std::string tilt_text(const AppState&, const SweepCandidate& candidate) {
@@ -58,7 +64,7 @@ constexpr std::array<SweepColumn, 11> k_columns = {{
      .key = [](const C& c) { return static_cast<double>(c.rank); }},
     {.name = "direction",
      .help = "",
-     .width = 132,
+     .width = 116,
      .right = false,
      .text = [](const A&, const C& c) { return short_direction(c.candidate.direction); },
      .key = nullptr},

@@ -14,6 +14,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_recent_limit = 12;
 
+/// What another version wrote and this one does not know keeps its default.
+template <typename Settings>
+void set_known_options(std::span<const Option<Settings>> options, Settings& settings, const Json& json) {
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    try {
+      set_options(options, settings, Json{{key, value}});
+    } catch (const UsageError&) {
+    }
+  }
+}
+
 }  // namespace
 
 void UserState::remember(const std::string& path) {
@@ -26,6 +38,7 @@ std::string user_state_json(const UserState& state) {
   Json json;
   json["schema"] = "moldlight.window/1";
   json["settings"] = options_json(window_options(), state.window);
+  json["sweep"] = options_json(sweep_options(), state.sweep);
   json["recent"] = state.recent;
   return json.dump(2) + "\n";
 }
@@ -34,15 +47,8 @@ UserState parse_user_state(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw UsageError("the saved window settings are no JSON object");
   UserState state;
-  if (json.contains("settings") && json["settings"].is_object()) {
-    for (const auto& [key, value] : json["settings"].items()) {
-      try {
-        set_options(window_options(), state.window, Json{{key, value}});
-      } catch (const UsageError&) {
-        // Written by another version: the default does.
-      }
-    }
-  }
+  if (json.contains("settings")) set_known_options(window_options(), state.window, json["settings"]);
+  if (json.contains("sweep")) set_known_options(sweep_options(), state.sweep, json["sweep"]);
   if (json.contains("recent") && json["recent"].is_array()) {
     for (const Json& path : json["recent"]) {
       if (path.is_string() && state.recent.size() < k_recent_limit)

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "gui/window_settings.hpp"
+#include "session/sweep/sweep_settings.hpp"
 
 namespace moldlight::gui {
 
 struct UserState {
   WindowSettings window;
   std::vector<std::string> recent;  // absolute paths, the latest first
+  SweepSettings sweep;              // options of the next sweep
   std::string layout;               // as imgui.ini; empty for the shipped one
 
   /// Puts a path in front of the recent ones and forgets the oldest of more than twelve.

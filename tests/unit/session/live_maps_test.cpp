@@ -1,0 +1,38 @@
+// Maps of a direction that moves: coarser, with the same lengths.
+#include "session/live_maps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "session/classifier.hpp"
+
+namespace moldlight {
+namespace {
+
+TEST(LiveMaps, KeepTheLengthsOfTheFullOnes) {
+  constexpr double k_diagonal = 73.0;
+  MethodSettings full;
+  full.resolution = 4096;
+  full.kernel = 5;
+  const MethodSettings live = live_method(full, k_diagonal);
+  EXPECT_EQ(live.resolution, 1024);
+  const MapSettings fine = map_settings(full, k_diagonal), coarse = map_settings(live, k_diagonal);
+  EXPECT_DOUBLE_EQ(coarse.lateral, fine.lateral);
+  EXPECT_DOUBLE_EQ(coarse.edge_thickness / coarse.resolution, fine.edge_thickness / fine.resolution);
+  EXPECT_EQ(live.direction, full.direction);
+}
+
+TEST(LiveMaps, CoarseOnesStayAsTheyAre) {
+  MethodSettings full;
+  full.resolution = 1024;
+  EXPECT_EQ(live_method(full, 10.0), full);
+  full.resolution = 2048;
+  full.tolerance = 0.25;
+  EXPECT_EQ(live_method(full, 10.0).tolerance, 0.25);
+  full.tolerance.reset();
+  full.kernel_shape = KernelShape::symmetric;
+  EXPECT_EQ(live_method(full, 10.0).kernel, full.kernel);
+  EXPECT_FALSE(live_method(full, 10.0).tolerance) << "a symmetric kernel is made of texels";
+}
+
+}  // namespace
+}  // namespace moldlight
