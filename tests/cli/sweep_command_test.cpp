@@ -313,7 +313,7 @@ TEST(SweepCommand, PutsOutWhatIsDoneWhenInterrupted) {
 TEST(SweepCommand, EndsAtTheTimeLimitWithAWarning) {
   const SmallPart part;
   const auto run =
-      run_moldlight(with(part.sweep({"--json", "-", "--time-limit", "0.5"}), "--directions", "100000"));
+      run_moldlight(with(part.sweep({"--json", "-", "--time-limit", "0.01"}), "--directions", "100000"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("time limit"), std::string::npos) << run.err;
   const Json report = json_of(run.out);

@@ -131,7 +131,8 @@ void SweepRun::score_candidates() {
   std::vector<Candidate> candidates =
       find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options, Progress{});
   // Candidates of the part come first and set a low limit for those of the even set.
-  for (std::size_t first = 0; first < candidates.size() && !watch_.stopped(); first += k_batch) {
+  for (std::size_t first = 0; first < candidates.size(); first += k_batch) {
+    if (contenders_.empty() ? watch_.cancelled() : watch_.stopped()) break;
     const std::size_t count = std::min(k_batch, candidates.size() - first);
     score_batch(std::span(candidates).subspan(first, count), first, candidates.size());
   }
@@ -153,8 +154,10 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
     watch_.report(sweep_stage::k_scoring, static_cast<double>(++done) / static_cast<double>(total));
     if (listener_.evaluated) listener_.evaluated(evaluated(i, score));
   };
+  // The first directions are scored even when the time is over already: there is a best one to tell.
+  const bool is_first = contenders_.empty();
   const auto scores = engine_.pool().score(
-      tasks, [this] { return watch_.stopped(); }, listener);
+      tasks, [&] { return is_first ? watch_.cancelled() : watch_.stopped(); }, listener);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!scores[i]) continue;
     result_.evaluated.push_back(evaluated(i, *scores[i]));

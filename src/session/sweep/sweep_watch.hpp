@@ -20,9 +20,13 @@ class SweepWatch {
   }
   /// Cancelled, or over the time. Asked by whoever still has work to do, from any thread.
   [[nodiscard]] bool stopped() const {
-    const bool stop = progress_.cancelled() || (time_limit_s_ > 0.0 && elapsed_s() > time_limit_s_);
-    if (stop) cut_short_ = true;
-    return stop;
+    const bool over = time_limit_s_ > 0.0 && elapsed_s() > time_limit_s_;
+    if (over) cut_short_ = true;
+    return cancelled() || over;
+  }
+  [[nodiscard]] bool cancelled() const {
+    if (progress_.cancelled()) cut_short_ = true;
+    return progress_.cancelled();
   }
   /// Work was left undone.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
