@@ -7,16 +7,21 @@ namespace moldlight {
 
 namespace {
 constexpr double k_least_share = 1e-5;  // of the part's area
-}
+constexpr double k_large_share = 1e-3;  // of the part's area
+constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
+}  // namespace
 
 UndercutPatches undercut_patches(std::span<const std::array<float, k_region_count>> facet_fractions,
                                  const FacetGeometry& geometry, const Adjacency& adjacency) {
-  constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
+  const auto belongs = [&](FacetIndex facet) {
+    const double share = static_cast<double>(facet_fractions[facet][k_undercut]);
+    return share >= 0.5 || share * geometry.areas[facet] >= k_large_share * geometry.total_area;
+  };
   UndercutPatches patches;
   patches.of_facet.assign(facet_fractions.size(), k_no_facet);
   std::vector<FacetIndex> queue;
   for (FacetIndex seed = 0; seed < facet_fractions.size(); ++seed) {
-    if (facet_fractions[seed][k_undercut] < 0.5F || patches.of_facet[seed] != k_no_facet) continue;
+    if (patches.of_facet[seed] != k_no_facet || !belongs(seed)) continue;
     const auto patch = static_cast<FacetIndex>(patches.areas.size());
     double area = 0.0;
     queue.assign(1, seed);
@@ -26,8 +31,7 @@ UndercutPatches undercut_patches(std::span<const std::array<float, k_region_coun
       queue.pop_back();
       area += geometry.areas[facet] * static_cast<double>(facet_fractions[facet][k_undercut]);
       for (const FacetIndex next : adjacency.across[facet]) {
-        if (next == k_no_facet || patches.of_facet[next] != k_no_facet) continue;
-        if (facet_fractions[next][k_undercut] < 0.5F) continue;
+        if (next == k_no_facet || patches.of_facet[next] != k_no_facet || !belongs(next)) continue;
         patches.of_facet[next] = patch;
         queue.push_back(next);
       }

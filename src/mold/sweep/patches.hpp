@@ -11,8 +11,9 @@
 
 namespace moldlight {
 
-/// Facets of which at least half is undercut, connected across shared edges. Patches of less than a 100,000th
-/// of the part's area are left out.
+/// Facets of which at least half is undercut, or as much as a 1000th of the part's area (of a coarse mesh's
+/// large facets), connected across shared edges. Patches of less than a 100,000th of the part's area are left
+/// out.
 struct UndercutPatches {
   std::size_t count = 0;
   std::vector<FacetIndex> of_facet;  // patch number, largest patch first; k_no_facet outside
