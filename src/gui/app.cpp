@@ -75,7 +75,10 @@ void App::set_notes(const PartNotes& notes) {
 }
 
 void App::say(std::string text, bool failure) {
-  state_.toasts.push_back({std::move(text), failure, now_s_ + (failure ? k_failure_toast_s : k_toast_s)});
+  const int number = state_.toasts.empty() ? 0 : state_.toasts.back().number + 1;
+  state_.toasts.push_back(
+      {number, std::move(text), failure, now_s_ + (failure ? k_failure_toast_s : k_toast_s)});
+  settle_frames_ = k_settle_frames;
   constexpr std::size_t k_most = 4;
   if (state_.toasts.size() > k_most) state_.toasts.erase(state_.toasts.begin());
 }

@@ -59,6 +59,7 @@ struct Loading {
 };
 
 struct Toast {
+  int number = 0;  // counts up, so that it keeps its place and size when an older one goes
   std::string text;
   bool failure = false;
   double until_s = 0.0;

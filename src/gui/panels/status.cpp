@@ -92,14 +92,13 @@ void draw_toasts(const PanelContext& context) {
   const AppState& state = context.state;
   const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
   float top = ui.px(k_bar_height + 12);
-  int number = 0;
   for (const Toast& toast : state.toasts) {
     const float width = std::min(ui.px(460), static_cast<float>(area.max.x - area.min.x) - ui.px(24));
     ImGui::SetNextWindowPos(ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), top), ImGuiCond_Always,
                             ImVec2(0.5F, 0.0F));
     ImGui::SetNextWindowBgAlpha(0.97F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
-    ImGui::Begin(fmt::format("Toast {}", number++).c_str(), nullptr, k_card);
+    ImGui::Begin(fmt::format("Toast {}", toast.number).c_str(), nullptr, k_card);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_icon(*ImGui::GetWindowDrawList(), toast.failure ? Icon::alert : Icon::check,
               {at.x + ui.px(8), at.y + 0.5F * ui.fonts.body.size}, ui.px(14),

@@ -135,7 +135,7 @@ struct Job {
   std::int64_t front, back;      // entries, but for the height
   std::int32_t lowest, highest;  // heights of the facet
   std::uint32_t facet;
-  Layer layer;
+  Layer layer = k_up_layer;  // of lanes that stand empty too: what is fetched ahead for them is somewhere
   std::uint32_t fragments, lost;  // lost: those that lie behind other facets
 };
 
