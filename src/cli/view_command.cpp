@@ -16,6 +16,7 @@
 #include "gui/window.hpp"
 #include "session/frame_benchmark.hpp"
 #include "session/headless.hpp"
+#include "session/option_table.hpp"
 
 namespace moldlight::cli {
 
@@ -26,6 +27,7 @@ struct ViewFlags {
   ReadOptions reading;
   gui::PartNotes notes;
   gui::WindowSettings window;
+  nlohmann::ordered_json window_given = nlohmann::ordered_json::object();
   std::string settings, screenshot, script, size = "1280x720";
   float scale = 1.0F;
   bool settings_given = false, benchmark = false;
@@ -69,7 +71,9 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
   if (flags.screenshot.empty()) {
-    gui::run_window({.part = flags.part, .reading = flags.reading, .notes = notes}, progress);
+    gui::run_window(
+        {.part = flags.part, .reading = flags.reading, .notes = notes, .window = flags.window_given},
+        progress);
     return 0;
   }
   check_output_files(flags.part, {{"--screenshot", flags.screenshot}});
@@ -125,6 +129,11 @@ void add_view_command(CLI::App& program, Request& request) {
   add_option_flags(*command, gui::look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);
   command->callback([command, flags, &request] {
+    const auto window = options_json(gui::window_options(), flags->window);
+    for (const auto& option : gui::window_options()) {
+      const std::string key(option.key);
+      if (command->count(std::string(option.flag)) > 0) flags->window_given[key] = window[key];
+    }
     for (const CLI::Option* option : command->get_options()) {
       const std::string name = option->get_name();
       const auto names = [&](const auto& entry) { return entry.flag == name; };

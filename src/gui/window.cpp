@@ -18,6 +18,7 @@
 #include "gui/shipped_parts.hpp"
 #include "gui/window_context.hpp"
 #include "session/headless.hpp"
+#include "session/option_table.hpp"
 
 namespace moldlight::gui {
 
@@ -107,6 +108,7 @@ AppOptions app_options(const WindowOptions& options) {
   app.persistent = true;
   app.reading = options.reading;
   app.user = load_user_state();
+  set_options(window_options(), app.user.window, options.window);
   app.shipped_parts = shipped_parts();
   app.wake = [] { glfwPostEmptyEvent(); };
   app.make_context = create_context;

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "base/progress.hpp"
 #include "gui/store/part_notes.hpp"
 #include "io/read_options.hpp"
@@ -14,6 +16,8 @@ struct WindowOptions {
   std::string part;  // empty: the start page
   ReadOptions reading;
   std::optional<PartNotes> notes;  // settings given on the command line
+  /// Keys of window_options() given there, with their values: they replace what is remembered.
+  nlohmann::ordered_json window = nlohmann::ordered_json::object();
 };
 
 /// Runs until the window is closed, or `progress` cancelled: then it saves what is to be remembered and

@@ -29,16 +29,17 @@ class RealWindow : public ::testing::Test {
       GTEST_SKIP() << "not installed: " << missing;
   }
 
-  void start(const glm::ivec2& screen, int dpi = 0) {
+  void start(const glm::ivec2& screen, int dpi = 0, const std::vector<std::string>& flags = {}) {
     display = std::make_unique<VirtualDisplay>(screen);
     if (dpi > 0) display->set_dots_per_inch(dpi, part.output("resources"));
     ProcessSettings settings;
     settings.time_limit_s = 300.0;
     settings.environment = display->environment();
     settings.environment.push_back("XDG_STATE_HOME=" + part.output("state"));
-    program = std::make_unique<Process>(std::vector<std::string>{MOLDLIGHT_BINARY, "view", part.file(),
-                                                                 "--resolution", "512", "--samples", "20000"},
-                                        settings);
+    std::vector<std::string> command = {MOLDLIGHT_BINARY, "view", part.file(), "--resolution", "512",
+                                        "--samples",      "20000"};
+    command.insert(command.end(), flags.begin(), flags.end());
+    program = std::make_unique<Process>(command, settings);
     window = display->find_window("cup.obj");
     static_cast<void>(display->act({"windowfocus", "--sync", window}));
   }
@@ -134,7 +135,7 @@ TEST_F(RealWindow, IsDraggedTypedIntoResizedAndQuit) {
 }
 
 TEST_F(RealWindow, FollowsTheMonitorsScale) {
-  start({2700, 1700}, 192);
+  start({2700, 1700}, 192, {"--theme", "light", "--navigation", "blender"});
   EXPECT_EQ(display->size_of(window), 2 * k_first_size) << "as large on the desk as on a coarse monitor";
   const Image picture = display->settled_picture_of(window);
   moldlight::test::keep_picture(picture, "window_scale_2");
@@ -147,6 +148,11 @@ TEST_F(RealWindow, FollowsTheMonitorsScale) {
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_EQ(result.err, "moldlight: interrupted\n");
   EXPECT_EQ(notes()["settings"]["direction"], nlohmann::ordered_json({0.0, 1.0, 1.0})) << notes();
+  const auto kept = moldlight::test::json_of(
+      moldlight::test::file_bytes(part.output("state") + "/moldlight/window.json"))["settings"];
+  EXPECT_EQ(kept["theme"], "light") << "flags of the window hold in it, not only in its picture";
+  EXPECT_EQ(kept["navigation"], "blender");
+  EXPECT_EQ(kept["motion"], true);
 }
 
 TEST(NoDisplay, IsToldInOneLineWithTheWayOut) {
