@@ -95,7 +95,7 @@ class RealWindow : public ::testing::Test {
   std::string window;
 };
 
-TEST_F(RealWindow, IsDraggedTypedIntoResizedAndQuit) {
+TEST_F(RealWindow, IsDraggedTypedIntoResizedSweptAndQuit) {
   start({1600, 1000});
   EXPECT_EQ(display->size_of(window), k_first_size);
   const Image first = display->settled_picture_of(window);
@@ -125,6 +125,15 @@ TEST_F(RealWindow, IsDraggedTypedIntoResizedAndQuit) {
   const double used = processor_seconds(program->id()) - before;
   std::printf("idle: %.2f s of the processor in %.0f s\n", used, k_idle_s);
   EXPECT_LT(used, 0.1 * k_idle_s);
+
+  // The sweep runs beside the frames and ends with its table, however long that takes.
+  press("w");
+  Image swept = display->settled_picture_of(window);
+  const auto share = [&] { return moldlight::test::picture_difference(resized, swept).off_share; };
+  for (int attempt = 0; attempt < 20 && share() <= 0.05; ++attempt)
+    swept = display->settled_picture_of(window);
+  moldlight::test::keep_picture(swept, "window_swept");
+  EXPECT_GT(share(), 0.05);
 
   press("ctrl+q");
   const auto result = program->finish();
