@@ -236,9 +236,9 @@ TEST_F(SweepWindow, ShowsTwoDirectionsSideBySide) {
   window_.settle();
 }
 
-/// Pictures to look at stay beside the test programs.
+/// Pictures to look at stay in the build folder, wherever the test was started.
 TEST_F(SweepWindow, LeavesItsPictures) {
-  const fs::path folder = fs::current_path() / "screenshots";
+  const fs::path folder = fs::path(MOLDLIGHT_BINARY).parent_path().parent_path() / "pictures";
   fs::create_directories(folder);
   sweep();
   window_.wait_until_measured();
