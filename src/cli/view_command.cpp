@@ -1,5 +1,4 @@
 // moldlight view: the window, or its picture where there is no display.
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -17,10 +16,14 @@
 #include "session/frame_benchmark.hpp"
 #include "session/headless.hpp"
 #include "session/option_table.hpp"
+#include "session/still_options.hpp"
 
 namespace moldlight::cli {
 
 namespace {
+
+/// The window's panels want so much room.
+constexpr glm::ivec2 k_least_size(320, 240);
 
 struct ViewFlags {
   std::string part;
@@ -28,25 +31,11 @@ struct ViewFlags {
   gui::PartNotes notes;
   gui::WindowSettings window;
   nlohmann::ordered_json window_given = nlohmann::ordered_json::object();
-  std::string settings, screenshot, script, size = "1280x720";
+  std::string screenshot, script;
+  glm::ivec2 size{1280, 720};
   float scale = 1.0F;
   bool settings_given = false, benchmark = false;
 };
-
-glm::ivec2 parse_size(const std::string& text) {
-  constexpr int k_most = 16384;
-  glm::ivec2 size(0);
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.x);
-  const bool between = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-  const auto height = between ? std::from_chars(width.ptr + 1, end, size.y) : width;
-  if (!between || height.ec != std::errc() || height.ptr != end || size.x < 320 || size.y < 240 ||
-      size.x > k_most || size.y > k_most) {
-    throw UsageError(
-        fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, 320x240 at least", text));
-  }
-  return size;
-}
 
 std::string read_whole(const std::string& path) {
   auto text = gui::read_text(path);
@@ -58,10 +47,9 @@ int print_frame_times(const ViewFlags& flags, Console& console, const Progress& 
   if (flags.part.empty()) throw UsageError("--benchmark needs a PART");
   const auto model = load_part(flags.part, flags.reading, progress);
   const auto context = create_context(flags.notes.method.backend);
-  const FrameTimes times =
-      measure_frames(*context, model, flags.notes.method, parse_size(flags.size), progress);
-  console.result(fmt::format("# {}, {}, {}\n{}", context->backend(), context->renderer(), flags.size,
-                             frame_times_text(times)));
+  const FrameTimes times = measure_frames(*context, model, flags.notes.method, flags.size, progress);
+  console.result(fmt::format("# {}, {}, {}x{}\n{}", context->backend(), context->renderer(), flags.size.x,
+                             flags.size.y, frame_times_text(times)));
   return 0;
 }
 
@@ -78,7 +66,7 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   }
   check_output_files(flags.part, {{"--screenshot", flags.screenshot}});
   gui::OffscreenOptions window;
-  window.size = parse_size(flags.size);
+  window.size = flags.size;
   window.content_scale = flags.scale;
   window.user.window = flags.window;
   window.reading = flags.reading;
@@ -113,7 +101,14 @@ void add_view_command(CLI::App& program, Request& request) {
       ->add_option("--screenshot", flags->screenshot,
                    "Write the window's picture and open none; needs no display")
       ->option_text("OUT.png");
-  command->add_option("--size", flags->size, "Size of that picture [default 1280x720]")->option_text("WxH");
+  command
+      ->add_option_function<std::string>(
+          "--size",
+          [flags](const std::string& text) {
+            flags->size = parse_picture_size(text, "--size", k_least_size);
+          },
+          "Size of that picture [default 1280x720]")
+      ->option_text("WxH");
   command
       ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
       ->option_text("FACTOR")

@@ -1,6 +1,9 @@
 #include "session/still_options.hpp"
 
+#include <charconv>
+
 #include <fmt/format.h>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.hpp"
 
@@ -22,15 +25,20 @@ std::span<const Option<StillSettings>> still_options() {
   return k_options;
 }
 
-glm::ivec2 parse_picture_size(std::string_view text, std::string_view what) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) {
-    throw UsageError(
-        fmt::format("{}: '{}' is no size; write width and height in pixels as 1600x1000", what, text));
+glm::ivec2 parse_picture_size(std::string_view text, std::string_view what, const glm::ivec2& least) {
+  glm::ivec2 size(0);
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.x);
+  const bool has_cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_cross ? std::from_chars(width.ptr + 1, end, size.y) : width;
+  if (!has_cross || height.ec != std::errc() || height.ptr != end) {
+    throw UsageError(fmt::format("{}: '{}' is not WIDTHxHEIGHT, such as 1280x720", what, text));
   }
-  const glm::ivec2 size(parse_integer(text.substr(0, cross), what),
-                        parse_integer(text.substr(cross + 1), what));
-  validate(StillSettings{.size = size});
+  if (glm::any(glm::lessThan(size, least)) ||
+      glm::any(glm::greaterThan(size, glm::ivec2(k_most_picture_px)))) {
+    throw UsageError(fmt::format("{}: '{}' is out of range, {}x{} to {}x{} pixels", what, text, least.x,
+                                 least.y, k_most_picture_px, k_most_picture_px));
+  }
   return size;
 }
 

@@ -22,7 +22,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_least_px = 16, k_most_px = 16384;
 constexpr int k_samples = 32;
 constexpr int k_texels_per_pixel = 2, k_most_texels = 4096;  // of the maps, along their sides
 
@@ -95,9 +94,9 @@ void label_arrow(Canvas& canvas, const PartView& view, const Camera& camera, con
 
 void validate(const StillSettings& settings) {
   for (const int side : {settings.size.x, settings.size.y}) {
-    if (side < k_least_px || side > k_most_px) {
+    if (side < k_least_picture_px || side > k_most_picture_px) {
       throw UsageError(fmt::format("--size: {}x{} is out of range, {} to {} pixels a side", settings.size.x,
-                                   settings.size.y, k_least_px, k_most_px));
+                                   settings.size.y, k_least_picture_px, k_most_picture_px));
     }
   }
 }

@@ -16,8 +16,10 @@ namespace moldlight {
 /// views of the part's own axes, z up.
 enum class PictureView : std::uint8_t { automatic, isometric, front, back, left, right, top, bottom };
 
+inline constexpr int k_least_picture_px = 16, k_most_picture_px = 16384;  // along a side
+
 struct StillSettings {
-  glm::ivec2 size{1600, 1000};  // pixels, [16, 16384] each
+  glm::ivec2 size{1600, 1000};  // pixels, in that range each
   PictureView view = PictureView::automatic;
   Theme theme = Theme::light;
   Palette palette = Palette::paper;

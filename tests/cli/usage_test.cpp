@@ -55,6 +55,25 @@ TEST(Usage, CommandLinesThatMakeNoSenseEndWithTwo) {
   expect_failure(part.classify({"--readout", "facet-id", "--kernel-shape", "symmetric"}), 2, {"--readout"});
 }
 
+TEST(Usage, SizesThatAreNoneAreNamedWithTheirForm) {
+  const SmallPart part;
+  const std::vector<Arguments> commands = {part.classify({"--image", part.output("a.png")}),
+                                           part.sweep({"--image-dir", part.output("pictures")}),
+                                           {"view", part.file(), "--screenshot", part.output("a.png")}};
+  for (Arguments arguments : commands) {
+    arguments.insert(arguments.end(), {"--size", ""});
+    for (const std::string text : {"99x", "x99", "1280", "640x480x2", "640 480", "a", ""}) {
+      arguments.back() = text;
+      expect_failure(arguments, 2, {"--size: '" + text + "' is not WIDTHxHEIGHT, such as 1280x720"});
+    }
+    for (const std::string text : {"640x15", "-640x480", "640x16385"}) {
+      arguments.back() = text;
+      expect_failure(arguments, 2, {"--size: '" + text + "' is out of range", "x16384 pixels"});
+    }
+  }
+  expect_failure({"view", part.file(), "--size", "640x239"}, 2, {"'640x239' is out of range, 320x240 to"});
+}
+
 TEST(Usage, DirectionsThatAreNoneEndWithTwo) {
   const SmallPart part;
   for (const std::string direction : {"0,0,0", "nan,0,0", "inf,0,0", "-inf,0,1", "1,2", "1,2,3,4", "",

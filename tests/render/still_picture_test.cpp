@@ -99,6 +99,10 @@ TEST(StillOptions, SizesAreReadStrictly) {
        {"", "640", "640x", "x480", "640x480x2", "8x480", "640x99999", "-640x480", "640 480"}) {
     EXPECT_THROW(static_cast<void>(parse_picture_size(text, "--size")), UsageError) << text;
   }
+  EXPECT_EQ(parse_picture_size("320x240", "--size", {320, 240}), glm::ivec2(320, 240));
+  for (const char* text : {"319x240", "320x239"}) {
+    EXPECT_THROW(static_cast<void>(parse_picture_size(text, "--size", {320, 240})), UsageError) << text;
+  }
 }
 
 }  // namespace
