@@ -36,6 +36,13 @@ std::string figures(const glm::dvec3& values, double scale) {
   return fmt::format("{}, {}, {}", text(values.x), text(values.y), text(values.z));
 }
 
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
+    text.replace(at, 1, "−");
+  }
+  return text;
+}
+
 std::string length_unit(const Part& part) { return part.unit.empty() ? "unit" : part.unit; }
 
 std::string powered_unit(const Part& part, int power) {

@@ -25,6 +25,9 @@ class FigureColumn {
 /// "x, y, z"; what is rounding error beside a length of `scale` is written as 0.
 [[nodiscard]] std::string figures(const glm::dvec3& values, double scale);
 
+/// With a true minus in place of every hyphen that a terminal gets.
+[[nodiscard]] std::string with_minus(std::string text);
+
 /// "mm"; "unit" where the file names none.
 [[nodiscard]] std::string length_unit(const Part& part);
 /// "mm²", "mm³": the length's unit to the power 2 or 3.

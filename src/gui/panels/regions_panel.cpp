@@ -62,10 +62,6 @@ struct Legend {
   float alpha = 1.0F;  // pale while stale
 };
 
-std::string with_minus(std::string number) {
-  return number.starts_with('-') ? "−" + number.substr(1) : number;
-}
-
 void copy_menu(const char* id, double value) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
   if (!ImGui::BeginPopup(id)) return;

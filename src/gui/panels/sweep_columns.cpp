@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "gui/direction.hpp"
 #include "gui/ui.hpp"
 #include "session/figures.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -18,26 +18,9 @@ std::string area(const AppState& state, double value) {
   return grouped(FigureColumn(state.model->geometry.total_area).text(value));
 }
 
-double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
-
 double share(const SweepCandidate& candidate) {
   const double total = candidate.classification.total_area;
-  return total > 0.0 ? undercut(candidate) / total : 0.0;
-}
-
-/// "+z" for an axis, else three numbers.
-std::string short_direction(const glm::dvec3& direction) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0)
-      return fmt::format("{}{}", direction[axis] > 0.0 ? "+" : "−", "XYZ"[axis]);
-  }
-  std::string text;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool none = std::abs(direction[axis]) < 5e-3, minus = direction[axis] < 0.0 && !none;
-    text += fmt::format("{}{}{:.2f}", axis > 0 ? ", " : "", minus ? "−" : "",
-                        none ? 0.0 : std::abs(direction[axis]));
-  }
-  return text;
+  return total > 0.0 ? undercut_area(candidate) / total : 0.0;
 }
 
 std::string tilt_text(const AppState&, const SweepCandidate& candidate) {
@@ -66,13 +49,13 @@ constexpr std::array<SweepColumn, 11> k_columns = {{
      .help = "",
      .width = 122,
      .right = false,
-     .text = [](const A&, const C& c) { return short_direction(c.candidate.direction); },
+     .text = [](const A&, const C& c) { return with_minus(short_direction_text(c.candidate.direction)); },
      .key = nullptr},
     {.name = "undercut",
      .help = "Undercut area, as measured with the settings of the method.",
      .width = 58,
-     .text = [](const A& state, const C& c) { return area(state, undercut(c)); },
-     .key = undercut},
+     .text = [](const A& state, const C& c) { return area(state, undercut_area(c)); },
+     .key = undercut_area},
     {.name = "±",
      .help = "How far the undercut area may be off, 95 % level.",
      .width = 42,

@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "session/figures.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight {
 
 namespace {
-
-double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
 
 /// "12.3 mm² (0.41 %)"
 std::string area_text(const PartModel& model, double area) {
@@ -23,7 +22,7 @@ std::string area_text(const PartModel& model, double area) {
 /// "12.3 mm² (0.41 %) more"; with another objective the one that ranks behind may have less.
 std::string difference_text(const PartModel& model, const SweepCandidate& than,
                             const SweepCandidate& candidate) {
-  const double difference = undercut(candidate) - undercut(than);
+  const double difference = undercut_area(candidate) - undercut_area(than);
   return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
 }
 
@@ -33,12 +32,13 @@ bool from_user(const SweepCandidate& candidate) {
 
 std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
   const double error = best.classification.uncertainty.total;
-  if (undercut(best) <= error) {
+  if (undercut_area(best) <= error) {
     return fmt::format("The best direction has no undercut that could be told from none (± {}).",
                        area_text(model, error));
   }
   return fmt::format("No direction that was tried is free of undercut; the best leaves {} in {} {}.",
-                     area_text(model, undercut(best)), best.patches, best.patches == 1 ? "patch" : "patches");
+                     area_text(model, undercut_area(best)), best.patches,
+                     best.patches == 1 ? "patch" : "patches");
 }
 
 /// The first direction that does not tie with the best.
@@ -56,9 +56,10 @@ void remark_on_user(const PartModel& model, const SweepResult& result, std::vect
     if (given.tie_group == 1) {
       const SweepCandidate* next = runner_up(result.candidates);
       remarks.push_back(name + (given.rank == 1 ? " is already best" : " ties with the best") +
-                        (next != nullptr ? fmt::format("; the next has {} more undercut.",
-                                                       area_text(model, undercut(*next) - undercut(given)))
-                                         : "."));
+                        (next != nullptr
+                             ? fmt::format("; the next has {} more undercut.",
+                                           area_text(model, undercut_area(*next) - undercut_area(given)))
+                             : "."));
     } else {
       remarks.push_back(fmt::format("{} is number {}: {} undercut than the best.", name, given.rank,
                                     difference_text(model, best, given)));

@@ -49,14 +49,6 @@ std::vector<std::string> reasons(const Candidate& candidate) {
   return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
 }
 
-/// A true minus in place of the hyphen that terminals get.
-std::string with_minus(std::string text) {
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
-    text.replace(at, 1, "−");
-  }
-  return text;
-}
-
 /// An area in a column of a picture, which has no room for six digits and an exponent.
 std::string area_text(const FigureColumn& column, double area) {
   const std::string text = column.text(area);

@@ -8,6 +8,15 @@
 
 namespace moldlight {
 
+namespace {
+
+std::string components_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
+
+}  // namespace
+
 std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates) {
   std::vector<std::string> marks;
   std::size_t ties = 0;
@@ -51,10 +60,14 @@ std::string component_text(double value, int decimals) {
   return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
 }
 
-std::string direction_text(const glm::dvec3& direction) {
-  constexpr int k_decimals = 5;
-  return fmt::format("{}, {}, {}", component_text(direction.x, k_decimals),
-                     component_text(direction.y, k_decimals), component_text(direction.z, k_decimals));
+std::string direction_text(const glm::dvec3& direction) { return components_text(direction, 5); }
+
+std::string short_direction_text(const glm::dvec3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0)
+      return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
+  }
+  return components_text(direction, 2);
 }
 
 double undercut_area(const SweepCandidate& candidate) {

@@ -4,6 +4,7 @@
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/info_report.hpp"
+#include "session/sweep/sweep_texts.hpp"
 #include "support/boxes.hpp"
 
 namespace moldlight {
@@ -31,6 +32,18 @@ TEST(FigureColumn, ShowsSixDigitsOfTheGreatest) {
 TEST(Figures, LeaveRoundingErrorsOut) {
   EXPECT_EQ(figures({1.0 / 3.0, -2.7e-16, 12345678.0}, 1.0), "0.333333, 0, 1.23457e+07");
   EXPECT_EQ(figures({2.7e-16, 0.0, 0.0}, 1e-15), "2.7e-16, 0, 0");
+}
+
+TEST(Figures, GetATrueMinusOnPictures) {
+  EXPECT_EQ(with_minus("-1, 2, -3.5"), "−1, 2, −3.5");
+  EXPECT_EQ(with_minus(""), "");
+}
+
+TEST(SweepTexts, WriteDirectionsWithoutTheSignOfNothing) {
+  EXPECT_EQ(direction_text({-1e-6, 0.6, -0.8}), "0.00000, 0.60000, -0.80000");
+  EXPECT_EQ(short_direction_text({-0.004, 0.6, -0.8}), "0.00, 0.60, -0.80");
+  EXPECT_EQ(short_direction_text({0, 0, -1}), "-Z");
+  EXPECT_EQ(short_direction_text({1, 0, 0}), "+X");
 }
 
 TEST(Figures, NameTheUnit) {
