@@ -133,8 +133,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->add_option_function<std::string>(
           "--candidates", [&sweep](const std::string& text) { sweep.kinds = parse_candidate_kinds(text); },
           "Where candidate directions come from, separated by commas: axis, revolution, plane, "
-          "perpendicular, hull, "
-          "principal, uniform; all or none [default all]")
+          "perpendicular, hull, principal, uniform; all or none [default all]")
       ->option_text("LIST");
   command
       ->add_option_function<std::vector<std::string>>(
@@ -159,8 +158,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
             sweep.objective = text;
           },
           "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, "
-          "or a "
-          "weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]")
+          "or a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]")
       ->option_text("LIST");
   command
       ->add_option_function<std::string>(
@@ -182,8 +180,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->add_option_function<std::string>(
           "--size",
           [flags](const std::string& text) { flags->still.size = parse_picture_size(text, "--size"); },
-          "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike [default "
-          "1600x1000]")
+          "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike "
+          "[default 1600x1000]")
       ->option_text("WxH")
       ->needs(pictures);
   for (const Option<StillSettings>& option : still_options()) {

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace moldlight {
@@ -33,7 +34,7 @@ bool covers(const Box& box, const LabelledMark& mark) {
 /// A box whose edge is `gap` away from the mark, in direction `turn` of k_turns from the right,
 /// counter-clockwise.
 Box box_beside(const LabelledMark& mark, double gap, int turn) {
-  const double angle = 2.0 * 3.14159265358979323846 * turn / k_turns;
+  const double angle = glm::two_pi<double>() * turn / k_turns;
   const glm::dvec2 along(std::cos(angle), -std::sin(angle));
   // How far from the centre a box of this size must stand so that its edge is at the mark.
   const glm::dvec2 half = 0.5 * mark.label;

@@ -50,9 +50,7 @@ ScoringPool& ScoringEngine::pool() {
 
 ScoringPool& ScoringEngine::same_samples_pool() {
   if (engine_ == SweepEngine::rays) return pool();
-  if (!same_samples_pool_) {
-    same_samples_pool_ = make_ray_pool(static_cast<std::uint64_t>(settings_.scoring_samples));
-  }
+  if (!same_samples_pool_) same_samples_pool_ = make_same_samples_pool(settings_.scoring_samples);
   return *same_samples_pool_;
 }
 

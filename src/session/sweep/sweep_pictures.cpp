@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/progress.hpp"
 #include "io/png.hpp"
 #include "picture/contact_sheet.hpp"
 #include "picture/direction_sphere.hpp"

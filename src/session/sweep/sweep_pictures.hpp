@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/image.hpp"
-#include "base/progress.hpp"
 #include "gl/context.hpp"
 #include "session/classifier.hpp"
 #include "session/still_picture.hpp"
