@@ -5,16 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "mold/candidates/find_candidates.hpp"
 #include "mold/sweep/patches.hpp"
-#include "mold/sweep/sphere_search.hpp"
 #include "session/method_options.hpp"
 #include "session/sweep/basin_search.hpp"
 #include "session/sweep/contender.hpp"
 #include "session/sweep/direction_judge.hpp"
 #include "session/sweep/listing.hpp"
+#include "session/sweep/polish.hpp"
 #include "session/sweep/remarks.hpp"
 #include "session/sweep/scoring_engine.hpp"
 #include "session/sweep/sweep_stages.hpp"
@@ -28,34 +26,7 @@ namespace {
 constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
 constexpr int k_fine_factor = 8;     // samples of the second scoring over those of the first
 constexpr std::size_t k_contenders_per_listed = 6;
-// Of the part's area: what is worse than the best by more is not polished.
-constexpr double k_polished_share = 0.003;
-constexpr double k_polishing_ring_deg = 0.8, k_polishing_step_deg = 0.4;
-constexpr int k_polishing_rings = 3;
-constexpr std::size_t k_most_polished = 3, k_most_told_apart = 7;
-constexpr int k_polishing_factor = 4;  // samples over those of the first scoring
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
-
-/// What is said of a direction that a polished one started from.
-CandidateSource polished_source(const Candidate& start, const glm::dvec3& direction) {
-  const CandidateSource& source = start.sources.front();
-  if (source.kind == CandidateKind::refined) return source;
-  return {CandidateKind::refined,
-          fmt::format("downhill from {}, {:.2f}° away", source.reason,
-                      line_angle_deg(start.direction, direction)),
-          0.0};
-}
-
-/// The direction itself, and others evenly around it.
-std::vector<glm::dvec3> directions_around(const glm::dvec3& direction) {
-  std::vector<glm::dvec3> around = {direction};
-  for (int ring = 1; ring <= k_polishing_rings; ++ring) {
-    for (const glm::dvec3& probe : ring_around(direction, ring * k_polishing_ring_deg, 6 * ring, 0.0)) {
-      around.push_back(half_sphere(probe));
-    }
-  }
-  return around;
-}
 
 class SweepRun {
  public:
@@ -95,11 +66,6 @@ class SweepRun {
   void tell(const EvaluatedDirection& evaluated);
   void keep_contenders();
   void score_closer();
-  void polish(ScoringPool& closer);
-  [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
-  /// Contenders with the sources of `like`; empty if stopped.
-  [[nodiscard]] std::vector<Contender> scored_by(ScoringPool& pool, const Candidate& like,
-                                                 const std::vector<glm::dvec3>& directions) const;
   void classify_best();
   void rank();
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
@@ -227,86 +193,15 @@ void SweepRun::score_closer() {
     contenders_[i].score = *scores[i];
     contenders_[i].figures = judge_.scored(contenders_[i].candidate, *scores[i]);
   }
-  if (!watch_.stopped()) polish(*pool);
-}
-
-/// What was found by search and may be the best. Features of the part stay what they are.
-std::vector<std::size_t> SweepRun::contenders_to_polish() const {
-  const std::vector<std::size_t> order = contender_order();
-  const double limit = judge_.value(contenders_[order.front()].figures) +
-                       judge_.value_of_undercut(k_polished_share * model_.geometry.total_area);
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : order) {
-    const Contender& contender = contenders_[i];
-    if (contender.figures.exact || judge_.value(contender.figures) > limit) continue;
-    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
-      return line_angle_deg(contenders_[other].candidate.direction, contender.candidate.direction) >
-             settings_.apart_deg;
-    });
-    if (apart && chosen.size() < k_most_polished) chosen.push_back(i);
-  }
-  return chosen;
-}
-
-/// Looks around the best of the search and follows it downhill once more, on the same surface samples for all
-/// directions, so that a step's gain is not lost in the noise of the scores. The surface of undercut areas is
-/// creased: a descent alone ends in a crease. What then seems best is told from the rest by many more
-/// samples.
-void SweepRun::polish(ScoringPool& closer) {
-  const std::vector<std::size_t> chosen = contenders_to_polish();
-  if (chosen.empty()) return;
-  const std::unique_ptr<ScoringPool> coarse =
-      engine_.make_same_samples_pool(settings_.scoring_samples * k_polishing_factor);
-  const std::unique_ptr<ScoringPool> fine =
-      engine_.make_same_samples_pool(settings_.scoring_samples * k_polishing_factor * k_polishing_factor);
-  const BasinSearch search{.judge = judge_,
-                           .pool = *coarse,
-                           .watch = watch_,
-                           .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); },
-                           .first_step_deg = k_polishing_step_deg};
-  for (const std::size_t i : chosen) {
-    const Candidate start = contenders_[i].candidate;
-    std::vector<Contender> around = scored_by(*coarse, start, directions_around(start.direction));
-    if (around.empty()) return;
-    for (std::size_t k = 1; k < around.size(); ++k) {
-      tell(evaluated_direction(around[k].candidate.direction, CandidateKind::refined, around[k].score));
-    }
-    const auto better = [this](const Contender& a, const Contender& b) {
-      return judge_.value(a.figures) < judge_.value(b.figures);
-    };
-    std::stable_sort(around.begin() + 1, around.end(), better);
-    around.resize(std::min(around.size(), k_most_told_apart));
-    const std::size_t lowest = better(around[1], around[0]) ? 1 : 0;
-    const std::vector<std::size_t> order = {0};
-    std::vector<glm::dvec3> directions;
-    for (const Contender& contender : around) directions.push_back(contender.candidate.direction);
-    for (const Contender& found : refine_basins(search, {&around[lowest], 1}, order, 1)) {
-      directions.push_back(found.candidate.direction);
-    }
-    const std::vector<Contender> last = scored_by(*fine, start, directions);
-    if (last.empty()) return;
-    const auto best = std::min_element(last.begin(), last.end(), better);
-    if (best == last.begin()) continue;
-    Candidate polished{.direction = best->candidate.direction,
-                       .sources = {polished_source(start, best->candidate.direction)}};
-    const std::vector<Contender> again = scored_by(closer, polished, {best->candidate.direction});
-    if (again.empty()) return;
-    contenders_[i] = again.front();
-  }
-}
-
-std::vector<Contender> SweepRun::scored_by(ScoringPool& pool, const Candidate& like,
-                                           const std::vector<glm::dvec3>& directions) const {
-  std::vector<ScoringTask> tasks;
-  for (const glm::dvec3& direction : directions) tasks.push_back({.direction = direction});
-  const auto scores = pool.score(tasks, [this] { return watch_.stopped(); }, {});
-  std::vector<Contender> scored;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (!scores[k]) return {};
-    const Candidate candidate{.direction = directions[k], .sources = like.sources};
-    scored.push_back({candidate, *scores[k], judge_.scored(candidate, *scores[k])});
-  }
-  return scored;
+  if (watch_.stopped()) return;
+  const Polishing polishing{.judge = judge_,
+                            .engine = engine_,
+                            .closer = *pool,
+                            .watch = watch_,
+                            .settings = settings_,
+                            .total_area = model_.geometry.total_area,
+                            .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
+  polish(polishing, contenders_, contender_order());
 }
 
 SweepCandidate SweepRun::final_figures(const Contender& contender) {
