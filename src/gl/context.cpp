@@ -1,5 +1,8 @@
 #include "gl/context.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -58,6 +61,12 @@ void Context::initialise(std::string backend, const Functions::ProcAddress& addr
     release_current();
     throw;
   }
+}
+
+bool Context::draws_on_cpu() const {
+  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast"}, [this](std::string_view name) {
+    return renderer_.find(name) != std::string::npos;
+  });
 }
 
 std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,

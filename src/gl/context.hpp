@@ -31,6 +31,8 @@ class Context {
   [[nodiscard]] const std::string& backend() const { return backend_; }
   /// GL_RENDERER.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
+  /// Whether the renderer is one of Mesa's for machines without a GPU.
+  [[nodiscard]] bool draws_on_cpu() const;
 
  protected:
   Context() = default;

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "session/live_maps.hpp"
+#include "session/classifier.hpp"
 
 namespace moldlight::gui {
 
@@ -34,22 +34,25 @@ Extent extent_along(const PartModel& model, const glm::dvec3& direction) {
 Scene::Scene(const gl::Context& context, const LoadedPart& part)
     : context_(&context),
       model_(part.model),
-      classifier_(context, part.model),
+      maps_(context, part.model),
       view_(context.functions(), part.geometry),
       map_picture_(context.functions()) {}
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
-  const MethodSettings method =
-      settings.direction_moves ? live_method(settings.method, model_->frame.diagonal) : settings.method;
-  if (!maps_of_ || !same_maps(*maps_of_, method)) {
-    classifier_.draw_maps(method);
+  const MethodSettings& method = settings.method;
+  if (!maps_of_ || !same_maps(*maps_of_, method) || (maps_are_moving_ && !settings.direction_moves)) {
+    if (settings.direction_moves) {
+      maps_.draw_moving(method);
+    } else {
+      maps_.draw_resting(method);
+    }
     maps_of_ = method;
+    maps_are_moving_ = settings.direction_moves;
     thumbnails_stale_ = true;
   }
   if (settings.view.contour_edges) find_contour_edges(method);
   drawn_ = true;
-  return view_.draw(target, classifier_.buffers(), classifier_.maps(), settings.camera, settings.view,
-                    settings.marks);
+  return view_.draw(target, maps_.buffers(), maps_.maps(), settings.camera, settings.view, settings.marks);
 }
 
 void Scene::find_contour_edges(const MethodSettings& method) {
@@ -81,8 +84,8 @@ Scene::Thumbnails Scene::thumbnails(int size_px) {
     thumbnails_stale_ = true;
   }
   if (thumbnails_stale_) {
-    map_picture_.draw(plus_->framebuffer(), plus_->size(), classifier_.maps(), true);
-    map_picture_.draw(minus_->framebuffer(), minus_->size(), classifier_.maps(), false);
+    map_picture_.draw(plus_->framebuffer(), plus_->size(), maps_.maps(), true);
+    map_picture_.draw(minus_->framebuffer(), minus_->size(), maps_.maps(), false);
     thumbnails_stale_ = false;
   }
   return {plus_->texture(), minus_->texture()};

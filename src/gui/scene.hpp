@@ -10,7 +10,7 @@
 #include "gui/app_state.hpp"
 #include "gui/jobs/load_job.hpp"
 #include "render/map_picture.hpp"
-#include "session/classifier.hpp"
+#include "session/picture_maps.hpp"
 
 namespace moldlight::gui {
 
@@ -54,10 +54,11 @@ class Scene {
 
   const gl::Context* context_;
   std::shared_ptr<const PartModel> model_;
-  Classifier classifier_;
+  PictureMaps maps_;
   PartView view_;
   MapPicture map_picture_;
   std::optional<MethodSettings> maps_of_;     // the settings by which the maps were drawn
+  bool maps_are_moving_ = false;              // maps of a direction that moved then
   std::optional<MethodSettings> contour_of_;  // the settings for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;

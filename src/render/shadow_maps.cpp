@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/check.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -67,6 +69,21 @@ double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFra
   gl_->Finish();
   gl::check_errors(*gl_, "drawing the shadow maps");
   return std::max(covered[0], covered[1]);
+}
+
+void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
+                      std::span<const std::uint32_t> minus) {
+  const auto size = static_cast<std::size_t>(settings.resolution);
+  CHECK(!settings.symmetric_kernel && plus.size() == size * size && minus.size() == size * size);
+  begin(frame, settings);
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_->ActiveTexture(GL_TEXTURE0);
+  for (const bool of_plus : {true, false}) {
+    gl_->BindTexture(GL_TEXTURE_2D, side(of_plus).facets.name());
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings.resolution, settings.resolution, GL_RED_INTEGER,
+                       GL_UNSIGNED_INT, (of_plus ? plus : minus).data());
+  }
+  gl::check_errors(*gl_, "uploading the shadow maps");
 }
 
 void ShadowMaps::set_frame(const gl::Program& program) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "gl/program.hpp"
 #include "mold/map_frame.hpp"
@@ -34,6 +35,11 @@ class ShadowMaps {
   /// a closed part. Waits for the GL.
   [[nodiscard]] double draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
                                                const MapSettings& settings);
+
+  /// Takes maps that were drawn elsewhere, for a one-sided kernel: facet + 1 (0: none) a texel, rows from
+  /// below.
+  void load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
+            std::span<const std::uint32_t> minus);
 
   /// Binds everything that shaders/common/region.glsl asks for to `program`, which must be in use and
   /// compiled with SYMMETRIC_KERNEL defined exactly if the settings say so; takes texture units from

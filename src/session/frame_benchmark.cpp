@@ -8,8 +8,7 @@
 
 #include "gl/colour_target.hpp"
 #include "render/part_view.hpp"
-#include "session/classifier.hpp"
-#include "session/live_maps.hpp"
+#include "session/picture_maps.hpp"
 
 namespace moldlight {
 
@@ -29,12 +28,12 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
                           const MethodSettings& method, const glm::ivec2& size, const Progress& progress) {
   const gl::Functions& gl = context.functions();
   const gl::ColourTarget picture(gl, size);
-  Classifier resting(context, model), changing(context, model);
+  PictureMaps resting(context, model), changing(context, model);
   PartView view(gl, view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame));
   Camera start;
   start.orientation = standard_orientation(StandardView::isometric);
   start = fitted(start, unit_positions(model->part.mesh, model->frame), size);
-  resting.draw_maps(method);
+  resting.draw_resting(method);
 
   const auto timed = [&](const auto& draw) {
     const auto begin = std::chrono::steady_clock::now();
@@ -47,17 +46,17 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     progress.report("drawing frames", std::max(0.0, static_cast<double>(turn) / k_turns));
     const Camera camera = orbited(start, 0.05 * turn, 0.01 * turn, {0, 0, 1}, glm::dvec3(0.0));
     ViewSettings settings;
-    const auto draw = [&](const Classifier& classifier) {
-      view.draw({picture.framebuffer(), size}, classifier.buffers(), classifier.maps(), camera, settings);
+    const auto draw = [&](const PictureMaps& maps) {
+      view.draw({picture.framebuffer(), size}, maps.buffers(), maps.maps(), camera, settings);
     };
     settings.colour_mode = ColourMode::plain;
     const double plain = timed([&] { draw(resting); });
     settings.colour_mode = ColourMode::regions;
     const double rest = timed([&] { draw(resting); });
-    MethodSettings moved = live_method(method, model->frame.diagonal);
+    MethodSettings moved = method;
     moved.direction = glm::dvec3(0.02 * turn, 0.1, 1.0);
     const double change = timed([&] {
-      changing.draw_maps(moved);
+      changing.draw_moving(moved);
       draw(changing);
     });
     if (turn < 0) continue;

@@ -79,13 +79,16 @@ struct RasterSums {
   std::uint64_t fragments[2] = {}, hidden[2] = {};  // by layer
 };
 
+/// Which entries are written; the others are left alone.
+enum class Entries { front, back, both };
+
 struct RasterInput {
   const MapVertex* vertices = nullptr;
   const std::array<std::uint32_t, 3>* facets = nullptr;
   std::size_t facet_count = 0;
   const float* weights = nullptr;           // one a facet
   const std::uint32_t* clusters = nullptr;  // one a facet
-  bool front_only = false;                  // back entries are left alone
+  Entries entries = Entries::both;          // with back ones alone, nothing is summed
 };
 
 /// Facets by their slope. Arrays are padded to a multiple of eight.

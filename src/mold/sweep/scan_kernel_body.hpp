@@ -292,12 +292,11 @@ inline std::uint32_t bit_count(std::uint32_t four_bits) {
 #endif
 }
 
-/// Which entries of the cells are written; with k_back alone nothing is counted.
-enum Entries { k_front = 1, k_back = 2, k_both = 3 };
-
 /// Turns facets into fragments and writes them.
 template <Entries k_entries>
 struct Filler {
+  static constexpr bool k_front = k_entries != Entries::back, k_back = k_entries != Entries::front;
+
   const RasterTarget& target;
   const float* weights;
   const std::uint32_t* clusters;
@@ -354,7 +353,7 @@ struct Filler {
     spans[span_count] = {static_cast<std::uint32_t>(job), cell, count, height, step};
     span_count += count > 0 ? 1 : 0;
     // Written only after the other facets of the batch: by then the entries are at hand.
-    if constexpr ((k_entries & k_front) != 0) __builtin_prefetch(target.front[jobs[job].layer] + cell, 1);
+    if constexpr (k_front) __builtin_prefetch(target.front[jobs[job].layer] + cell, 1);
   }
 
   /// Spans of one row each of four triangles or of four rows of one triangle.
@@ -457,7 +456,7 @@ struct Filler {
   }
 
   inline void write_four(std::int32_t cell, Long4 depths, Long4 inside, Job& job) {
-    if constexpr ((k_entries & k_front) != 0) {
+    if constexpr (k_front) {
       std::int64_t* front = target.front[job.layer] + cell;
       const Long4 fresh = depths ^ job.front;
       const auto old = load<Long4>(front);
@@ -468,7 +467,7 @@ struct Filler {
       job.lost += bit_count(lanes_set(taken & ~wins));
       queue_replaced(old, hides, job.layer);
     }
-    if constexpr ((k_entries & k_back) != 0) {
+    if constexpr (k_back) {
       std::int64_t* back = target.back[job.layer] + cell;
       const Long4 fresh = depths ^ job.back;
       const auto old = load<Long4>(back);
@@ -480,7 +479,7 @@ struct Filler {
   inline bool write_one(std::int32_t cell, std::int32_t height, const Job& job) {
     const std::int64_t depth = static_cast<std::int64_t>(height) << 32;
     bool lost = false;
-    if constexpr ((k_entries & k_front) != 0) {
+    if constexpr (k_front) {
       std::int64_t& front = target.front[job.layer][cell];
       const std::int64_t fresh = depth ^ job.front, old = front;
       const bool wins = fresh > old, taken = old > oldest;
@@ -491,7 +490,7 @@ struct Filler {
       count += (taken & wins) ? 1 : 0;
       if (count >= k_queue_size) count_replaced(job.layer);
     }
-    if constexpr ((k_entries & k_back) != 0) {
+    if constexpr (k_back) {
       std::int64_t& back = target.back[job.layer][cell];
       const std::int64_t fresh = depth ^ job.back;
       back = fresh > back ? fresh : back;
@@ -520,7 +519,7 @@ struct Filler {
   }
 
   void count_replaced(Layer layer) {
-    if constexpr ((k_entries & k_front) != 0) {
+    if constexpr (k_front) {
       sums->hidden[layer] += replaced_count[layer];
       for (std::size_t i = 0; i < replaced_count[layer]; ++i) {
         const std::uint32_t facet = replaced[layer][i];
@@ -544,7 +543,7 @@ struct Filler {
 
   void finish_jobs(std::size_t count) {
     flush();
-    if constexpr ((k_entries & k_front) != 0) {
+    if constexpr (k_front) {
       for (std::size_t i = 0; i < count; ++i) finish_job(jobs[i]);
     }
   }
@@ -603,7 +602,7 @@ struct Filler {
         job.lost += write_one(cells[lane] + (k >> 1) * target.pitch + (k & 1), within, job) ? 1 : 0;
       }
       job.fragments = static_cast<std::uint32_t>(fragments[lane]);
-      finish_job(job);
+      if constexpr (k_front) finish_job(job);
     }
   }
 };
@@ -650,16 +649,19 @@ inline void rasterize_entries(const RasterInput& input, const RasterTarget& targ
 }
 
 void rasterize(const RasterInput& input, const RasterTarget& target, RasterSums& sums) {
-  if (input.front_only) {
-    rasterize_entries<k_front>(input, target, sums);
-  } else {
-    rasterize_entries<k_both>(input, target, sums);
+  switch (input.entries) {
+    case Entries::front:
+      return rasterize_entries<Entries::front>(input, target, sums);
+    case Entries::back:
+      return rasterize_entries<Entries::back>(input, target, sums);
+    case Entries::both:
+      return rasterize_entries<Entries::both>(input, target, sums);
   }
 }
 
 void rasterize_back(const MapVertex* corners, const std::uint32_t* facets, std::size_t count, Layer layer,
                     const RasterTarget& target) {
-  Filler<k_back> filler(target);
+  Filler<Entries::back> filler(target);
   for (std::size_t i = 0; i < count; i += 4) {
     const std::size_t lanes = count - i < 4 ? count - i : 4;
     Setup4 setup;

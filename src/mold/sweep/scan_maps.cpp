@@ -33,8 +33,7 @@ ScanMaps::ScanMaps(int resolution, const scan::Kernel& kernel) : resolution_(res
   const std::size_t entries =
       static_cast<std::size_t>(resolution) * static_cast<std::size_t>(pitch) + scan::k_entry_padding;
   for (int layer = 0; layer < 2; ++layer) {
-    for (auto* side : {&front_[layer], &back_[layer]}) side->resize(entries);
-    target_.front[layer] = front_[layer].data();
+    back_[layer].resize(entries);
     target_.back[layer] = back_[layer].data();
   }
   target_.size = resolution;
@@ -43,6 +42,39 @@ ScanMaps::ScanMaps(int resolution, const scan::Kernel& kernel) : resolution_(res
 }
 
 void ScanMaps::draw(const ScanPart& part, const MapFrame& frame, const ScanSettings& settings) {
+  for (int layer = 0; layer < 2; ++layer) {
+    front_[layer].resize(back_[layer].size());
+    target_.front[layer] = front_[layer].data();
+  }
+  begin(part, frame, settings.tau_deg);
+  const ScanPart::Clusters& clusters = part.clusters();
+  cluster_sums_.assign(2 * clusters.all.size(), {});
+  sums_ = {.clusters = cluster_sums_.data()};
+  const double total_area = class_area_[0] + class_area_[1] + class_area_[2];
+  has_second_depth_ = class_area(FacetClass::near_vertical) >= settings.second_depth_from * total_area;
+  kernel_->rasterize({.vertices = vertices_.data(),
+                      .facets = part.facets().data(),
+                      .facet_count = part.facets().size(),
+                      .weights = weights_.data(),
+                      .clusters = clusters.of_facet.data(),
+                      .entries = has_second_depth_ ? scan::Entries::both : scan::Entries::front},
+                     target_, sums_);
+  if (has_second_depth_) draw_concave_edges(part, 0.5 * settings.edge_thickness / resolution_);
+}
+
+void ScanMaps::draw_second_depth(const ScanPart& part, const MapFrame& frame, const ScanSettings& settings) {
+  begin(part, frame, settings.tau_deg);
+  sums_ = {};
+  has_second_depth_ = true;
+  kernel_->rasterize({.vertices = vertices_.data(),
+                      .facets = part.facets().data(),
+                      .facet_count = part.facets().size(),
+                      .entries = scan::Entries::back},
+                     target_, sums_);
+  draw_concave_edges(part, 0.5 * settings.edge_thickness / resolution_);
+}
+
+void ScanMaps::begin(const ScanPart& part, const MapFrame& frame, double tau_deg) {
   if (target_.generation == scan::k_last_generation) {
     for (auto* maps : {front_, back_}) {
       for (int layer = 0; layer < 2; ++layer) std::fill(maps[layer].begin(), maps[layer].end(), 0);
@@ -50,23 +82,11 @@ void ScanMaps::draw(const ScanPart& part, const MapFrame& frame, const ScanSetti
     target_.generation = 0;
   }
   ++target_.generation;
-  cluster_sums_.assign(2 * part.clusters().size(), {});
-  sums_ = {.clusters = cluster_sums_.data()};
   frame_ = frame;
   projection_ = projection_of(frame, resolution_);
   vertices_.resize(part.positions().size());
   kernel_->transform(&part.positions().data()->x, part.positions().size(), projection_, vertices_.data());
-  classify(part, settings.tau_deg);
-  const double total_area = class_area_[0] + class_area_[1] + class_area_[2];
-  has_second_depth_ = class_area(FacetClass::near_vertical) >= settings.second_depth_from * total_area;
-  kernel_->rasterize({.vertices = vertices_.data(),
-                      .facets = part.facets().data(),
-                      .facet_count = part.facets().size(),
-                      .weights = weights_.data(),
-                      .clusters = part.cluster_of_facet().data(),
-                      .front_only = !has_second_depth_},
-                     target_, sums_);
-  if (has_second_depth_) draw_concave_edges(part, 0.5 * settings.edge_thickness / resolution_);
+  classify(part, tau_deg);
 }
 
 void ScanMaps::classify(const ScanPart& part, double tau_deg) {
@@ -162,6 +182,17 @@ void ScanMaps::draw_concave_edges(const ScanPart& part, double half_width) {
     const Strips& strips = strips_[layer];
     kernel_->rasterize_back(strips.corners.data(), strips.facets.data(), strips.facets.size(), layer,
                             target_);
+  }
+}
+
+void ScanMaps::copy_entries(bool plus, std::vector<std::uint32_t>& entries) const {
+  const auto size = static_cast<std::size_t>(resolution_);
+  const std::vector<std::int64_t>& map = back_[plus ? scan::k_down_layer : scan::k_up_layer];
+  entries.resize(size * size);
+  for (std::size_t y = 0; y < size; ++y) {
+    const std::int64_t* from = map.data() + y * static_cast<std::size_t>(target_.pitch);
+    std::uint32_t* to = entries.data() + y * size;
+    for (std::size_t x = 0; x < size; ++x) to[x] = is_present(from[x]) ? scan::facet_of(from[x]) + 1 : 0;
   }
 }
 

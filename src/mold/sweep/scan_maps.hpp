@@ -26,10 +26,13 @@ struct ScanSettings {
 /// One thread's maps; drawing allocates nothing once the part is known.
 class ScanMaps {
  public:
-  /// `resolution` texels along a side, [16, 8192]; takes 32 bytes a texel.
+  /// `resolution` texels along a side, [16, 8192]; takes 32 bytes a texel, 16 for second-depth maps alone.
   explicit ScanMaps(int resolution, const scan::Kernel& kernel = scan::best_kernel());
 
   void draw(const ScanPart& part, const MapFrame& frame, const ScanSettings& settings);
+
+  /// The second-depth maps alone, for pictures; sums() are empty then. `second_depth_from` is not asked.
+  void draw_second_depth(const ScanPart& part, const MapFrame& frame, const ScanSettings& settings);
 
   /// Facet + 1 of the +d map (facets that face -d, furthest along +d) or of the -d map; 0 where there is
   /// none.
@@ -37,6 +40,9 @@ class ScanMaps {
     const std::int64_t last = back(plus ? scan::k_down_layer : scan::k_up_layer, x, y);
     return is_present(last) ? scan::facet_of(last) + 1 : 0;
   }
+
+  /// entry() of a whole map, rows from below.
+  void copy_entries(bool plus, std::vector<std::uint32_t>& entries) const;
 
   /// The facet of a layer that lies last as seen from the side that it faces.
   [[nodiscard]] std::int64_t back(scan::Layer layer, int x, int y) const {
@@ -74,6 +80,7 @@ class ScanMaps {
   [[nodiscard]] std::span<const float> weights() const { return weights_; }
 
  private:
+  void begin(const ScanPart& part, const MapFrame& frame, double tau_deg);
   void classify(const ScanPart& part, double tau_deg);
   void draw_concave_edges(const ScanPart& part, double half_width);
 

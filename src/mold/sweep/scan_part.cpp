@@ -52,7 +52,12 @@ struct PlacedFacet {
 
 }  // namespace
 
-void ScanPart::find_clusters() {
+const ScanPart::Clusters& ScanPart::clusters() const {
+  std::call_once(clusters_asked_, [this] { clusters_ = find_clusters(); });
+  return clusters_;
+}
+
+ScanPart::Clusters ScanPart::find_clusters() const {
   constexpr int k_place_bits = k_cell_bits + k_fine_bits;
   std::vector<PlacedFacet> order;
   order.reserve(mesh_->facets.size());
@@ -72,32 +77,34 @@ void ScanPart::find_clusters() {
   }
   std::sort(order.begin(), order.end());
 
-  cluster_of_facet_.resize(order.size());
-  clustered_facets_.reserve(order.size());
+  Clusters clusters;
+  clusters.of_facet.resize(order.size());
+  clusters.facets.reserve(order.size());
   std::vector<glm::dvec3> normal_sums;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i == 0 || order[i].cluster() != order[i - 1].cluster()) {
-      clusters_.emplace_back().first = static_cast<std::uint32_t>(i);
+      clusters.all.emplace_back().first = static_cast<std::uint32_t>(i);
       normal_sums.emplace_back(0.0);
     }
     const FacetIndex facet = order[i].facet;
-    cluster_of_facet_[facet] = static_cast<std::uint32_t>(clusters_.size() - 1);
-    clustered_facets_.push_back(facet);
-    clusters_.back().area += areas_[facet];
-    ++clusters_.back().count;
+    clusters.of_facet[facet] = static_cast<std::uint32_t>(clusters.all.size() - 1);
+    clusters.facets.push_back(facet);
+    clusters.all.back().area += areas_[facet];
+    ++clusters.all.back().count;
     normal_sums.back() += geometry_->normals[facet];
   }
-  for (std::size_t i = 0; i < clusters_.size(); ++i) {
-    Cluster& cluster = clusters_[i];
+  for (std::size_t i = 0; i < clusters.all.size(); ++i) {
+    Cluster& cluster = clusters.all[i];
     const double length = glm::length(normal_sums[i]);
     cluster.axis = glm::vec3(length > 0.0 ? normal_sums[i] / length : glm::dvec3(0, 0, 1));
     cluster.cone_cosine = 1.0F;
-    for (const FacetIndex facet : facets_of(cluster)) {
+    for (const FacetIndex facet : clusters.facets_of(cluster)) {
       const auto cosine = static_cast<float>(glm::dot(glm::dvec3(cluster.axis), geometry_->normals[facet]));
       cluster.cone_cosine = std::min(cluster.cone_cosine, cosine);
     }
     cluster.cone_sine = std::sqrt(std::max(0.0F, 1.0F - cluster.cone_cosine * cluster.cone_cosine));
   }
+  return clusters;
 }
 
 ScanPart::ScanPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
@@ -122,7 +129,6 @@ ScanPart::ScanPart(const TriangleMesh& mesh, const FacetGeometry& geometry, cons
     normals_.z[facet] = planes_.back().z;
     areas_[facet] = static_cast<float>(geometry.areas[facet] / square);
   }
-  find_clusters();
 }
 
 }  // namespace moldlight

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -56,18 +57,24 @@ class ScanPart {
     float area = 0;                        // unit frame squared
     std::uint32_t first = 0, count = 0;    // of its facets, neighbours following each other
   };
-  [[nodiscard]] const std::vector<Cluster>& clusters() const { return clusters_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& cluster_of_facet() const { return cluster_of_facet_; }
-  [[nodiscard]] std::span<const FacetIndex> facets_of(const Cluster& cluster) const {
-    return std::span(clustered_facets_).subspan(cluster.first, cluster.count);
-  }
+  struct Clusters {
+    std::vector<Cluster> all;
+    std::vector<std::uint32_t> of_facet;
+    std::vector<FacetIndex> facets;
+
+    [[nodiscard]] std::span<const FacetIndex> facets_of(const Cluster& cluster) const {
+      return std::span(facets).subspan(cluster.first, cluster.count);
+    }
+  };
+  /// Found when they are first asked for: maps alone need none.
+  [[nodiscard]] const Clusters& clusters() const;
   [[nodiscard]] std::span<const FacetEdge> concave_edges() const { return concave_edges_; }
   [[nodiscard]] const FacetGeometry& geometry() const { return *geometry_; }
   [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const UnitFrame& frame() const { return frame_; }
 
  private:
-  void find_clusters();
+  [[nodiscard]] Clusters find_clusters() const;
 
   const TriangleMesh* mesh_;
   const FacetGeometry* geometry_;
@@ -77,9 +84,8 @@ class ScanPart {
   Normals normals_;
   std::vector<FacetPlane> planes_;
   std::vector<float> areas_;
-  std::vector<std::uint32_t> cluster_of_facet_;
-  std::vector<Cluster> clusters_;
-  std::vector<FacetIndex> clustered_facets_;
+  mutable std::once_flag clusters_asked_;
+  mutable Clusters clusters_;
 };
 
 }  // namespace moldlight

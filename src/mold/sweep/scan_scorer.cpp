@@ -91,11 +91,11 @@ double ScanScorer::share(double area) const { return area * square_ / part_.part
 void ScanScorer::find_cluster_areas() {
   const glm::vec3 direction(maps_.frame().z);
   const auto threshold = static_cast<float>(std::sin(glm::radians(settings_.tau_deg))) + 1e-5F;
-  const std::vector<ScanPart::Cluster>& clusters = part_.part.clusters();
-  cluster_areas_.assign(clusters.size(), {0.0F, 0.0F});
-  mixed_.assign(clusters.size(), 0);
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const ScanPart::Cluster& cluster = clusters[i];
+  const ScanPart::Clusters& clusters = part_.part.clusters();
+  cluster_areas_.assign(clusters.all.size(), {0.0F, 0.0F});
+  mixed_.assign(clusters.all.size(), 0);
+  for (std::size_t i = 0; i < clusters.all.size(); ++i) {
+    const ScanPart::Cluster& cluster = clusters.all[i];
     const float sine = glm::dot(cluster.axis, direction);
     const float cosine = std::sqrt(std::max(0.0F, 1.0F - sine * sine));
     // The least slope of a normal in the cone about the axis.
@@ -105,7 +105,7 @@ void ScanScorer::find_cluster_areas() {
       continue;
     }
     mixed_[i] = 1;
-    for (const FacetIndex facet : part_.part.facets_of(cluster)) {
+    for (const FacetIndex facet : clusters.facets_of(cluster)) {
       const FacetClass facet_class = maps_.facet_class(facet);
       if (facet_class == FacetClass::near_vertical) continue;
       cluster_areas_[i][static_cast<std::size_t>(facet_class)] += part_.part.areas()[facet];
@@ -136,6 +136,7 @@ void ScanScorer::add_clusters(Estimate& estimate) {
 }
 
 void ScanScorer::add_thin_clusters(Estimate& estimate) {
+  const ScanPart::Clusters& clusters = part_.part.clusters();
   const double whole = thin_areas_[0] + thin_areas_[1];
   EvenSamples samples(
       part_.part, whole,
@@ -146,7 +147,7 @@ void ScanScorer::add_thin_clusters(Estimate& estimate) {
     origins_.clear();
     for (const Thin& thin : thin_) {
       if (thin.layer != layer) continue;
-      for (const FacetIndex facet : part_.part.facets_of(part_.part.clusters()[thin.cluster])) {
+      for (const FacetIndex facet : clusters.facets_of(clusters.all[thin.cluster])) {
         if (static_cast<std::size_t>(maps_.facet_class(facet)) != layer) continue;
         const glm::vec3 raise = k_start_above * part_.part.normal(facet);
         samples.on_facet(facet, [&](const glm::vec3& position) { origins_.push_back(position + raise); });
@@ -171,14 +172,15 @@ void ScanScorer::sample_walls(double area) {
   const ScanPart& part = part_.part;
   const WallLookup lookup(part, maps_, settings_.lateral);
   EvenSamples samples(part, area, settings_.samples * share(area));
-  walls_.assign(part.clusters().size(), {});
+  const ScanPart::Clusters& clusters = part.clusters();
+  walls_.assign(clusters.all.size(), {});
   verdicts_.clear();
   sample_clusters_.clear();
   doubtful_.clear();
   origins_.clear();
   for (std::uint32_t cluster = 0; cluster < walls_.size(); ++cluster) {
     if (!mixed_[cluster]) continue;
-    for (const FacetIndex facet : part.facets_of(part.clusters()[cluster])) {
+    for (const FacetIndex facet : clusters.facets_of(clusters.all[cluster])) {
       if (maps_.facet_class(facet) != FacetClass::near_vertical) continue;
       walls_[cluster].area += static_cast<double>(part.areas()[facet]);
       const WallLookup::Wall wall = lookup.wall(facet);

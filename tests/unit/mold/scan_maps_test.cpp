@@ -62,7 +62,7 @@ TEST(ScanMapsAlone, BothKernelsGiveTheSameBits) {
         portable.draw(prepared.part, map_frame(direction), {});
         best.draw(prepared.part, map_frame(direction), {});
         EXPECT_EQ(entries(portable), entries(best)) << shape.name;
-        EXPECT_TRUE(same_sums(portable, best, prepared.part.clusters().size())) << shape.name;
+        EXPECT_TRUE(same_sums(portable, best, prepared.part.clusters().all.size())) << shape.name;
       }
     }
   }
@@ -79,8 +79,28 @@ TEST(ScanMapsAlone, FrontsAloneGiveTheSameSums) {
       for (ScanMaps* maps : {&fronts, &portable_fronts}) {
         maps->draw(prepared.part, map_frame(direction), {.second_depth_from = k_never});
         EXPECT_FALSE(maps->has_second_depth());
-        EXPECT_TRUE(same_sums(whole, *maps, prepared.part.clusters().size()));
+        EXPECT_TRUE(same_sums(whole, *maps, prepared.part.clusters().all.size()));
         EXPECT_EQ(whole.shadow_area(), maps->shadow_area());
+      }
+    }
+  }
+}
+
+TEST(ScanMapsAlone, SecondDepthAloneGivesTheSameEntries) {
+  for (const std::size_t facets : {500U, 30'000U}) {
+    const Prepared prepared(test::subdivided(test::snap_hook({}).mesh, facets));
+    ScanMaps whole(300);
+    for (const scan::Kernel* kernel : {&scan::k_portable_kernel, &scan::best_kernel()}) {
+      ScanMaps second(300, *kernel);
+      for (const glm::dvec3& direction : directions()) {
+        whole.draw(prepared.part, map_frame(direction), {});
+        second.draw_second_depth(prepared.part, map_frame(direction), {});
+        EXPECT_EQ(entries(whole), entries(second));
+        std::vector<std::uint32_t> copied[2];
+        second.copy_entries(true, copied[0]);
+        second.copy_entries(false, copied[1]);
+        copied[0].insert(copied[0].end(), copied[1].begin(), copied[1].end());
+        EXPECT_EQ(entries(second), copied[0]);
       }
     }
   }
@@ -96,7 +116,7 @@ TEST(ScanMapsAlone, DoNotDependOnWhatWasDrawnBefore) {
     if (i % 37 != 0) continue;
     used.draw(prepared.part, map_frame({0.36, 0.48, 0.8}), {});
     EXPECT_EQ(entries(used), entries(fresh)) << i;
-    EXPECT_TRUE(same_sums(used, fresh, prepared.part.clusters().size())) << i;
+    EXPECT_TRUE(same_sums(used, fresh, prepared.part.clusters().all.size())) << i;
   }
 }
 

@@ -1,5 +1,5 @@
 // Maps of a direction that moves: coarser, with the same lengths.
-#include "session/live_maps.hpp"
+#include "session/picture_maps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 namespace moldlight {
 namespace {
 
-TEST(LiveMaps, KeepTheLengthsOfTheFullOnes) {
+TEST(MovingMethod, KeepTheLengthsOfTheFullOnes) {
   constexpr double k_diagonal = 73.0;
   MethodSettings full;
   full.resolution = 4096;
   full.kernel = 5;
-  const MethodSettings live = live_method(full, k_diagonal);
+  const MethodSettings live = moving_method(full, k_diagonal);
   EXPECT_EQ(live.resolution, 1024);
   const MapSettings fine = map_settings(full, k_diagonal), coarse = map_settings(live, k_diagonal);
   EXPECT_DOUBLE_EQ(coarse.lateral, fine.lateral);
@@ -21,17 +21,17 @@ TEST(LiveMaps, KeepTheLengthsOfTheFullOnes) {
   EXPECT_EQ(live.direction, full.direction);
 }
 
-TEST(LiveMaps, CoarseOnesStayAsTheyAre) {
+TEST(MovingMethod, CoarseOnesStayAsTheyAre) {
   MethodSettings full;
   full.resolution = 1024;
-  EXPECT_EQ(live_method(full, 10.0), full);
+  EXPECT_EQ(moving_method(full, 10.0), full);
   full.resolution = 2048;
   full.tolerance = 0.25;
-  EXPECT_EQ(live_method(full, 10.0).tolerance, 0.25);
+  EXPECT_EQ(moving_method(full, 10.0).tolerance, 0.25);
   full.tolerance.reset();
   full.kernel_shape = KernelShape::symmetric;
-  EXPECT_EQ(live_method(full, 10.0).kernel, full.kernel);
-  EXPECT_FALSE(live_method(full, 10.0).tolerance) << "a symmetric kernel is made of texels";
+  EXPECT_EQ(moving_method(full, 10.0).kernel, full.kernel);
+  EXPECT_FALSE(moving_method(full, 10.0).tolerance) << "a symmetric kernel is made of texels";
 }
 
 }  // namespace

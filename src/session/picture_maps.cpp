@@ -1,0 +1,66 @@
+#include "session/picture_maps.hpp"
+
+#include <algorithm>
+
+#include "session/classifier.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_moving_resolution = 1024;
+
+}  // namespace
+
+MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
+  MethodSettings moving = settings;
+  moving.resolution = std::min(settings.resolution, k_moving_resolution);
+  if (moving.resolution == settings.resolution) return moving;
+  // A symmetric kernel is made of whole texels of its maps.
+  if (!settings.tolerance && settings.kernel_shape == KernelShape::one_sided && settings.kernel > 1)
+    moving.tolerance = 0.5 * (settings.kernel - 1) * diagonal / settings.resolution;
+  moving.edge_thickness = settings.edge_thickness * moving.resolution / settings.resolution;
+  return moving;
+}
+
+PictureMaps::PictureMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)
+    : context_(&context),
+      model_(std::move(model)),
+      buffers_(context.functions(), model_->part.mesh, model_->geometry, model_->frame,
+               model_->edges.concave),
+      maps_(context.functions()) {}
+
+void PictureMaps::draw_moving(const MethodSettings& settings) {
+  const MethodSettings moving = moving_method(settings, model_->frame.diagonal);
+  if (context_->draws_on_cpu() && moving.kernel_shape == KernelShape::one_sided) {
+    scan(moving);
+  } else {
+    draw_resting(moving);
+  }
+}
+
+void PictureMaps::draw_resting(const MethodSettings& settings) {
+  const MapFrame frame = map_frame(settings.direction);
+  buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, settings.tau_deg));
+  maps_.draw(buffers_, frame, map_settings(settings, model_->frame.diagonal));
+}
+
+void PictureMaps::scan(const MethodSettings& settings) {
+  if (!scan_part_) {
+    scan_part_ = std::make_unique<const ScanPart>(model_->part.mesh, model_->geometry, model_->frame,
+                                                  model_->edges.concave);
+  }
+  if (!scan_maps_ || scan_maps_->resolution() != settings.resolution) scan_maps_.emplace(settings.resolution);
+  const MapFrame frame = map_frame(settings.direction);
+  const MapSettings map = map_settings(settings, model_->frame.diagonal);
+  scan_maps_->draw_second_depth(*scan_part_, frame,
+                                {.tau_deg = settings.tau_deg, .edge_thickness = map.edge_thickness});
+  std::vector<FacetClass> classes(buffers_.facet_count());
+  for (FacetIndex facet = 0; facet < classes.size(); ++facet) classes[facet] = scan_maps_->facet_class(facet);
+  buffers_.set_facet_classes(classes);
+  scan_maps_->copy_entries(true, plus_);
+  scan_maps_->copy_entries(false, minus_);
+  maps_.load(frame, map, plus_, minus_);
+}
+
+}  // namespace moldlight
