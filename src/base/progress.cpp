@@ -9,4 +9,10 @@ void Progress::report(std::string_view stage, double fraction) const {
   if (listener_) listener_(stage, fraction);
 }
 
+Progress silent(const Progress& parent) {
+  return Progress([&parent](std::string_view, double) {
+    if (parent.cancelled()) throw Cancelled();
+  });
+}
+
 }  // namespace moldlight

@@ -27,4 +27,8 @@ class Progress {
   std::atomic<bool> cancelled_ = false;
 };
 
+/// Is cancelled with `parent` as far as report() goes, and tells nobody: for work whose stages the user is
+/// not to see. `parent` must outlive it.
+[[nodiscard]] Progress silent(const Progress& parent);
+
 }  // namespace moldlight

@@ -55,12 +55,12 @@ SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) 
   return settings;
 }
 
-void warn(const PartModel& model, const SweepResult& result, bool interrupted, Console& console) {
+void warn(const PartModel& model, const SweepResult& result, const Progress& progress, Console& console) {
   const auto& warnings =
       result.candidates.empty() ? model.warnings : result.candidates.front().classification.warnings;
   for (const std::string& warning : warnings) console.warning(warning);
   if (result.complete) return;
-  if (interrupted) {
+  if (progress.cancelled()) {
     console.warning("interrupted; what was done by then is put out");
   } else {
     console.warning(
@@ -108,14 +108,15 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   const SweepResult result = run_sweep(classifier, settings, progress,
                                        {.evaluated = [&meter](const EvaluatedDirection&) { meter.count(); }});
   console.set_progress_text({});
-  const bool interrupted = progress.cancelled();
-  warn(*model, result, interrupted, console);
+  warn(*model, result, progress, console);
   write_outputs(flags, *model, result, console);
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    write_sweep_pictures(flags.image_folder, *context, classifier, result, flags.still);
+    if (!write_sweep_pictures(flags.image_folder, classifier, result, flags.still, progress)) {
+      console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
+    }
   }
-  if (interrupted) return k_interrupted;
+  if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
   return 0;
 }

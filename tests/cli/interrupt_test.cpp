@@ -1,8 +1,11 @@
 // Ctrl-C in the midst of the work.
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "cli/small_part.hpp"
 
@@ -37,6 +40,25 @@ TEST_P(Interrupt, EndsWith130AndLeavesNothingHalfWritten) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT, SIGTERM),
                          [](const auto& signal) { return signal.param == SIGINT ? "Int" : "Term"; });
+
+TEST(SecondInterrupt, EndsTheProgramAtOnce) {
+  const test::SmallPart part;
+  // Opening a pipe that nobody reads takes for ever.
+  const std::string pipe = part.output("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::vector<std::string> arguments = part.sweep({"--csv", pipe, "--time-limit", "0.01"});
+  arguments.insert(arguments.begin(), MOLDLIGHT_BINARY);
+  test::Process process(arguments, {});
+  ASSERT_TRUE(process.wait_for_error_text("time limit"));
+  for (int i = 0; i < 20; ++i) {
+    process.send_signal(SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const auto result = process.finish();
+  EXPECT_FALSE(result.timed_out);
+  EXPECT_EQ(result.exit_code, 128 + SIGINT);
+  EXPECT_EQ(result.err.find("interrupted"), std::string::npos) << "no word of it: " << result.err;
+}
 
 TEST(IgnoredInterrupt, IsNotHeardWhereTheCallerIgnoresIt) {
   const test::SmallPart part;

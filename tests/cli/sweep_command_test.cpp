@@ -293,7 +293,9 @@ TEST(SweepCommand, DrawsPicturesIntoAFolder) {
 TEST(SweepCommand, PutsOutWhatIsDoneWhenInterrupted) {
   const SmallPart part;
   const std::string json = part.output("a.json"), csv = part.output("a.csv");
-  std::vector<std::string> arguments = part.sweep({"--json", json, "--csv", csv, "--verbose"});
+  const std::string folder = part.output("pictures");
+  std::vector<std::string> arguments =
+      part.sweep({"--json", json, "--csv", csv, "--image-dir", folder, "--verbose"});
   arguments.insert(arguments.begin(), MOLDLIGHT_BINARY);
   arguments = with(arguments, "--directions", "100000");
   test::Process process(arguments, {});
@@ -306,6 +308,10 @@ TEST(SweepCommand, PutsOutWhatIsDoneWhenInterrupted) {
   EXPECT_EQ(report["complete"], false);
   EXPECT_EQ(csv_rows(csv).size() - 1, report["evaluated"].get<std::size_t>());
   EXPECT_LT(report["evaluated"].get<std::size_t>(), 100'000u);
+  for (const Json& candidate : report["candidates"]) EXPECT_EQ(candidate["measured"], false) << candidate;
+  EXPECT_TRUE(fs::exists(folder + "/direction_sphere.png"));
+  EXPECT_FALSE(fs::exists(folder + "/contact_sheet.png"));
+  EXPECT_NE(result.err.find("contact_sheet.png was not drawn"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("not complete"), std::string::npos) << result.out;
   EXPECT_LT(result.seconds, 60.0);
 }

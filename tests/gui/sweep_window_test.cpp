@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/offscreen.hpp"
+#include "gui/panels/sweep_columns.hpp"
 #include "gui/picture_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "session/headless.hpp"
@@ -193,6 +194,10 @@ TEST_F(SweepWindow, EndsWhenItIsCancelled) {
   ASSERT_TRUE(state().result);
   EXPECT_FALSE(state().result->complete);
   EXPECT_LT(state().result->evaluated.size(), static_cast<std::size_t>(k_many));
+  ASSERT_FALSE(state().result->candidates.empty());
+  EXPECT_FALSE(candidate(0).measured);
+  const auto undercut = std::ranges::find(sweep_columns(), std::string_view("undercut"), &SweepColumn::name);
+  EXPECT_TRUE(undercut->text(window_.state(), candidate(0)).starts_with("≈"));
 }
 
 TEST_F(SweepWindow, IsGivenUpWhenThePartGoes) {

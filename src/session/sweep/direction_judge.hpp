@@ -30,10 +30,10 @@ class DirectionJudge {
   /// The objective's worth of an undercut area.
   [[nodiscard]] double value_of_undercut(double area) const;
   [[nodiscard]] bool by_undercut_alone() const;
+  [[nodiscard]] double near_vertical_area(const glm::dvec3& direction) const;
 
  private:
   [[nodiscard]] double draw_depth(const glm::dvec3& direction) const;
-  [[nodiscard]] double near_vertical_area(const glm::dvec3& direction) const;
 
   const PartModel& model_;
   std::vector<glm::dvec3> corners_;  // of the facets, each once, from the frame's centre

@@ -36,9 +36,10 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
     return fmt::format("The best direction has no undercut that could be told from none (± {}).",
                        area_text(model, error));
   }
-  return fmt::format("No direction that was tried is free of undercut; the best leaves {} in {} {}.",
-                     area_text(model, undercut_area(best)), best.patches,
-                     best.patches == 1 ? "patch" : "patches");
+  const std::string patches =
+      best.measured ? fmt::format(" in {} {}", best.patches, best.patches == 1 ? "patch" : "patches") : "";
+  return fmt::format("No direction that was tried is free of undercut; the best leaves {}{}.",
+                     area_text(model, undercut_area(best)), patches);
 }
 
 /// The first direction that does not tie with the best.
@@ -75,6 +76,12 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   const SweepCandidate& best = result.candidates.front();
   const auto ties = std::count_if(result.candidates.begin(), result.candidates.end(),
                                   [](const SweepCandidate& candidate) { return candidate.tie_group == 1; });
+  const auto scored = std::ranges::count(result.candidates, false, &SweepCandidate::measured);
+  if (scored > 0) {
+    remarks.push_back(
+        fmt::format("Ended early: {} of the {} directions listed were not measured, only scored.", scored,
+                    result.candidates.size()));
+  }
   remarks.push_back(on_undercut(model, best));
   if (ties > 1) {
     remarks.push_back(fmt::format("{} directions tie for the best within their uncertainty.", ties));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
 #include "mold/sweep/patches.hpp"
 #include "session/method_options.hpp"
@@ -72,8 +73,11 @@ class SweepRun {
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
   [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
-  /// Without the tilt margin.
+  /// Both without the tilt margin. The first throws Cancelled, the second is by the contender's score alone.
   [[nodiscard]] SweepCandidate final_figures(const Contender& contender);
+  [[nodiscard]] SweepCandidate scored_figures(const Contender& contender) const;
+  void complete_figures(const Contender& contender, SweepCandidate& candidate) const;
+  [[nodiscard]] SweepCandidate figures_for_list(const Contender& contender);
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
 
   Classifier& classifier_;
@@ -94,8 +98,13 @@ void SweepRun::score_candidates() {
   options.uniform_count = static_cast<std::size_t>(settings_.directions);
   options.user = settings_.user_directions;
   watch_.report(sweep_stage::k_candidates, 0.0);
-  std::vector<Candidate> candidates =
-      find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options, Progress{});
+  std::vector<Candidate> candidates;
+  try {
+    candidates = find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options,
+                                 watch_.until_cancelled());
+  } catch (const Cancelled&) {
+    return;
+  }
   // Candidates of the part come first and set a low limit for those of the even set.
   for (std::size_t first = 0; first < candidates.size(); first += k_batch) {
     if (contenders_.empty() ? watch_.cancelled() : watch_.stopped()) break;
@@ -209,15 +218,47 @@ SweepCandidate SweepRun::final_figures(const Contender& contender) {
   method.direction = contender.candidate.direction;
   SweepCandidate candidate;
   candidate.candidate = contender.candidate;
-  candidate.classification = classifier_.classify(method, Progress{});
+  candidate.classification = classifier_.classify(method, watch_.until_cancelled());
   candidate.patches =
       undercut_patches(candidate.classification.facet_fractions, model_.geometry, model_.adjacency).count;
   candidate.classification.facet_fractions = {};
+  complete_figures(contender, candidate);
+  return candidate;
+}
+
+SweepCandidate SweepRun::scored_figures(const Contender& contender) const {
+  SweepCandidate candidate;
+  candidate.candidate = contender.candidate;
+  candidate.measured = false;
+  Classification& scored = candidate.classification;
+  scored.settings = settings_.method;
+  scored.settings.direction = scored.direction = contender.candidate.direction;
+  scored.backend = classifier_.context().backend();
+  scored.renderer = classifier_.context().renderer();
+  scored.areas = contender.score.areas;
+  scored.total_area = model_.geometry.total_area;
+  scored.near_vertical_area = judge_.near_vertical_area(scored.direction);
+  scored.shadow_area = contender.score.shadow_area;
+  scored.uncertainty.total = contender.score.undercut_error;
+  scored.warnings = model_.warnings;
+  complete_figures(contender, candidate);
+  return candidate;
+}
+
+void SweepRun::complete_figures(const Contender& contender, SweepCandidate& candidate) const {
   candidate.projected_area = candidate.classification.shadow_area;
   candidate.clamp_force = settings_.pressure * candidate.projected_area;
   candidate.draw_depth = contender.figures[Criterion::draw_depth];
   candidate.undraughted_area = candidate.classification.near_vertical_area;
-  return candidate;
+}
+
+SweepCandidate SweepRun::figures_for_list(const Contender& contender) {
+  try {
+    if (!watch_.cancelled()) return final_figures(contender);
+  } catch (const Cancelled&) {
+    static_cast<void>(watch_.cancelled());  // which notes that work was left undone
+  }
+  return scored_figures(contender);
 }
 
 std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
@@ -238,18 +279,22 @@ void SweepRun::classify_best() {
       std::async(std::launch::async, [&] { return tilt_margins(listed); });
   for (const Contender& contender : listed) {
     // Even when the time is over the best direction so far gets its figures.
-    if (watch_.stopped() && !result_.candidates.empty()) break;
+    if (watch_.stopped() && !watch_.cancelled() && !result_.candidates.empty()) break;
     watch_.report(sweep_stage::k_final,
                   static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
-    result_.candidates.push_back(final_figures(contender));
+    result_.candidates.push_back(figures_for_list(contender));
   }
   const std::vector<std::optional<TiltMargin>> found = margins.get();
   for (std::size_t i = 0; i < result_.candidates.size(); ++i) result_.candidates[i].tilt = found[i];
 }
 
 void SweepRun::rank() {
+  const bool all_measured = std::ranges::all_of(result_.candidates, &SweepCandidate::measured);
   std::vector<DirectionFigures> figures;
-  for (const SweepCandidate& candidate : result_.candidates) figures.push_back(judge_.classified(candidate));
+  for (const SweepCandidate& candidate : result_.candidates) {
+    figures.push_back(judge_.classified(candidate));
+    if (!all_measured) figures.back()[Criterion::patches] = 0.0;
+  }
   const Ranking ranking = judge_.rank(figures);
   std::vector<SweepCandidate> ranked;
   for (const std::size_t i : ranking.order) {

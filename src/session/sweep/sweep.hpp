@@ -20,7 +20,9 @@ struct SweepListener {
 
 /// Runs a sweep on the calling thread and `settings.jobs` others. `classifier` gives the final figures; its
 /// context must be current here. Cancelling the progress or running into the time limit ends the sweep early:
-/// what is done by then is in the result, which says that it is not complete. Throws UsageError, Error.
+/// what is done by then is in the result, which says that it is not complete. After the time limit the best
+/// direction still gets its figures; once cancelled nothing more is measured, and the list is made by the
+/// scores. Throws UsageError, Error.
 [[nodiscard]] SweepResult run_sweep(Classifier& classifier, const SweepSettings& settings,
                                     const Progress& progress, const SweepListener& listener);
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/progress.hpp"
 #include "io/png.hpp"
 #include "picture/contact_sheet.hpp"
 #include "picture/direction_sphere.hpp"
@@ -127,8 +126,8 @@ Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, co
                                   settings.theme == Theme::dark);
 }
 
-Image sweep_contact_sheet(const gl::Context& context, Classifier& classifier, const SweepResult& result,
-                          const StillSettings& settings) {
+Image sweep_contact_sheet(Classifier& classifier, const SweepResult& result, const StillSettings& settings,
+                          const Progress& progress) {
   const PartModel& model = classifier.model();
   const double scale = scale_of(settings);
   StillSettings still = settings;
@@ -147,22 +146,29 @@ Image sweep_contact_sheet(const gl::Context& context, Classifier& classifier, co
     const SweepCandidate& candidate = result.candidates[k];
     MethodSettings method = candidate.classification.settings;
     method.samples = std::min(method.samples, k_view_samples);
-    const Classification regions = classifier.classify(method, Progress{});
+    const Classification regions = classifier.classify(method, silent(progress));
     ContactTile tile = contact_tile(model, candidate, ties[k]);
-    tile.picture = still_picture(context, classifier, regions, still);
+    tile.picture = still_picture(classifier.context(), classifier, regions, still);
     sheet.tiles.push_back(std::move(tile));
   }
   return contact_sheet_picture(sheet, scale);
 }
 
-void write_sweep_pictures(const std::string& folder, const gl::Context& context, Classifier& classifier,
-                          const SweepResult& result, const StillSettings& settings) {
+bool write_sweep_pictures(const std::string& folder, Classifier& classifier, const SweepResult& result,
+                          const StillSettings& settings, const Progress& progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
   const std::filesystem::path there(folder);
   write_png((there / k_sphere_picture).string(), sweep_sphere_picture(classifier.model(), result, settings));
-  write_png((there / k_contact_sheet).string(), sweep_contact_sheet(context, classifier, result, settings));
+  try {
+    if (progress.cancelled()) return false;
+    write_png((there / k_contact_sheet).string(),
+              sweep_contact_sheet(classifier, result, settings, progress));
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace moldlight

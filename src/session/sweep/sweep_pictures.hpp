@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/image.hpp"
-#include "gl/context.hpp"
+#include "base/progress.hpp"
 #include "session/classifier.hpp"
 #include "session/still_picture.hpp"
 #include "session/sweep/sweep_result.hpp"
@@ -21,13 +21,15 @@ inline constexpr const char* k_contact_sheet = "contact_sheet.png";
 
 /// The part's regions for each of the best directions, 12 at most, with their figures. View, theme and
 /// palette of the settings count, and the scale that their size stands for; 1600 by 1000 is scale 1.
-/// `context` is the classifier's and current. Asks for nothing to be cancelled: what is done is to be seen.
-[[nodiscard]] Image sweep_contact_sheet(const gl::Context& context, Classifier& classifier,
-                                        const SweepResult& result, const StillSettings& settings);
+/// Every tile wants its maps drawn, which takes seconds for millions of facets. Throws Cancelled.
+[[nodiscard]] Image sweep_contact_sheet(Classifier& classifier, const SweepResult& result,
+                                        const StillSettings& settings, const Progress& progress);
 
 /// Draws both and writes them to the folder, which is made where there is none; each file is replaced whole
-/// or not at all. Throws FileError.
-void write_sweep_pictures(const std::string& folder, const gl::Context& context, Classifier& classifier,
-                          const SweepResult& result, const StillSettings& settings);
+/// or not at all. Once cancelled it draws the map alone, which is soon done, and returns false. Throws
+/// FileError.
+[[nodiscard]] bool write_sweep_pictures(const std::string& folder, Classifier& classifier,
+                                        const SweepResult& result, const StillSettings& settings,
+                                        const Progress& progress);
 
 }  // namespace moldlight

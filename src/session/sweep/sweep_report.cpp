@@ -48,6 +48,7 @@ Json settings_json(const SweepResult& result) {
 Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
   const Json classified = classify_json(model, candidate.classification);
+  const auto if_measured = [&](Json value) { return candidate.measured ? value : Json(); };
   const Json& projected = classified["projected_undercut"];
   const bool leans_somewhere = candidate.tilt && !candidate.tilt->at_least();
   Json sources = Json::array();
@@ -59,21 +60,21 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
           {"tie_group", candidate.tie_group},
           {"direction", classified["direction"]},
           {"sources", sources},
+          {"measured", candidate.measured},
           {"areas", classified["areas"]},
           {"fractions", classified["fractions"]},
           {"undercut_uncertainty", classified["undercut_uncertainty"]},
-          {"uncertainty_parts", classified["uncertainty_parts"]},
-          {"projected_undercut", projected["identity"]},
-          {"projected_undercut_check",
-           {{"surface", projected["surface"]},
-            {"gap", projected["gap"]},
-            {"gap_limit", projected["gap_limit"]},
-            {"agrees", projected["agrees"]}}},
+          {"uncertainty_parts", if_measured(classified["uncertainty_parts"])},
+          {"projected_undercut", if_measured(projected["identity"])},
+          {"projected_undercut_check", if_measured({{"surface", projected["surface"]},
+                                                    {"gap", projected["gap"]},
+                                                    {"gap_limit", projected["gap_limit"]},
+                                                    {"agrees", projected["agrees"]}})},
           {"projected_area", candidate.projected_area},
           {"clamp_force", candidate.clamp_force > 0.0 ? Json(candidate.clamp_force) : Json()},
           {"draw_depth", candidate.draw_depth},
           {"undraughted_area", candidate.undraughted_area},
-          {"patches", candidate.patches},
+          {"patches", if_measured(candidate.patches)},
           {"tilt_margin_deg", candidate.tilt ? Json(candidate.tilt->deg) : Json()},
           {"tilt_toward", leans_somewhere ? vector_json(candidate.tilt->toward) : Json()},
           {"pareto", candidate.pareto}};
@@ -149,7 +150,7 @@ TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
                                     depths.text(candidate.draw_depth),
                                     shadows.text(candidate.projected_area)};
     if (with_force) row.push_back(forces.text(candidate.clamp_force));
-    row.push_back(fmt::format("{}", candidate.patches));
+    row.push_back(candidate.measured ? fmt::format("{}", candidate.patches) : "-");
     row.push_back(tilt_text(candidate));
     row.emplace_back(candidate.pareto ? "*" : "");
     row.push_back(reasons_text(candidate.candidate));

@@ -35,6 +35,9 @@ struct SweepCandidate {
   std::size_t rank = 0;       // 1 is best
   std::size_t tie_group = 0;  // 1 is the best direction's
   Candidate candidate;
+  /// False where the sweep was cancelled before: areas and their uncertainty are the scoring's, and patches,
+  /// the projected undercut and the parts of the uncertainty are not known.
+  bool measured = true;
   Classification classification;  // exactly what classify gives; facet fractions are dropped
   double projected_area = 0.0;
   double draw_depth = 0.0;         // the part's extent along the direction

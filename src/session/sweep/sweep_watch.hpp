@@ -28,6 +28,8 @@ class SweepWatch {
     if (progress_.cancelled()) cut_short_ = true;
     return progress_.cancelled();
   }
+  /// For work that is given up when the sweep is cancelled, but not at the time limit.
+  [[nodiscard]] Progress until_cancelled() const { return silent(progress_); }
   /// Work was left undone.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
   /// Reports without throwing when cancelled: a sweep ends by itself and keeps what it has.

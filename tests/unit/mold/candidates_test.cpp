@@ -202,5 +202,19 @@ TEST(CurvedPatches, KnowCylindersFromConesAndFromPlanes) {
   EXPECT_NEAR(std::abs(cone[0].sine_to_axis), std::sin(glm::radians(3.06)), 1e-9);
 }
 
+TEST(FindCandidates, EndsBetweenSourcesWhenCancelled) {
+  const TriangleMesh mesh = test::cup({}).mesh;
+  int reports = 0;
+  Progress* cancelled = nullptr;
+  Progress progress([&](std::string_view, double) {
+    if (++reports == 3) cancelled->cancel();
+  });
+  cancelled = &progress;
+  EXPECT_THROW(
+      static_cast<void>(find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, progress)),
+      Cancelled);
+  EXPECT_EQ(reports, 3);
+}
+
 }  // namespace
 }  // namespace moldlight

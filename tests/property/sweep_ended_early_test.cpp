@@ -1,0 +1,97 @@
+// Sweeps that are cancelled in one stage or another: they end at once and keep what they have.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "mold/candidates/candidate.hpp"
+#include "session/sweep/sweep.hpp"
+#include "session/sweep/sweep_report.hpp"
+#include "session/sweep/sweep_stages.hpp"
+#include "support/classify_mesh.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight {
+namespace {
+
+class SweepEndedEarly : public testing::Test {
+ protected:
+  SweepEndedEarly() : model_(test::model_of(test::refined(test::snap_hook({}), 300).mesh)) {
+    settings_.directions = 60;
+    settings_.refine = 1;
+    settings_.top = 4;
+    settings_.method.resolution = 256;
+    settings_.method.samples = 20'000;
+  }
+
+  /// Cancelled when it reports this stage for the `times`th time.
+  SweepResult cancelled_in(std::string_view stage, int times = 1) {
+    Progress* cancelled = nullptr;
+    Progress progress([&](std::string_view reported, double) {
+      if (reported == stage && --times == 0) cancelled->cancel();
+    });
+    cancelled = &progress;
+    Classifier classifier(test::shared_context(), model_);
+    SweepResult result = run_sweep(classifier, settings_, progress, {});
+    EXPECT_FALSE(result.complete) << stage;
+    return result;
+  }
+
+  std::shared_ptr<const PartModel> model_;
+  SweepSettings settings_;
+};
+
+std::ptrdiff_t measured(const SweepResult& result) {
+  return std::ranges::count(result.candidates, true, &SweepCandidate::measured);
+}
+
+TEST_F(SweepEndedEarly, WhileItLooksForCandidatesThereAreNone) {
+  const SweepResult result = cancelled_in(sweep_stage::k_candidates);
+  EXPECT_TRUE(result.evaluated.empty());
+  EXPECT_TRUE(result.candidates.empty());
+}
+
+TEST_F(SweepEndedEarly, WhileItScoresTheScoresAreListed) {
+  settings_.jobs = 1;
+  const SweepResult result = cancelled_in(sweep_stage::k_scoring, 30);
+  ASSERT_EQ(result.evaluated.size(), 30U);
+  ASSERT_EQ(result.candidates.size(), 4U);
+  EXPECT_EQ(measured(result), 0);
+  for (const SweepCandidate& candidate : result.candidates) {
+    const auto same =
+        std::ranges::find(result.evaluated, candidate.candidate.direction, &EvaluatedDirection::direction);
+    ASSERT_NE(same, result.evaluated.end());
+    EXPECT_EQ(candidate.classification.areas[Region::undercut], same->undercut);
+    EXPECT_EQ(candidate.classification.uncertainty.total, same->undercut_error);
+    EXPECT_GT(candidate.draw_depth, 0.0);
+    EXPECT_GT(candidate.projected_area, 0.0);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(result.candidates, {}, &SweepCandidate::tie_group));
+}
+
+TEST_F(SweepEndedEarly, WhileItMeasuresTheReportTellsWhatIsMeasured) {
+  const SweepResult result = cancelled_in(sweep_stage::k_final, 2);
+  ASSERT_EQ(result.candidates.size(), 4U);
+  EXPECT_EQ(measured(result), 1) << "the second was under way";
+  const auto json = sweep_json(*model_, result);
+  for (const auto& candidate : json["candidates"]) {
+    const bool known = candidate["measured"];
+    for (const char* key :
+         {"patches", "projected_undercut", "projected_undercut_check", "uncertainty_parts"}) {
+      EXPECT_EQ(candidate[key].is_null(), !known) << key;
+    }
+  }
+  EXPECT_EQ(json["remarks"][0], "Ended early: 3 of the 4 directions listed were not measured, only scored.");
+}
+
+TEST_F(SweepEndedEarly, AtTheTimeLimitTheBestIsMeasured) {
+  settings_.time_limit_s = 1e-6;
+  Classifier classifier(test::shared_context(), model_);
+  const SweepResult result = run_sweep(classifier, settings_, Progress{}, {});
+  EXPECT_FALSE(result.complete);
+  ASSERT_EQ(result.candidates.size(), 1U);
+  EXPECT_EQ(measured(result), 1);
+}
+
+}  // namespace
+}  // namespace moldlight
