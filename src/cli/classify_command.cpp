@@ -77,22 +77,27 @@ void add_classify_command(CLI::App& program, Request& request) {
   add_part_flags(*command, flags->part, request);
   add_method_flags(*command, flags->method, DirectionFlag::required);
   command->add_option("--facets", flags->facets, "Write a table of facets: area and share of each region")
-      ->option_text("FILE.csv");
+      ->option_text("FILE.csv")
+      ->check(named());
   command
       ->add_option("--faces", flags->faces,
                    "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way")
-      ->option_text("FILE.csv");
+      ->option_text("FILE.csv")
+      ->check(named());
   command
       ->add_option("--mesh", flags->mesh,
                    "Write the part with its facets coloured by region; in OBJ each region is a material")
-      ->option_text("FILE.(ply|obj|stl)");
+      ->option_text("FILE.(ply|obj|stl)")
+      ->check(named());
   command->add_option("--split-dir", flags->split_folder, "Write one STL a region to this folder")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(named());
   CLI::Option* image = command
                            ->add_option("--image", flags->image,
                                         "Draw the part in the colours of its regions, with a legend, and "
                                         "write the picture to this file")
-                           ->option_text("FILE.png");
+                           ->option_text("FILE.png")
+                           ->check(named());
   command
       ->add_option_function<std::string>(
           "--size",

@@ -12,11 +12,16 @@ constexpr std::size_t k_help_width = 104;
 
 }  // namespace
 
+CLI::Validator named() {
+  return {[](std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, ""};
+}
+
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command.add_option("PART", flags.part, "Part file: STL, OBJ, PLY, OFF, 3MF or STEP, known by its content")
       ->required();
   command.add_option("--json", flags.json, "Write the report as JSON; - for stdout, in place of the table")
-      ->option_text("FILE|-");
+      ->option_text("FILE|-")
+      ->check(named());
   add_reading_flags(command, flags.reading);
   CLI::Option* quiet = command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);

@@ -34,6 +34,9 @@ struct PartFlags {
   std::string json;  // file, "-" for stdout, or empty
 };
 
+/// Refuses an empty name of a file or folder, such as a script's unset variable gives.
+[[nodiscard]] CLI::Validator named();
+
 /// Adds PART, --json, --quiet, --verbose and how the part is read.
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request);
 

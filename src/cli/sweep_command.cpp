@@ -150,7 +150,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
   command
       ->add_option("--directions-file", flags->directions_file,
                    "The same from a file, a line a direction: x, y, z")
-      ->option_text("FILE.csv");
+      ->option_text("FILE.csv")
+      ->check(named());
   command
       ->add_option_function<std::string>(
           "--objective",
@@ -169,14 +170,16 @@ void add_sweep_command(CLI::App& program, Request& request) {
           "per cent of its area")
       ->option_text("AREA|PCT%");
   command->add_option("--csv", flags->csv, "Write a table of every direction that was scored")
-      ->option_text("FILE.csv");
+      ->option_text("FILE.csv")
+      ->check(named());
   CLI::Option* pictures =
       command
           ->add_option("--image-dir", flags->image_folder,
                        "Write direction_sphere.png, a map of the undercut area over all directions, and "
                        "contact_sheet.png, the part with the best directions, to this folder; scores every "
                        "direction to the end")
-          ->option_text("DIR");
+          ->option_text("DIR")
+          ->check(named());
   command
       ->add_option_function<std::string>(
           "--size",

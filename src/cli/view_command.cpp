@@ -96,11 +96,13 @@ void add_view_command(CLI::App& program, Request& request) {
           },
           "Settings and bookmarks as the window saves them, or a JSON object of settings")
       ->option_text("FILE.json")
+      ->check(named())
       ->trigger_on_parse();
   command
       ->add_option("--screenshot", flags->screenshot,
                    "Write the window's picture and open none; needs no display")
-      ->option_text("OUT.png");
+      ->option_text("OUT.png")
+      ->check(named());
   command
       ->add_option_function<std::string>(
           "--size",
@@ -114,7 +116,8 @@ void add_view_command(CLI::App& program, Request& request) {
       ->option_text("FACTOR")
       ->check(CLI::Range(0.5F, 4.0F));
   command->add_option("--script", flags->script, "Play these input events before the picture is taken")
-      ->option_text("EVENTS.json");
+      ->option_text("EVENTS.json")
+      ->check(named());
   command->add_flag(
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "

@@ -163,6 +163,19 @@ TEST(Usage, OutputsThatCannotBeWrittenEndWithOneBeforeAnyWork) {
   expect_failure({"info", part.file(), "--json", part.output("no/a.json")}, 1, {"no/a.json"});
 }
 
+TEST(Usage, OutputsWithoutANameAreRefused) {
+  const SmallPart part;
+  for (const char* flag : {"--json", "--facets", "--faces", "--mesh", "--split-dir", "--image"}) {
+    expect_failure(part.classify({flag, ""}), 2, {flag, "empty"});
+  }
+  for (const char* flag : {"--json", "--csv", "--image-dir", "--directions-file"}) {
+    expect_failure(part.sweep({flag, ""}), 2, {flag, "empty"});
+  }
+  for (const char* flag : {"--screenshot", "--script", "--settings"}) {
+    expect_failure({"view", part.file(), flag, ""}, 2, {flag, "empty"});
+  }
+}
+
 TEST(Usage, ProtectedFilesAndFoldersStay) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const SmallPart part;
