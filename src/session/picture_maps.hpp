@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gl/context.hpp"
-#include "mold/sweep/scan_maps.hpp"
+#include "mold/scan/scan_maps.hpp"
 #include "render/part_buffers.hpp"
 #include "render/shadow_maps.hpp"
 #include "session/part_model.hpp"

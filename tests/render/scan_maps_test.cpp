@@ -1,5 +1,5 @@
 // The scan converter's maps against those of the GL, texel by texel, and what is looked up in both.
-#include "mold/sweep/scan_maps.hpp"
+#include "mold/scan/scan_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/map_lookup.hpp"
+#include "mold/scan/map_lookup.hpp"
 #include "render/sample_pass.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"

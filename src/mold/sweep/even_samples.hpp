@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "mold/surface_samples.hpp"
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_part.hpp"
 
 namespace moldlight {
 

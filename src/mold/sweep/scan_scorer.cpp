@@ -9,7 +9,7 @@
 
 #include "mold/measure.hpp"
 #include "mold/sweep/even_samples.hpp"
-#include "mold/sweep/wall_lookup.hpp"
+#include "mold/scan/wall_lookup.hpp"
 
 namespace moldlight {
 

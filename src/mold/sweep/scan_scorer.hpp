@@ -10,8 +10,8 @@
 #include "mold/exact_rays.hpp"
 #include "mold/region.hpp"
 #include "mold/sweep/direction_scorer.hpp"
-#include "mold/sweep/scan_maps.hpp"
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_maps.hpp"
+#include "mold/scan/scan_part.hpp"
 
 namespace moldlight {
 

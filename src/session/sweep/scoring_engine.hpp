@@ -7,7 +7,7 @@
 
 #include "mold/surface_samples.hpp"
 #include "mold/sweep/engine_choice.hpp"
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_part.hpp"
 #include "session/classifier.hpp"
 #include "session/sweep/scoring.hpp"
 #include "session/sweep/sweep_settings.hpp"

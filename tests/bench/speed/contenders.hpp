@@ -9,7 +9,7 @@
 #include "bench/speed/bench_settings.hpp"
 #include "bench/speed/truth.hpp"
 #include "mold/surface_samples.hpp"
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_part.hpp"
 #include "session/part_model.hpp"
 #include "session/sweep/scoring.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_part.hpp"
 
 namespace moldlight::bench {
 

@@ -1,5 +1,5 @@
 // The scan converter by itself: what does not need another one to compare with.
-#include "mold/sweep/scan_maps.hpp"
+#include "mold/scan/scan_maps.hpp"
 
 #include <cstring>
 
@@ -53,16 +53,19 @@ bool same_sums(const ScanMaps& a, const ScanMaps& b, std::size_t clusters) {
   return same;
 }
 
-TEST(ScanMapsAlone, BothKernelsGiveTheSameBits) {
+TEST(ScanMapsAlone, AllKernelsGiveTheSameBits) {
   for (const test::Shape& shape : {test::snap_hook({}), test::hollow_sphere({}), test::thin_rib({})}) {
     for (const std::size_t facets : {500U, 30'000U}) {
       const Prepared prepared(test::subdivided(shape.mesh, facets));
-      ScanMaps portable(300, scan::k_portable_kernel), best(300, scan::best_kernel());
-      for (const glm::dvec3& direction : directions()) {
-        portable.draw(prepared.part, map_frame(direction), {});
-        best.draw(prepared.part, map_frame(direction), {});
-        EXPECT_EQ(entries(portable), entries(best)) << shape.name;
-        EXPECT_TRUE(same_sums(portable, best, prepared.part.clusters().all.size())) << shape.name;
+      ScanMaps portable(300, scan::k_portable_kernel);
+      for (const scan::Kernel* kernel : scan::kernels()) {
+        ScanMaps other(300, *kernel);
+        for (const glm::dvec3& direction : directions()) {
+          portable.draw(prepared.part, map_frame(direction), {});
+          other.draw(prepared.part, map_frame(direction), {});
+          EXPECT_EQ(entries(portable), entries(other)) << shape.name << ", " << kernel->name;
+          EXPECT_TRUE(same_sums(portable, other, prepared.part.clusters().all.size())) << shape.name;
+        }
       }
     }
   }
@@ -90,7 +93,7 @@ TEST(ScanMapsAlone, SecondDepthAloneGivesTheSameEntries) {
   for (const std::size_t facets : {500U, 30'000U}) {
     const Prepared prepared(test::subdivided(test::snap_hook({}).mesh, facets));
     ScanMaps whole(300);
-    for (const scan::Kernel* kernel : {&scan::k_portable_kernel, &scan::best_kernel()}) {
+    for (const scan::Kernel* kernel : scan::kernels()) {
       ScanMaps second(300, *kernel);
       for (const glm::dvec3& direction : directions()) {
         whole.draw(prepared.part, map_frame(direction), {});

@@ -1,4 +1,4 @@
-#include "mold/sweep/wall_lookup.hpp"
+#include "mold/scan/wall_lookup.hpp"
 
 #include <algorithm>
 #include <cmath>

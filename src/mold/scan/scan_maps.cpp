@@ -1,4 +1,4 @@
-#include "mold/sweep/scan_maps.hpp"
+#include "mold/scan/scan_maps.hpp"
 
 #include <algorithm>
 #include <cmath>

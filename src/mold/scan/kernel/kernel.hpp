@@ -1,10 +1,11 @@
-// The inner loops of scan conversion, compiled once for any machine and once for those with AVX2; both give
-// the same results to the bit.
+// The inner loops of scan conversion, compiled for any machine, for those with AVX2 and for those with
+// AVX-512; all give the same results to the bit.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace moldlight::scan {
 
@@ -128,9 +129,11 @@ struct Kernel {
 };
 
 extern const Kernel k_portable_kernel;
-extern const Kernel k_avx2_kernel;  // the portable one where the compiler does not know AVX2
+extern const Kernel k_avx2_kernel, k_avx512_kernel;  // like the portable one for other than x86 processors
 
-/// The fastest kernel for this machine.
+/// Those that this machine runs, the fastest last.
+[[nodiscard]] std::span<const Kernel* const> kernels();
+[[nodiscard]] const Kernel& best_kernel();
 [[nodiscard]] const Kernel& best_kernel();
 
 }  // namespace moldlight::scan

@@ -1,4 +1,4 @@
-#include "mold/sweep/map_lookup.hpp"
+#include "mold/scan/map_lookup.hpp"
 
 #include <cmath>
 

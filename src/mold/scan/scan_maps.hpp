@@ -10,8 +10,8 @@
 
 #include "mold/draft.hpp"
 #include "mold/map_frame.hpp"
-#include "mold/sweep/scan_kernel.hpp"
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/kernel/kernel.hpp"
+#include "mold/scan/scan_part.hpp"
 
 namespace moldlight {
 

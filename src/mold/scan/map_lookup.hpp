@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "mold/sweep/scan_maps.hpp"
+#include "mold/scan/scan_maps.hpp"
 
 namespace moldlight {
 

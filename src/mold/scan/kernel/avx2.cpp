@@ -1,4 +1,4 @@
-#include "mold/sweep/scan_kernel.hpp"
+#include "mold/scan/kernel/kernel.hpp"
 
 // Only what follows is compiled for AVX2: inline functions of the headers above may be shared with the whole
 // program.
@@ -15,7 +15,7 @@
 namespace moldlight::scan {
 
 namespace {
-#include "mold/sweep/scan_kernel_body.hpp"
+#include "mold/scan/kernel/body.hpp"
 }  // namespace
 
 #if defined(__clang__) && defined(MOLDLIGHT_SCAN_AVX2)

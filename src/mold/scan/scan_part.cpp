@@ -1,4 +1,4 @@
-#include "mold/sweep/scan_part.hpp"
+#include "mold/scan/scan_part.hpp"
 
 #include <algorithm>
 #include <cmath>
