@@ -11,6 +11,7 @@ namespace moldlight::gl {
 #define MOLDLIGHT_GL_FUNCTIONS(X)                                            \
   X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                   \
   X(AttachShader, PFNGLATTACHSHADERPROC)                                     \
+  X(BeginQuery, PFNGLBEGINQUERYPROC)                                         \
   X(BeginTransformFeedback, PFNGLBEGINTRANSFORMFEEDBACKPROC)                 \
   X(BindBuffer, PFNGLBINDBUFFERPROC)                                         \
   X(BindBufferBase, PFNGLBINDBUFFERBASEPROC)                                 \
@@ -53,10 +54,12 @@ namespace moldlight::gl {
   X(DrawElements, PFNGLDRAWELEMENTSPROC)                                     \
   X(Enable, PFNGLENABLEPROC)                                                 \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)               \
+  X(EndQuery, PFNGLENDQUERYPROC)                                             \
   X(EndTransformFeedback, PFNGLENDTRANSFORMFEEDBACKPROC)                     \
   X(Finish, PFNGLFINISHPROC)                                                 \
   X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)               \
   X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                     \
+  X(FramebufferTextureLayer, PFNGLFRAMEBUFFERTEXTURELAYERPROC)               \
   X(GenBuffers, PFNGLGENBUFFERSPROC)                                         \
   X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                               \
   X(GenQueries, PFNGLGENQUERIESPROC)                                         \
@@ -70,6 +73,7 @@ namespace moldlight::gl {
   X(GetIntegerv, PFNGLGETINTEGERVPROC)                                       \
   X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                           \
   X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                     \
+  X(GetQueryObjectuiv, PFNGLGETQUERYOBJECTUIVPROC)                           \
   X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                             \
   X(GetShaderiv, PFNGLGETSHADERIVPROC)                                       \
   X(GetString, PFNGLGETSTRINGPROC)                                           \
@@ -86,6 +90,7 @@ namespace moldlight::gl {
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                                     \
   X(TexBuffer, PFNGLTEXBUFFERPROC)                                           \
   X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                         \
+  X(TexImage3D, PFNGLTEXIMAGE3DPROC)                                         \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                   \
   X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                   \
   X(TransformFeedbackVaryings, PFNGLTRANSFORMFEEDBACKVARYINGSPROC)           \

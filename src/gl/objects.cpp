@@ -75,6 +75,35 @@ GLuint generate(void (*entry)(GLsizei, GLuint*)) {
   return name;
 }
 
+void check_size(const Functions& gl, int width, int height) {
+  GLint largest = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (width < 1 || height < 1 || width > largest || height > largest) {
+    throw Error(
+        fmt::format("the driver has no texture of {} x {} texels, its largest is {} x {}: choose a smaller "
+                    "resolution",
+                    width, height, largest, largest));
+  }
+}
+
+/// No mipmaps, no filtering, clamped to the edge.
+void read_by_texel(const Functions& gl, GLenum target) {
+  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void check_complete(const Functions& gl, std::size_t colours, bool with_depth) {
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(fmt::format("the OpenGL driver refuses a framebuffer of {} colours{} (status 0x{:04x})",
+                            colours, with_depth ? " and depth" : "", status));
+  }
+  check_errors(gl, "making a framebuffer");
+}
+
 }  // namespace
 
 void delete_buffer(const Functions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
@@ -83,6 +112,7 @@ void delete_framebuffer(const Functions& gl, GLuint name) { gl.DeleteFramebuffer
 void delete_vertex_array(const Functions& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
 void delete_shader(const Functions& gl, GLuint name) { gl.DeleteShader(name); }
 void delete_program(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
+void delete_query(const Functions& gl, GLuint name) { gl.DeleteQueries(1, &name); }
 
 Buffer make_buffer(const Functions& gl, GLenum target, std::span<const std::byte> bytes) {
   Buffer buffer(gl, generate(gl.GenBuffers));
@@ -101,27 +131,30 @@ Texture make_buffer_texture(const Functions& gl, GLenum internal_format, const B
 }
 
 Texture make_texture_2d(const Functions& gl, GLenum internal_format, int width, int height) {
-  GLint largest = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  if (width < 1 || height < 1 || width > largest || height > largest) {
-    throw Error(
-        fmt::format("the driver has no texture of {} x {} texels, its largest is {} x {}: choose a smaller "
-                    "resolution",
-                    width, height, largest, largest));
-  }
+  check_size(gl, width, height);
   Texture texture(gl, generate(gl.GenTextures));
   gl.BindTexture(GL_TEXTURE_2D, texture.name());
   const PixelLayout layout = pixel_layout(internal_format);
   gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, layout.format,
                 layout.type, nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  read_by_texel(gl, GL_TEXTURE_2D);
   check_errors(gl, "making a texture");
   return texture;
 }
+
+Texture make_texture_array(const Functions& gl, GLenum internal_format, int size, int layers) {
+  check_size(gl, size, size);
+  Texture texture(gl, generate(gl.GenTextures));
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+  const PixelLayout layout = pixel_layout(internal_format);
+  gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internal_format), size, size, layers, 0,
+                layout.format, layout.type, nullptr);
+  read_by_texel(gl, GL_TEXTURE_2D_ARRAY);
+  check_errors(gl, "making an array of textures");
+  return texture;
+}
+
+Query make_query(const Functions& gl) { return {gl, generate(gl.GenQueries)}; }
 
 VertexArray make_vertex_array(const Functions& gl) { return {gl, generate(gl.GenVertexArrays)}; }
 
@@ -140,12 +173,17 @@ Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments
   if (draw_buffers.empty()) draw_buffers.push_back(GL_NONE);
   gl.DrawBuffers(static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   gl.ReadBuffer(draw_buffers.front());
-  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
-  if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error(fmt::format("the OpenGL driver refuses a framebuffer of {} colours{} (status 0x{:04x})",
-                            attachments.colours.size(), attachments.depth != 0 ? " and depth" : "", status));
-  }
-  check_errors(gl, "making a framebuffer");
+  check_complete(gl, attachments.colours.size(), attachments.depth != 0);
+  return framebuffer;
+}
+
+Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
+                                   const Texture& depth) {
+  Framebuffer framebuffer(gl, generate(gl.GenFramebuffers));
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array.name(), 0, layer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
+  check_complete(gl, 1, true);
   return framebuffer;
 }
 

@@ -45,11 +45,13 @@ void delete_framebuffer(const Functions& gl, GLuint name);
 void delete_vertex_array(const Functions& gl, GLuint name);
 void delete_shader(const Functions& gl, GLuint name);
 void delete_program(const Functions& gl, GLuint name);
+void delete_query(const Functions& gl, GLuint name);
 
 using Buffer = Handle<delete_buffer>;
 using Texture = Handle<delete_texture>;
 using Framebuffer = Handle<delete_framebuffer>;
 using VertexArray = Handle<delete_vertex_array>;
+using Query = Handle<delete_query>;
 
 /// A static buffer with `bytes` in it (GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER or GL_TEXTURE_BUFFER as
 /// target).
@@ -67,6 +69,11 @@ template <typename T>
 /// driver has no room for it.
 [[nodiscard]] Texture make_texture_2d(const Functions& gl, GLenum internal_format, int width, int height);
 
+/// The same with `layers` layers (GL_TEXTURE_2D_ARRAY).
+[[nodiscard]] Texture make_texture_array(const Functions& gl, GLenum internal_format, int size, int layers);
+
+[[nodiscard]] Query make_query(const Functions& gl);
+
 [[nodiscard]] VertexArray make_vertex_array(const Functions& gl);
 
 /// What a framebuffer draws to; a zero depth leaves it without depth. Colour k is draw buffer k.
@@ -76,6 +83,9 @@ struct Attachments {
 };
 /// A complete framebuffer, left bound to GL_FRAMEBUFFER; throws Error where the driver refuses it.
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments);
+/// The same for one layer of an array texture and a 2-D depth texture.
+[[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
+                                                 const Texture& depth);
 
 /// Throws Error naming `where` if GL reports an error.
 void check_errors(const Functions& gl, const char* where);
