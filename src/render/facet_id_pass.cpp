@@ -31,10 +31,7 @@ std::vector<std::uint8_t> FacetIdPass::run(const PartBuffers& part, const MapFra
   gl_->Disable(GL_CULL_FACE);
   gl_->Disable(GL_BLEND);
   program_.use();
-  program_.set("u_direction", glm::vec3(frame.z));
-  program_.set("u_map_x", glm::vec3(frame.x));
-  program_.set("u_map_y", glm::vec3(frame.y));
-  program_.set("u_map_size", static_cast<float>(size));
+  set_map_frame(program_, frame, size);
   program_.set("u_tangent", static_cast<float>(std::tan(glm::radians(settings.draft_perturbation_deg))));
   program_.set_texture("t_planes", 0, GL_TEXTURE_BUFFER, part.planes());
   program_.set_texture("t_facet_class", 1, GL_TEXTURE_BUFFER, part.facet_classes());

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "gl/program.hpp"
-#include "mold/map_frame.hpp"
-#include "render/part_buffers.hpp"
+#include "render/map_painter.hpp"
 
 namespace moldlight {
 

@@ -14,17 +14,11 @@ constexpr int k_coverage_block = 16;  // texels along a side of a block that one
 
 int block_count(int resolution) { return (resolution + k_coverage_block - 1) / k_coverage_block; }
 
-float sign_of(bool plus) { return plus ? 1.0F : -1.0F; }
-
 }  // namespace
 
 ShadowMaps::ShadowMaps(const gl::Functions& gl)
     : gl_(&gl),
-      facet_program_(gl, {.vertex = "maps/second_depth.vert", .fragment = "maps/second_depth.frag"}),
-      edge_program_(gl, {.vertex = "maps/contour_edge.vert", .fragment = "maps/contour_edge.frag"}),
-      symmetric_edge_program_(gl, {.vertex = "maps/contour_edge.vert",
-                                   .fragment = "maps/contour_edge.frag",
-                                   .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
+      painter_(gl),
       coverage_program_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/coverage.frag"}),
       fullscreen_(gl::make_vertex_array(gl)) {}
 
@@ -50,9 +44,11 @@ void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
 
 void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
   begin(frame, settings);
+  const MapSubject subject{part, part.facet_classes(), frame_, settings_};
   for (const bool plus : {true, false}) {
-    draw_facets(plus, part);
-    draw_edges(plus, part);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+    painter_.draw_facets(subject, plus);
+    painter_.draw_edges(subject, plus);
   }
   gl::check_errors(*gl_, "drawing the shadow maps");
 }
@@ -60,11 +56,14 @@ void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapS
 double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
                                            const MapSettings& settings) {
   begin(frame, settings);
+  const MapSubject subject{part, part.facet_classes(), frame_, settings_};
   double covered[2] = {};
   for (const bool plus : {true, false}) {
-    draw_facets(plus, part);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+    painter_.draw_facets(subject, plus);
     covered[plus ? 1 : 0] = covered_area(plus);
-    draw_edges(plus, part);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+    painter_.draw_edges(subject, plus);
   }
   gl_->Finish();
   gl::check_errors(*gl_, "drawing the shadow maps");
@@ -86,52 +85,6 @@ void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::s
   gl::check_errors(*gl_, "uploading the shadow maps");
 }
 
-void ShadowMaps::set_frame(const gl::Program& program) const {
-  program.set("u_direction", glm::vec3(frame_.z));
-  program.set("u_map_x", glm::vec3(frame_.x));
-  program.set("u_map_y", glm::vec3(frame_.y));
-  program.set("u_map_size", static_cast<float>(settings_.resolution));
-}
-
-void ShadowMaps::draw_facets(bool plus, const PartBuffers& part) const {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
-  gl_->Viewport(0, 0, settings_.resolution, settings_.resolution);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-  const GLuint none[4] = {0, 0, 0, 0};
-  const GLfloat furthest = 1.0F;
-  gl_->ClearBufferuiv(GL_COLOR, 0, none);
-  gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
-
-  // Both maps share their axes, so in both a facet that faces +d runs counter-clockwise. Each keeps the
-  // facets that face away from its light.
-  gl_->Enable(GL_CULL_FACE);
-  gl_->CullFace(plus ? GL_FRONT : GL_BACK);
-  facet_program_.use();
-  set_frame(facet_program_);
-  facet_program_.set("u_side", sign_of(plus));
-  part.draw_facets();
-  gl_->Disable(GL_CULL_FACE);
-}
-
-void ShadowMaps::draw_edges(bool plus, const PartBuffers& part) const {
-  if (settings_.edge_thickness <= 0.0) return;
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
-  gl_->Viewport(0, 0, settings_.resolution, settings_.resolution);
-  gl_->Enable(GL_DEPTH_TEST);
-  const gl::Program& program = settings_.symmetric_kernel ? symmetric_edge_program_ : edge_program_;
-  program.use();
-  set_frame(program);
-  program.set("u_side", sign_of(plus));
-  program.set("u_half_width", static_cast<float>(0.5 * settings_.edge_thickness / settings_.resolution));
-  program.set_texture("t_facet_class", 0, GL_TEXTURE_BUFFER, part.facet_classes());
-  if (!settings_.symmetric_kernel) program.set_texture("t_planes", 1, GL_TEXTURE_BUFFER, part.planes());
-  part.draw_concave_edges();
-}
-
 double ShadowMaps::covered_area(bool plus) const {
   const int blocks = block_count(settings_.resolution);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, count_framebuffer_.name());
@@ -151,7 +104,7 @@ double ShadowMaps::covered_area(bool plus) const {
 }
 
 void ShadowMaps::bind(const gl::Program& program, const PartBuffers& part, int first_unit) const {
-  set_frame(program);
+  set_map_frame(program, frame_, settings_.resolution);
   program.set_texture("t_facet_class", first_unit, GL_TEXTURE_BUFFER, part.facet_classes());
   if (settings_.symmetric_kernel) {
     program.set_texture("t_depth_plus", first_unit + 1, GL_TEXTURE_2D, plus_.depth);

@@ -5,21 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "gl/program.hpp"
-#include "mold/map_frame.hpp"
-#include "render/part_buffers.hpp"
+#include "render/map_painter.hpp"
 
 namespace moldlight {
-
-/// How the maps are drawn and looked up.
-struct MapSettings {
-  int resolution = 2048;        // texels along a side; the side is the part's diagonal
-  double edge_thickness = 2.0;  // texels
-  bool symmetric_kernel =
-      false;              // the paper's kernel and strips; otherwise one-sided look-ups and extended facets
-  int kernel_radius = 1;  // texels, for the symmetric kernel
-  double lateral = 0.0;   // lateral tolerance in the unit frame, for the one-sided look-up
-};
 
 /// Owns the maps and draws them. Needs its context current.
 class ShadowMaps {
@@ -60,13 +48,11 @@ class ShadowMaps {
   };
   [[nodiscard]] const Side& side(bool plus) const { return plus ? plus_ : minus_; }
   void begin(const MapFrame& frame, const MapSettings& settings);
-  void draw_facets(bool plus, const PartBuffers& part) const;
-  void draw_edges(bool plus, const PartBuffers& part) const;
   [[nodiscard]] double covered_area(bool plus) const;
-  void set_frame(const gl::Program& program) const;
 
   const gl::Functions* gl_;
-  gl::Program facet_program_, edge_program_, symmetric_edge_program_, coverage_program_;
+  MapPainter painter_;
+  gl::Program coverage_program_;
   gl::VertexArray fullscreen_;
   Side plus_, minus_;
   gl::Texture counts_;
