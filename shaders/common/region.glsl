@@ -6,8 +6,14 @@
 #include "common/facets.glsl"
 #include "common/map_frame.glsl"
 
-uniform usampler2D t_map_plus;  // facet + 1, 0 where no facet is
+// Entries are facet + 1, 0 where no facet is.
+#ifdef MAP_BATCH
+uniform usampler2DArray t_maps;  // of several directions: layer 2 k is the +d map of direction k, 2 k + 1 its -d map
+uniform int u_map_pair;          // k
+#else
+uniform usampler2D t_map_plus;
 uniform usampler2D t_map_minus;
+#endif
 
 const uint k_accessible_plus = 1u;
 const uint k_accessible_minus = 2u;
@@ -47,11 +53,17 @@ uniform float u_lateral;  // lateral tolerance in the unit frame
 // way: between surfaces that coincide no mold comes in.
 const float k_plane_rounding = 2.5e-7;
 
-uint map_entry(usampler2D map, ivec2 texel) {
-  int size = int(u_map_size);
-  bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(size)));
-  return inside ? texelFetch(map, texel, 0).r : 0u;
+bool in_map(ivec2 texel) {
+  return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(int(u_map_size))));
 }
+
+#ifdef MAP_BATCH
+uint plus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_maps, ivec3(texel, 2 * u_map_pair), 0).r : 0u; }
+uint minus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_maps, ivec3(texel, 2 * u_map_pair + 1), 0).r : 0u; }
+#else
+uint plus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_map_plus, texel, 0).r : 0u; }
+uint minus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_map_minus, texel, 0).r : 0u; }
+#endif
 
 bool outside_of(uint entry, vec3 point) {
   if (entry == 0u) return false;
@@ -91,7 +103,7 @@ uint accessible_at(vec3 point, uint facet, vec2 shift) {
   // Software GL reads both maps whatever the class; one texel for all, where the answer is not used, stays cached.
   ivec2 plus_texel = sight.class_of_facet == k_down ? ivec2(0) : texel;
   ivec2 minus_texel = sight.class_of_facet == k_up ? ivec2(0) : texel;
-  return accessible_past(sight, map_entry(t_map_plus, plus_texel), map_entry(t_map_minus, minus_texel));
+  return accessible_past(sight, plus_entry(plus_texel), minus_entry(minus_texel));
 }
 #endif
 

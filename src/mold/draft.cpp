@@ -9,11 +9,7 @@
 namespace moldlight {
 
 FacetClass facet_class(const glm::dvec3& normal, const glm::dvec3& direction, double tau_deg) {
-  const double sine = glm::dot(normal, direction);
-  const double threshold = std::sin(glm::radians(tau_deg));
-  if (sine >= threshold) return FacetClass::up;
-  if (sine <= -threshold) return FacetClass::down;
-  return FacetClass::near_vertical;
+  return facet_class(glm::dot(normal, direction), std::sin(glm::radians(tau_deg)));
 }
 
 double draft_angle_deg(const glm::dvec3& normal, const glm::dvec3& direction) {

@@ -12,11 +12,12 @@
 
 namespace moldlight {
 
-/// What is known of a sample: a sum of these. The values are those in shaders/measure/samples.frag.
+/// What is known of a sample: a sum of these. The values are those in shaders/common.
 namespace verdict {
 inline constexpr std::uint8_t k_accessible_plus = 1;
 inline constexpr std::uint8_t k_accessible_minus = 2;
-inline constexpr std::uint8_t k_doubtful = 4;  // the maps alone do not tell
+inline constexpr std::uint8_t k_doubtful = 4;           // the maps alone do not tell
+inline constexpr std::uint8_t k_undercut_in_doubt = 8;  // nor whether it is accessible at all
 }  // namespace verdict
 
 [[nodiscard]] inline Region verdict_region(std::uint8_t bits) {

@@ -18,10 +18,6 @@ namespace {
 /// A prime, so that no pattern of facets and samples falls in step with it.
 constexpr std::size_t k_audit_stride = 61;
 
-/// Up and down facets of less draft than this are always settled by rays: one texel of a map spans more than
-/// eleven texels of their height.
-constexpr double k_steep_deg = 5.0;
-
 constexpr std::size_t k_grain = 8192;  // samples a task
 
 bool accessible_from_one_side(std::uint8_t bits) {

@@ -13,6 +13,10 @@
 
 namespace moldlight {
 
+/// Up and down facets of less draft than this are always settled by rays: one texel of a map spans more than
+/// eleven texels of their height.
+inline constexpr double k_steep_deg = 5.0;
+
 /// What the exact answer for a surface sample depends on. References must outlive it.
 struct ExactAnswers {
   const ExactRays& rays;

@@ -51,10 +51,7 @@ std::vector<FacetClass> facet_classes(const FacetGeometry& geometry, const glm::
   classes.reserve(geometry.normals.size());
   const double threshold = std::sin(glm::radians(tau_deg));
   for (const glm::dvec3& normal : geometry.normals) {
-    const double sine = glm::dot(normal, direction);
-    classes.push_back(sine >= threshold    ? FacetClass::up
-                      : sine <= -threshold ? FacetClass::down
-                                           : FacetClass::near_vertical);
+    classes.push_back(facet_class(glm::dot(normal, direction), threshold));
   }
   return classes;
 }

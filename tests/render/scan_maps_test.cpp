@@ -158,7 +158,8 @@ BothMaps::Verdicts BothMaps::compare_verdicts(SamplePass& pass) const {
   for (std::size_t i = 0; i < by_gl.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
     const std::uint8_t by_scan = lookup.verdict(sample.position, sample.facet);
-    EXPECT_EQ(by_scan & ~verdict::k_doubtful, lookup.accessible_from(sample.position, sample.facet));
+    EXPECT_EQ(by_scan & (verdict::k_accessible_plus | verdict::k_accessible_minus),
+              lookup.accessible_from(sample.position, sample.facet));
     if (by_scan == by_gl[i]) continue;
     ++(verdict_region(by_scan) == verdict_region(by_gl[i]) ? result.other_doubt : result.other_region);
   }

@@ -70,12 +70,16 @@ std::uint8_t MapLookup::accessible_from(const glm::vec3& point, FacetIndex facet
 std::uint8_t MapLookup::verdict(const glm::vec3& point, FacetIndex facet) const {
   const Place place = place_of(point, facet);
   const std::uint8_t bits = accessible_at(place, place.x, place.y);
+  bool others = false, undercut_in_doubt = false;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      if (accessible_at(place, place.x + dx, place.y + dy) != bits) return bits | verdict::k_doubtful;
+      const std::uint8_t beside = accessible_at(place, place.x + dx, place.y + dy);
+      others = others || beside != bits;
+      undercut_in_doubt = undercut_in_doubt || (beside == 0) != (bits == 0);
     }
   }
-  return bits;
+  return static_cast<std::uint8_t>(bits | (others ? verdict::k_doubtful : 0) |
+                                   (undercut_in_doubt ? verdict::k_undercut_in_doubt : 0));
 }
 
 }  // namespace moldlight

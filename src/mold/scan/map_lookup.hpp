@@ -19,7 +19,7 @@ class MapLookup {
   /// Verdict bits (mold/measure.hpp) of a surface point in the unit frame, without doubt.
   [[nodiscard]] std::uint8_t accessible_from(const glm::vec3& point, FacetIndex facet) const;
 
-  /// The same, marked doubtful where one of the eight texels around says otherwise.
+  /// The same, with doubt where one of the eight texels around says otherwise.
   [[nodiscard]] std::uint8_t verdict(const glm::vec3& point, FacetIndex facet) const;
 
  private:
