@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "mold/accessibility.hpp"
 #include "mold/draft.hpp"
 
 namespace moldlight {
@@ -15,9 +14,6 @@ namespace {
 /// Samples are asked in so many passes, each spread over the whole part and in the samples' own order, in
 /// which neighbours follow each other.
 constexpr std::size_t k_passes = 16;
-/// Rays start above their facet by the rounding of coordinates, which saves telling the facet's own hit from
-/// others. Surfaces that touch count as free here; classify tells them apart.
-constexpr float k_start_above = 5e-7F;
 constexpr double k_certain = 5.0;  // standard errors
 
 /// Share of undercut samples and its standard error, as for independent samples, which even ones beat; one
@@ -43,42 +39,23 @@ RayScorer::RayScorer(const RayScorerPart& part, double tau_deg, double lateral)
     : part_(part), tau_deg_(tau_deg), lateral_(lateral) {}
 
 void RayScorer::ask(std::size_t pass, const glm::dvec3& direction) {
-  const AccessibilityQuery query{.direction = direction, .lateral = lateral_};
+  sample_rays_.begin({.direction = direction, .lateral = lateral_});
   const std::vector<SurfaceSample>& samples = part_.samples.samples;
-  for (Queue* queue : {&up_, &down_, &beside_}) queue->clear();
   for (std::size_t i = pass; i < samples.size(); i += k_passes) {
     const SurfaceSample& sample = samples[i];
     const glm::dvec3& normal = part_.geometry.normals[sample.facet];
-    const FacetClass facet_class_of = facet_class(normal, direction, tau_deg_);
-    const auto facing = static_cast<float>(glm::dot(normal, direction));
-    if (facet_class_of == FacetClass::near_vertical) {
-      beside_.push(lateral_point(sample.position, normal, query), facing);
-    } else {
-      (facet_class_of == FacetClass::up ? up_ : down_)
-          .push(sample.position + k_start_above * glm::vec3(normal), facing);
-    }
+    sample_rays_.add(sample.position, normal, facet_class(normal, direction, tau_deg_),
+                     glm::dot(normal, direction));
   }
-  const glm::vec3 plus(direction);
-  part_.rays.blocked(up_.origins, plus, up_.answers(0));
-  part_.rays.blocked(down_.origins, -plus, down_.answers(0));
-  part_.rays.blocked(beside_.origins, plus, beside_.answers(0));
-  part_.rays.blocked(beside_.origins, -plus, beside_.answers(1));
+  sample_rays_.ask(part_.rays);
 }
 
 void RayScorer::count(Tally& tally) const {
-  const auto add = [&](const Queue& queue, bool may_plus, bool may_minus) {
-    for (std::size_t i = 0; i < queue.origins.size(); ++i) {
-      const bool plus = may_plus && queue.blocked[0][i] == 0;
-      const bool minus = may_minus && queue.blocked[may_plus ? 1 : 0][i] == 0;
-      ++tally.counts[static_cast<std::size_t>(region_of(plus, minus))];
-      if (!(queue.facing[i] > 0.0F ? plus : minus))
-        tally.hidden += std::abs(static_cast<double>(queue.facing[i]));
-    }
-    tally.seen += queue.origins.size();
-  };
-  add(up_, true, false);
-  add(down_, false, true);
-  add(beside_, true, true);
+  sample_rays_.for_each([&](bool plus, bool minus, float facing) {
+    ++tally.counts[static_cast<std::size_t>(region_of(plus, minus))];
+    if (!(facing > 0.0F ? plus : minus)) tally.hidden += std::abs(static_cast<double>(facing));
+    ++tally.seen;
+  });
 }
 
 DirectionScore RayScorer::score(const glm::dvec3& direction) {

@@ -3,13 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "mesh/facet_geometry.hpp"
 #include "mold/exact_rays.hpp"
 #include "mold/surface_samples.hpp"
 #include "mold/sweep/direction_scorer.hpp"
+#include "mold/sweep/sample_rays.hpp"
 
 namespace moldlight {
 
@@ -31,25 +30,6 @@ class RayScorer : public DirectionScorer {
   [[nodiscard]] DirectionScore score(const glm::dvec3& direction) override;
 
  private:
-  /// Rays of one kind: where they start, how their facets face the direction, and what was in the way.
-  struct Queue {
-    std::vector<glm::vec3> origins;
-    std::vector<float> facing;
-    std::array<std::vector<std::uint8_t>, 2> blocked;
-
-    void clear() {
-      origins.clear();
-      facing.clear();
-    }
-    void push(const glm::vec3& origin, float facing_direction) {
-      origins.push_back(origin);
-      facing.push_back(facing_direction);
-    }
-    [[nodiscard]] std::span<std::uint8_t> answers(std::size_t sense) {
-      blocked[sense].resize(origins.size());
-      return blocked[sense];
-    }
-  };
   struct Tally {
     std::array<std::uint64_t, k_region_count> counts{};
     std::size_t seen = 0;
@@ -61,7 +41,7 @@ class RayScorer : public DirectionScorer {
 
   RayScorerPart part_;
   double tau_deg_, lateral_;
-  Queue up_, down_, beside_;
+  SampleRays sample_rays_;
 };
 
 /// Samples for RayScorer: `count` over the whole part in proportion to area, none on facets too small to get
