@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -26,8 +29,14 @@ struct DirectionScore {
   [[nodiscard]] double pessimistic() const { return undercut() + undercut_error; }
 };
 
+/// A direction to score, and the undercut area above which it may be given up early.
+struct ScoringTask {
+  glm::dvec3 direction{0, 0, 1};
+  double give_up_above = std::numeric_limits<double>::infinity();
+};
+
 /// One thread's scorer. The same direction and limit give the same score to the bit, whatever was scored
-/// before and on whichever thread.
+/// before or with it and on whichever thread.
 class DirectionScorer {
  public:
   virtual ~DirectionScorer() = default;
@@ -36,6 +45,18 @@ class DirectionScorer {
 
   /// Score for a unit direction.
   [[nodiscard]] virtual DirectionScore score(const glm::dvec3& direction) = 0;
+
+  /// How many directions are best scored together; at least 1.
+  [[nodiscard]] virtual std::size_t batch_size() const { return 1; }
+  /// Scores of so many tasks, in their order.
+  [[nodiscard]] virtual std::vector<DirectionScore> score_all(std::span<const ScoringTask> tasks) {
+    std::vector<DirectionScore> scores;
+    for (const ScoringTask& task : tasks) {
+      give_up_above(task.give_up_above);
+      scores.push_back(score(task.direction));
+    }
+    return scores;
+  }
 
   /// From now on a direction whose undercut is certain to be above `undercut` may be given up early.
   void give_up_above(double undercut) { limit_ = undercut; }

@@ -28,6 +28,21 @@ struct ScoringPool::Workers {
 
   std::vector<std::jthread> threads;
 
+  void score_share(DirectionScorer& scorer) {
+    const std::size_t share = (tasks.size() + threads.size() - 1) / threads.size();
+    const std::size_t most = std::clamp<std::size_t>(share, 1, scorer.batch_size());
+    for (std::size_t first = next.fetch_add(most); first < tasks.size() && !(*stop)();
+         first = next.fetch_add(most)) {
+      const auto batch = tasks.subspan(first, std::min(most, tasks.size() - first));
+      const std::vector<DirectionScore> found = scorer.score_all(batch);
+      const std::lock_guard lock(mutex);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        (*scores)[first + i] = found[i];
+        if (*listener) (*listener)(first + i, found[i]);
+      }
+    }
+  }
+
   void run() {
     std::unique_ptr<DirectionScorer> scorer;
     std::uint64_t seen = 0;
@@ -40,13 +55,7 @@ struct ScoringPool::Workers {
       }
       try {
         if (!scorer) scorer = make_scorer();
-        for (std::size_t i = next++; i < tasks.size() && !(*stop)(); i = next++) {
-          scorer->give_up_above(tasks[i].give_up_above);
-          const DirectionScore score = scorer->score(tasks[i].direction);
-          const std::lock_guard lock(mutex);
-          (*scores)[i] = score;
-          if (*listener) (*listener)(i, score);
-        }
+        score_share(*scorer);
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
@@ -58,9 +67,12 @@ struct ScoringPool::Workers {
   }
 };
 
+int ScoringPool::threads(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 ScoringPool::ScoringPool(MakeScorer make_scorer, int jobs)
-    : jobs_(jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
-      workers_(std::make_unique<Workers>()) {
+    : jobs_(threads(jobs)), workers_(std::make_unique<Workers>()) {
   workers_->make_scorer = std::move(make_scorer);
   for (int i = 0; i < jobs_; ++i)
     workers_->threads.emplace_back([workers = workers_.get()] { workers->run(); });

@@ -2,24 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 #include "base/progress.hpp"
 #include "mold/sweep/direction_scorer.hpp"
 
 namespace moldlight {
-
-/// A direction to score, and the undercut area above which it may be given up early.
-struct ScoringTask {
-  glm::dvec3 direction{0, 0, 1};
-  double give_up_above = std::numeric_limits<double>::infinity();
-};
 
 /// A pool of scorers, one a thread, kept from call to call.
 class ScoringPool {
@@ -34,13 +25,16 @@ class ScoringPool {
   ScoringPool(const ScoringPool&) = delete;
   ScoringPool& operator=(const ScoringPool&) = delete;
 
-  /// Scores of the tasks, in their order. `stop` is asked between directions: once it says true the rest
-  /// stays without a score. Rethrows what a scorer throws.
+  /// Scores of the tasks, in their order; a scorer gets as many at once as it likes to, but no more than its
+  /// thread's share. `stop` is asked in between: once it says true the rest stays without a score. Rethrows
+  /// what a scorer throws.
   [[nodiscard]] std::vector<std::optional<DirectionScore>> score(std::span<const ScoringTask> tasks,
                                                                  const std::function<bool()>& stop,
                                                                  const Listener& listener);
 
   [[nodiscard]] int jobs() const { return jobs_; }
+  /// Threads of a pool for so many jobs; 0 takes all cores.
+  [[nodiscard]] static int threads(int jobs);
 
  private:
   struct Workers;
