@@ -1,0 +1,109 @@
+#include "render/sample_counting.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "base/check.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_stratum = static_cast<int>(SampleCounts::k_stratum);
+constexpr int k_summed = 32;         // counts that one fragment sums up
+constexpr int k_most_blocks = 8192;  // as wide as any texture can be
+constexpr int k_row = 1024;          // samples
+constexpr std::size_t k_most_samples = 10'000'000;
+
+int quotient_up(int a, int b) { return (a + b - 1) / b; }
+
+}  // namespace
+
+SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceSample> samples,
+                               int directions)
+    : gl_(&gl),
+      counting_(gl, {.vertex = "common/fullscreen.vert",
+                     .fragment = "measure/sample_counts.frag",
+                     .defines = {{"MAP_BATCH", "1"}, {"k_stratum", std::to_string(k_stratum)}}}),
+      summing_(gl, {.vertex = "common/fullscreen.vert",
+                    .fragment = "measure/sum_counts.frag",
+                    .defines = {{"k_summed", std::to_string(k_summed)}}}),
+      fullscreen_(gl::make_vertex_array(gl)),
+      sample_count_(static_cast<int>(samples.size())) {
+  CHECK(samples.size() <= k_most_samples && directions >= 1);
+  const int rows = std::max(1, quotient_up(sample_count_, k_row));
+  samples_ = gl::make_texture_2d(gl, GL_RGBA32UI, k_row, rows);
+  gl_->BindTexture(GL_TEXTURE_2D, samples_.name());
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  const auto upload = [&](int row, int width, int height) {
+    if (width == 0 || height == 0) return;
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, row, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                       &samples[static_cast<std::size_t>(row) * k_row]);
+  };
+  upload(0, k_row, sample_count_ / k_row);
+  upload(sample_count_ / k_row, sample_count_ % k_row, 1);
+
+  const int strata = std::max(1, quotient_up(sample_count_, k_stratum));
+  block_ = k_stratum * quotient_up(strata, k_most_blocks);
+  blocks_ = std::max(1, quotient_up(sample_count_, block_));
+  counts_[0] = make_counts(blocks_, directions);
+  counts_[1] = make_counts(quotient_up(blocks_, k_summed), directions);
+  gl::check_errors(gl, "uploading samples");
+}
+
+SampleCounting::Counts SampleCounting::make_counts(int width, int height) const {
+  Counts counts;
+  counts.regions = gl::make_texture_2d(*gl_, GL_RGBA32UI, width, height);
+  counts.doubts = gl::make_texture_2d(*gl_, GL_RGBA32UI, width, height);
+  const GLuint colours[] = {counts.regions.name(), counts.doubts.name()};
+  counts.framebuffer = gl::make_framebuffer(*gl_, {.colours = colours});
+  return counts;
+}
+
+std::vector<SampleCounts> SampleCounting::run(const MapBatch& maps, int directions) {
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Disable(GL_BLEND);
+  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->BindVertexArray(fullscreen_.name());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, counts_[0].framebuffer.name());
+  counting_.use();
+  counting_.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
+  counting_.set("u_samples", sample_count_);
+  counting_.set("u_block", block_);
+  for (int place = 0; place < directions; ++place) {
+    maps.bind(counting_, place, 1);
+    gl_->Viewport(0, place, blocks_, 1);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  summing_.use();
+  const Counts* from = &counts_[0];
+  const Counts* to = &counts_[1];
+  for (int width = blocks_; width > 1; width = quotient_up(width, k_summed)) {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, to->framebuffer.name());
+    gl_->Viewport(0, 0, quotient_up(width, k_summed), directions);
+    summing_.set_texture("t_regions", 0, GL_TEXTURE_2D, from->regions);
+    summing_.set_texture("t_doubts", 1, GL_TEXTURE_2D, from->doubts);
+    summing_.set("u_width", width);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    std::swap(from, to);
+  }
+
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, from->framebuffer.name());
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
+  std::vector<std::array<std::uint32_t, 4>> sums[2];
+  for (GLenum k = 0; k < 2; ++k) {
+    sums[k].resize(static_cast<std::size_t>(directions));
+    gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + k);
+    gl_->ReadPixels(0, 0, 1, directions, GL_RGBA_INTEGER, GL_UNSIGNED_INT, sums[k].data());
+  }
+  gl::check_errors(*gl_, "counting samples");
+  std::vector<SampleCounts> counts;
+  for (std::size_t i = 0; i < sums[0].size(); ++i) {
+    counts.push_back({.regions = sums[0][i], .undercut_in_doubt = sums[1][i][0], .spread = sums[1][i][1]});
+  }
+  return counts;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,40 @@
+// Counts surface samples by region for all directions of a batch of maps; a few numbers a direction come
+// back.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mold/surface_samples.hpp"
+#include "mold/sweep/sample_counts.hpp"
+#include "render/map_batch.hpp"
+
+namespace moldlight {
+
+/// Needs its context current.
+class SampleCounting {
+ public:
+  /// Uploads the samples, 10 million at most, and makes room for the counts of so many directions.
+  SampleCounting(const gl::Functions& gl, std::span<const SurfaceSample> samples, int directions);
+
+  /// Counts of the first `directions` places of the batch, which must be drawn. Waits for the GL, once.
+  [[nodiscard]] std::vector<SampleCounts> run(const MapBatch& maps, int directions);
+
+ private:
+  /// Two numbers of four parts for each direction (row) and block of samples (column).
+  struct Counts {
+    gl::Texture regions, doubts;
+    gl::Framebuffer framebuffer;
+  };
+  [[nodiscard]] Counts make_counts(int width, int height) const;
+
+  const gl::Functions* gl_;
+  gl::Program counting_, summing_;
+  gl::VertexArray fullscreen_;
+  gl::Texture samples_;
+  int sample_count_ = 0, block_ = 0, blocks_ = 0;
+  std::array<Counts, 2> counts_;
+};
+
+}  // namespace moldlight

@@ -1,0 +1,128 @@
+// The maps of several directions at once, and what is counted in them, against one direction at a time.
+#include "render/map_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "mold/sweep/ray_scorer.hpp"
+#include "render/sample_counting.hpp"
+#include "render/sample_pass.hpp"
+#include "support/classify_mesh.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/shapes.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight {
+namespace {
+
+const MapSettings k_settings{.resolution = 200, .lateral = 0.002};
+
+std::vector<MapFrame> frames() {
+  std::vector<MapFrame> frames;
+  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0.36, 0.48, 0.8),
+                                      glm::dvec3(-0.61, 0.17, 0.25), glm::dvec3(0.002, -0.001, -1)}) {
+    frames.push_back(map_frame(direction));
+  }
+  return frames;
+}
+
+/// A part with its samples, and every third facet left out of the counts.
+struct Counted {
+  Counted(std::shared_ptr<const PartModel> of_model, std::uint64_t wanted)
+      : model(std::move(of_model)),
+        buffers(test::shared_context().functions(), model->part.mesh, model->geometry, model->frame,
+                model->edges.concave),
+        samples(sample_surface_evenly(model->part.mesh, model->geometry, model->frame, wanted)) {}
+
+  [[nodiscard]] static bool left_out(FacetIndex facet) { return facet % 3 == 0; }
+  [[nodiscard]] std::vector<std::uint8_t> marked_classes(const MapFrame& frame) const {
+    std::vector<std::uint8_t> marked;
+    for (const FacetClass of_facet : facet_classes(model->geometry, frame.z, 1.0)) {
+      const bool out = left_out(static_cast<FacetIndex>(marked.size()));
+      marked.push_back(
+          static_cast<std::uint8_t>(static_cast<int>(of_facet) | (out ? MapBatch::k_left_out : 0)));
+    }
+    return marked;
+  }
+  [[nodiscard]] SampleCounts by_verdicts(const std::vector<std::uint8_t>& verdicts) const;
+
+  std::shared_ptr<const PartModel> model;
+  PartBuffers buffers;
+  SurfaceSamples samples;
+};
+
+SampleCounts Counted::by_verdicts(const std::vector<std::uint8_t>& verdicts) const {
+  SampleCounts sums;
+  for (std::size_t first = 0; first < verdicts.size(); first += SampleCounts::k_stratum) {
+    std::array<std::uint32_t, k_region_count> regions{};
+    std::uint32_t in_doubt = 0;
+    for (std::size_t i = first; i < std::min(first + SampleCounts::k_stratum, verdicts.size()); ++i) {
+      if (left_out(samples.samples[i].facet)) continue;
+      ++regions[static_cast<std::size_t>(verdict_region(verdicts[i]))];
+      in_doubt += (verdicts[i] & verdict::k_undercut_in_doubt) != 0 ? 1 : 0;
+    }
+    const std::uint32_t spread_before = sums.spread;
+    sums.add_stratum(regions);
+    sums.undercut_in_doubt += in_doubt;
+    if (in_doubt == 0) continue;
+    const double seen = regions[0] + regions[1] + regions[2] + regions[3] + 2.0, undercut = regions[3] + 1.0;
+    sums.spread =
+        spread_before +
+        static_cast<std::uint32_t>(std::ceil(SampleCounts::k_stratum * undercut * (seen - undercut) / seen));
+  }
+  return sums;
+}
+
+void expect_equal_counts(const Counted& part) {
+  const gl::Functions& gl = test::shared_context().functions();
+  const std::vector<MapFrame> all = frames();
+  const auto count = static_cast<int>(all.size());
+  MapBatch batch(gl, part.buffers, k_settings, count);
+  SampleCounting counting(gl, part.samples.samples, count);
+  for (int i = 0; i < count; ++i) batch.draw(i, all[i], part.marked_classes(all[i]));
+  const std::vector<SampleCounts> counts = counting.run(batch, count);
+
+  ShadowMaps maps(gl);
+  SamplePass pass(gl);
+  PartBuffers buffers(gl, part.model->part.mesh, part.model->geometry, part.model->frame,
+                      part.model->edges.concave);
+  std::uint32_t in_doubt = 0, undercut = 0;
+  for (int i = 0; i < count; ++i) {
+    buffers.set_facet_classes(facet_classes(part.model->geometry, all[i].z, 1.0));
+    const double shadow = maps.draw_and_measure_shadow(buffers, all[i], k_settings);
+    const SampleCounts expected = part.by_verdicts(pass.run(part.samples.samples, buffers, maps));
+    EXPECT_EQ(counts[i].regions, expected.regions) << "direction " << i;
+    EXPECT_EQ(counts[i].undercut_in_doubt, expected.undercut_in_doubt) << "direction " << i;
+    EXPECT_EQ(counts[i].spread, expected.spread) << "direction " << i;
+    EXPECT_EQ(batch.shadow(i), shadow) << "direction " << i;
+    in_doubt += expected.undercut_in_doubt;
+    undercut += expected.regions[3];
+  }
+  EXPECT_GT(in_doubt, 0U);
+  EXPECT_GT(undercut, 0U);
+}
+
+TEST(MapBatch, CountsWhatSingleMapsSay) {
+  expect_equal_counts(Counted(test::model_of(test::subdivided(test::snap_hook({}).mesh, 3000)), 5003));
+  expect_equal_counts(
+      Counted(load_part((test::asset_folder() / "parts" / "enclosure_lid.stl").string(), {}, {}), 150'000));
+}
+
+TEST(MapBatch, TakesAsManyDirectionsAsFit) {
+  constexpr std::size_t k_mib = 1U << 20;
+  const auto fitting = [](int resolution, std::size_t facets, std::size_t bytes) {
+    return MapBatch::fitting_capacity({.resolution = resolution}, facets, bytes);
+  };
+  EXPECT_EQ(fitting(512, 50'000, 512 * k_mib), 64);
+  EXPECT_EQ(fitting(2048, 50'000, 512 * k_mib), 15);
+  EXPECT_EQ(fitting(8192, 50'000, 512 * k_mib), 1);
+  EXPECT_EQ(fitting(512, 2'000'000, 512 * k_mib), 2);
+  EXPECT_EQ(fitting(512, 50'000, 0), 1);
+}
+
+}  // namespace
+}  // namespace moldlight
