@@ -21,7 +21,7 @@ struct Costs {
   double score, probe, closer, final;
 };
 constexpr Costs k_ray_costs{0.3, 2.0, 10.0, 550.0};
-constexpr Costs k_map_costs{25.0, 30.0, 40.0, 2500.0};
+constexpr Costs k_map_costs{12.0, 12.0, 40.0, 2500.0};
 
 std::string time_text(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);

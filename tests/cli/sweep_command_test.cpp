@@ -150,6 +150,20 @@ TEST(SweepCommand, IsTheSameWhateverTheJobs) {
   EXPECT_EQ(file_bytes(one), file_bytes(two));
 }
 
+TEST(SweepCommand, TheGlEngineDoesNotDependOnTheJobs) {
+  const SmallPart part;
+  const std::string one = part.output("one.csv"), three = part.output("three.csv");
+  const Names arguments = with(part.sweep({"--json", "-"}), "--engine", "gl");
+  const Json first = sweep_of(with(with(arguments, "--jobs", "1"), "--csv", one));
+  const Json second = sweep_of(with(with(arguments, "--jobs", "3"), "--csv", three));
+  EXPECT_EQ(first["settings"]["engine_used"].get<std::string>().rfind("gl (as asked; maps", 0), 0u);
+  EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
+  EXPECT_FALSE(file_bytes(one).empty());
+  EXPECT_EQ(file_bytes(one), file_bytes(three));
+  const Json by_rays = sweep_of(with(arguments, "--engine", "rays"));
+  EXPECT_EQ(first["candidates"][0]["areas"].dump(), by_rays["candidates"][0]["areas"].dump());
+}
+
 TEST(SweepCommand, ARealPartIsSweptAsItIsClassifiedWhateverTheJobs) {
   const SmallPart part;
   const std::string file = (test::asset_folder() / "parts" / "cable_clip.stl").string();
@@ -369,6 +383,7 @@ TEST(SweepCommand, APartWithoutAreaHasDirectionsWithoutArea) {
   EXPECT_EQ(json["complete"], true);
   for (const Json& candidate : json["candidates"]) EXPECT_EQ(candidate["areas"]["undercut"], 0.0);
   EXPECT_EQ(run_moldlight({"sweep", flat, "--directions", "10"}).exit_code, 0);
+  EXPECT_EQ(run_moldlight({"sweep", flat, "--directions", "10", "--engine", "gl"}).exit_code, 0);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Scores directions by shadow maps on the GL, as classify does, with coarser settings.
+// Scores directions by shadow maps on the GL as classify does, one at a time and with coarser settings:
+// doubts are settled by exact rays, and the paper's own variants work too.
 #pragma once
 
 #include <memory>

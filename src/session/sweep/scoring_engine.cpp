@@ -1,10 +1,14 @@
 #include "session/sweep/scoring_engine.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "mold/sweep/ray_scorer.hpp"
 #include "mold/sweep/scan_scorer.hpp"
 #include "mold/sweep/screened_scorer.hpp"
+#include "session/sweep/batch_scorer.hpp"
 #include "session/sweep/map_scorer.hpp"
 
 namespace moldlight {
@@ -14,10 +18,19 @@ namespace {
 /// Samples by which a direction is seen to be hopeless before it gets a map.
 constexpr std::uint64_t k_glance_samples = 2000;
 
+/// Maps of all threads' batches.
+constexpr std::size_t k_map_bytes = 512U << 20;
+/// One graphics card draws for one context at a time. A few threads suffice to classify facets and ask rays
+/// meanwhile, and more would make the batches smaller.
+constexpr int k_threads_on_a_card = 4;
+
 }  // namespace
 
 ScoringEngine::ScoringEngine(const Classifier& classifier, const SweepSettings& settings)
-    : model_(classifier.shared_model()), settings_(settings), engine_(settings.engine) {
+    : model_(classifier.shared_model()),
+      settings_(settings),
+      engine_(settings.engine),
+      software_gl_(classifier.context().draws_on_cpu()) {
   const ScoringPlan plan = plan_for(settings_.scoring_samples);
   const bool closed = model_->health.closed;
   switch (engine_) {
@@ -27,7 +40,10 @@ ScoringEngine::ScoringEngine(const Classifier& classifier, const SweepSettings& 
                      (closed ? plan.reason() : std::string("the part is not closed")) + ")";
       break;
     case SweepEngine::gl:
-      description_ = "gl (as asked)";
+      description_ = scores_in_batches()
+                         ? fmt::format("gl (as asked; maps of {} texels, {} samples)",
+                                       settings_.scoring_resolution, settings_.scoring_samples)
+                         : "gl (as asked)";
       break;
     case SweepEngine::cpu:
       if (!closed) engine_ = SweepEngine::rays;
@@ -44,7 +60,7 @@ ScoringPlan ScoringEngine::plan_for(int samples) const {
 }
 
 ScoringPool& ScoringEngine::pool() {
-  if (!pool_) pool_ = make_pool(settings_.scoring_samples);
+  if (!pool_) pool_ = scores_in_batches() ? make_batch_pool() : make_closer_pool(settings_.scoring_samples);
   return *pool_;
 }
 
@@ -54,23 +70,45 @@ ScoringPool& ScoringEngine::same_samples_pool() {
   return *same_samples_pool_;
 }
 
-std::unique_ptr<ScoringPool> ScoringEngine::make_pool(int samples) {
+std::unique_ptr<ScoringPool> ScoringEngine::make_closer_pool(int samples) {
   if (engine_ == SweepEngine::gl) return make_gl_pool(samples);
   if (engine_ == SweepEngine::cpu) return make_scan_pool(plan_for(samples));
   return make_ray_pool(static_cast<std::uint64_t>(samples));
 }
 
-std::unique_ptr<ScoringPool> ScoringEngine::make_gl_pool(int samples) const {
+/// The paper's own variants have passes of their own, which know one direction.
+bool ScoringEngine::scores_in_batches() const {
+  return engine_ == SweepEngine::gl && settings_.method.kernel_shape == KernelShape::one_sided &&
+         settings_.method.readout == Readout::samples;
+}
+
+MethodSettings ScoringEngine::gl_method() const {
   MethodSettings coarse = settings_.method;
   // The lateral tolerance stays what the final figures use, whatever the texel.
   coarse.tolerance = map_settings(settings_.method, model_->frame.diagonal).lateral * model_->frame.diagonal;
   if (*coarse.tolerance <= 0.0) coarse.tolerance = std::nullopt;
   coarse.resolution = settings_.scoring_resolution;
-  coarse.samples = samples;
+  return coarse;
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_batch_pool() {
+  int threads = ScoringPool::threads(settings_.jobs);
+  if (settings_.jobs == 0 && !software_gl_) threads = std::min(threads, k_threads_on_a_card);
+  const MethodSettings method = gl_method();
+  const BatchScorerSettings settings{.backend = method.backend,
+                                     .tau_deg = method.tau_deg,
+                                     .map = map_settings(method, model_->frame.diagonal),
+                                     .map_bytes = k_map_bytes / static_cast<std::size_t>(threads)};
+  const BatchScorerPart part{model_, sample_set(static_cast<std::uint64_t>(settings_.scoring_samples))};
+  return std::make_unique<ScoringPool>([=] { return std::make_unique<BatchScorer>(part, settings); },
+                                       threads);
+}
+
+std::unique_ptr<ScoringPool> ScoringEngine::make_gl_pool(int samples) const {
+  MethodSettings method = gl_method();
+  method.samples = samples;
   return std::make_unique<ScoringPool>(
-      [backend = settings_.method.backend, model = model_, coarse] {
-        return std::make_unique<MapScorer>(backend, model, coarse);
-      },
+      [model = model_, method] { return std::make_unique<MapScorer>(method.backend, model, method); },
       settings_.jobs);
 }
 

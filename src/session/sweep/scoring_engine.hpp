@@ -29,11 +29,14 @@ class ScoringEngine {
   [[nodiscard]] std::unique_ptr<ScoringPool> make_same_samples_pool(int samples) {
     return make_ray_pool(static_cast<std::uint64_t>(samples));
   }
-  /// A pool that scores by `samples` surface samples. Must not outlive the engine.
-  [[nodiscard]] std::unique_ptr<ScoringPool> make_pool(int samples);
+  /// A pool that scores few directions closer, by `samples` surface samples. Must not outlive the engine.
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_closer_pool(int samples);
 
  private:
   [[nodiscard]] ScoringPlan plan_for(int samples) const;
+  [[nodiscard]] bool scores_in_batches() const;
+  [[nodiscard]] MethodSettings gl_method() const;
+  [[nodiscard]] std::unique_ptr<ScoringPool> make_batch_pool();
   [[nodiscard]] std::unique_ptr<ScoringPool> make_gl_pool(int samples) const;
   [[nodiscard]] std::unique_ptr<ScoringPool> make_scan_pool(const ScoringPlan& plan);
   [[nodiscard]] std::unique_ptr<ScoringPool> make_ray_pool(std::uint64_t samples);
@@ -43,6 +46,7 @@ class ScoringEngine {
   std::shared_ptr<const PartModel> model_;
   const SweepSettings& settings_;
   SweepEngine engine_ = SweepEngine::rays;
+  bool software_gl_;
   std::string description_;
   std::deque<SurfaceSamples> sample_sets_;  // of the pools; their places do not change
   std::unique_ptr<const ScanPart> scan_part_;

@@ -187,7 +187,8 @@ void SweepRun::keep_contenders() {
 
 void SweepRun::score_closer() {
   if (contenders_.size() <= 1 || watch_.stopped()) return;
-  const std::unique_ptr<ScoringPool> pool = engine_.make_pool(settings_.scoring_samples * k_fine_factor);
+  const std::unique_ptr<ScoringPool> pool =
+      engine_.make_closer_pool(settings_.scoring_samples * k_fine_factor);
   std::vector<ScoringTask> tasks;
   for (const Contender& contender : contenders_)
     tasks.push_back({.direction = contender.candidate.direction});

@@ -50,8 +50,8 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "from a feature of the part.",
        RealKind<S>{&S::apart_deg, 0.0, 45.0, 0.5}},
       {"engine", "--engine", "Engine", "",
-       "How directions are scored before the best get final figures: shadow maps on the GL or on the CPU, or "
-       "exact rays.",
+       "How directions are scored before the best get final figures: shadow maps on the GL (many directions "
+       "at a time) or on the CPU, or exact rays.",
        choice<&S::engine>({"auto", "gl", "cpu", "rays"})},
       {"scoring_samples", "--scoring-samples", "Scoring samples", "",
        "Surface samples by which a direction is scored.",

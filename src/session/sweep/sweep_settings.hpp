@@ -14,9 +14,9 @@
 
 namespace moldlight {
 
-/// How directions are scored before the best get their final figures: by shadow maps on the GL, by maps that
-/// are scan-converted on the CPU, or by exact rays. Automatic takes what is faster, cpu or rays, for the
-/// error that the scoring samples stand for.
+/// How directions are scored before the best get their final figures: by shadow maps on the GL, in batches,
+/// by maps that are scan-converted on the CPU, or by exact rays. Automatic takes what is faster, cpu or rays,
+/// for the error that the scoring samples stand for.
 enum class SweepEngine : std::uint8_t { automatic, gl, cpu, rays };
 
 /// Every source of candidates but the user.

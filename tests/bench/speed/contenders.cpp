@@ -5,6 +5,7 @@
 
 #include "mold/sweep/ray_scorer.hpp"
 #include "mold/sweep/scan_scorer.hpp"
+#include "session/sweep/batch_scorer.hpp"
 #include "session/sweep/map_scorer.hpp"
 
 namespace moldlight::bench {
@@ -46,14 +47,32 @@ std::unique_ptr<ScoringPool> Contenders::ray_pool(std::uint64_t samples, int job
       jobs);
 }
 
-std::unique_ptr<ScoringPool> Contenders::gl_pool(int resolution, int samples, int jobs) const {
+MethodSettings Contenders::gl_method(int resolution, int samples) const {
   MethodSettings method;
   method.tau_deg = k_tau_deg;
   method.resolution = resolution;
   method.samples = samples;
   method.tolerance = k_lateral * model_->frame.diagonal;
+  return method;
+}
+
+std::unique_ptr<ScoringPool> Contenders::gl_pool(int resolution, int samples, int jobs) {
+  const SurfaceSamples& set = sample_sets_.emplace_back(sample_surface_evenly(
+      model_->part.mesh, model_->geometry, model_->frame, static_cast<std::uint64_t>(samples)));
+  const BatchScorerSettings settings{
+      .tau_deg = k_tau_deg, .map = map_settings(gl_method(resolution, samples), model_->frame.diagonal)};
   return std::make_unique<ScoringPool>(
-      [model = model_, method] { return std::make_unique<MapScorer>(Backend::automatic, model, method); },
+      [this, &set, settings] {
+        return std::make_unique<BatchScorer>(BatchScorerPart{model_, set}, settings);
+      },
+      jobs);
+}
+
+std::unique_ptr<ScoringPool> Contenders::gl_classifier_pool(int resolution, int samples, int jobs) const {
+  return std::make_unique<ScoringPool>(
+      [model = model_, method = gl_method(resolution, samples)] {
+        return std::make_unique<MapScorer>(Backend::automatic, model, method);
+      },
       jobs);
 }
 

@@ -11,6 +11,7 @@
 #include "mold/surface_samples.hpp"
 #include "mold/scan/scan_part.hpp"
 #include "session/part_model.hpp"
+#include "session/settings.hpp"
 #include "session/sweep/scoring.hpp"
 
 namespace moldlight::bench {
@@ -27,7 +28,9 @@ class Contenders {
   /// Pools on `jobs` threads (0: all cores); none may outlive this.
   [[nodiscard]] std::unique_ptr<ScoringPool> scan_pool(int resolution, double samples, int jobs) const;
   [[nodiscard]] std::unique_ptr<ScoringPool> ray_pool(std::uint64_t samples, int jobs);
-  [[nodiscard]] std::unique_ptr<ScoringPool> gl_pool(int resolution, int samples, int jobs) const;
+  [[nodiscard]] std::unique_ptr<ScoringPool> gl_pool(int resolution, int samples, int jobs);
+  /// The GL one direction at a time, every doubt settled by rays.
+  [[nodiscard]] std::unique_ptr<ScoringPool> gl_classifier_pool(int resolution, int samples, int jobs) const;
 
   /// How many ray samples have the error: from the errors of some numbers of samples, which fall as their
   /// 0.75th power.
@@ -38,6 +41,8 @@ class Contenders {
   static constexpr double k_lateral = 1.0 / 2048.0;
 
  private:
+  [[nodiscard]] MethodSettings gl_method(int resolution, int samples) const;
+
   std::shared_ptr<const PartModel> model_;
   ScanPart scan_part_;
   std::deque<SurfaceSamples> sample_sets_;  // of the pools; their places do not change

@@ -78,6 +78,8 @@ SweepFigures print_sweep_rows(const std::string& name, Contenders& contenders, c
   const double ray_error = truth.error(score_all(*rays, directions));
   const auto gl = contenders.gl_pool(settings.resolution, k_gl_samples, 0);
   const double gl_error = truth.error(score_all(*gl, directions));
+  const auto gl_single = contenders.gl_classifier_pool(settings.resolution, k_gl_samples, 0);
+  const double gl_single_error = truth.error(score_all(*gl_single, directions));
   PaperSweep paper(context, contenders.model(), settings.resolution, Contenders::k_tau_deg);
   std::vector<double> paper_undercuts;
   for (const glm::dvec3& direction : directions) paper_undercuts.push_back(paper.undercut(direction));
@@ -100,8 +102,10 @@ SweepFigures print_sweep_rows(const std::string& name, Contenders& contenders, c
                                  }),
                      -1.0};
   const Row ray_row{"rays (b)", contest.add(count, [&] { score_all(*rays, directions); }), ray_error};
-  const Row gl_row{"gl", contest.add(static_cast<double>(few.size()), [&] { score_all(*gl, few); }),
-                   gl_error};
+  const Row gl_row{"gl", contest.add(count, [&] { score_all(*gl, directions); }), gl_error};
+  const Row gl_single_row{"gl, one at a time",
+                          contest.add(static_cast<double>(few.size()), [&] { score_all(*gl_single, few); }),
+                          gl_single_error};
   const Row paper_row{"paper on GL (a)",
                       contest.add(static_cast<double>(few.size()),
                                   [&] {
@@ -136,6 +140,7 @@ SweepFigures print_sweep_rows(const std::string& name, Contenders& contenders, c
   print_row(contest, maps_row, "", scan_row);
   print_row(contest, ray_row, rays_note, scan_row);
   print_row(contest, gl_row, "", scan_row);
+  print_row(contest, gl_single_row, "classify's passes, all doubts settled", scan_row);
   print_row(contest, paper_row, "two depth passes and facet readback", scan_row);
   print_row(contest, limit_row, "vertices and facets read, both maps written once", scan_row);
   std::fflush(stdout);

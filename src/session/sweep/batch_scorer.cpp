@@ -1,0 +1,125 @@
+#include "session/sweep/batch_scorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/check.hpp"
+#include "mold/measure.hpp"
+#include "mold/settle.hpp"
+#include "session/headless.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// A software GL draws from the processor's cache, which the maps of a large batch would not fit in.
+constexpr std::size_t k_software_map_bytes = 8U << 20;
+
+}  // namespace
+
+BatchScorer::BatchScorer(BatchScorerPart part, const BatchScorerSettings& settings)
+    : part_(std::move(part)), settings_(settings), context_(create_context(settings.backend)) {
+  const PartModel& model = *part_.model;
+  const std::size_t bytes =
+      context_->draws_on_cpu() ? std::min(settings.map_bytes, k_software_map_bytes) : settings.map_bytes;
+  batch_size_ = static_cast<std::size_t>(
+      MapBatch::fitting_capacity(settings.map, model.part.mesh.facets.size(), bytes));
+  gl_.emplace(OnGl{
+      PartBuffers(context_->functions(), model.part.mesh, model.geometry, model.frame, model.edges.concave),
+      {},
+      {}});
+  classes_.resize(model.part.mesh.facets.size());
+}
+
+BatchScorer::~BatchScorer() {
+  gl_.reset();
+  context_->release_current();
+}
+
+DirectionScore BatchScorer::score(const glm::dvec3& direction) {
+  const ScoringTask task{.direction = direction};
+  return score_all({&task, 1}).front();
+}
+
+void BatchScorer::make_room(std::size_t directions) {
+  if (gl_->maps && static_cast<std::size_t>(gl_->maps->capacity()) >= directions) return;
+  const auto capacity = static_cast<int>(directions);
+  gl_->maps.reset();
+  gl_->counting.reset();
+  gl_->maps.emplace(context_->functions(), gl_->part, settings_.map, capacity);
+  gl_->counting.emplace(context_->functions(), part_.samples.samples, capacity);
+}
+
+BatchScorer::Begun BatchScorer::begin(const glm::dvec3& direction, int place) {
+  const FacetGeometry& geometry = part_.model->geometry;
+  const MapFrame frame = map_frame(direction);
+  const double sine_of_tau = std::sin(glm::radians(settings_.tau_deg));
+  const double steep_sine = std::max(sine_of_tau, std::sin(glm::radians(k_steep_deg)));
+  Begun begun;
+  for (std::size_t facet = 0; facet < classes_.size(); ++facet) {
+    const double sine = glm::dot(geometry.normals[facet], frame.z);
+    const FacetClass own = facet_class(sine, sine_of_tau);
+    // What near-vertical facets hide of the projection need not be undercut: they are tested beside
+    // themselves.
+    if (own != FacetClass::near_vertical) begun.projected += geometry.areas[facet] * std::abs(sine);
+    const bool left_out = own == FacetClass::near_vertical || std::abs(sine) < steep_sine;
+    classes_[facet] =
+        static_cast<std::uint8_t>(static_cast<std::uint8_t>(own) | (left_out ? MapBatch::k_left_out : 0));
+  }
+  gl_->maps->draw(place, frame, classes_);
+  begun.steep = ask_rays(frame.z);
+  return begun;
+}
+
+SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
+  const PartModel& model = *part_.model;
+  sample_rays_.begin({.direction = direction, .lateral = settings_.map.lateral});
+  for (const SurfaceSample& sample : part_.samples.samples) {
+    const std::uint8_t marked = classes_[sample.facet];
+    if ((marked & MapBatch::k_left_out) == 0) continue;
+    const glm::dvec3& normal = model.geometry.normals[sample.facet];
+    sample_rays_.add(sample.position, normal, static_cast<FacetClass>(marked & ~MapBatch::k_left_out),
+                     glm::dot(normal, direction));
+  }
+  sample_rays_.ask(*model.rays);
+  SampleCounts counts;
+  std::array<std::uint32_t, k_region_count> stratum{};
+  std::uint32_t seen = 0;
+  sample_rays_.for_each([&](bool plus, bool minus, float) {
+    ++stratum[static_cast<std::size_t>(region_of(plus, minus))];
+    if (++seen % SampleCounts::k_stratum != 0) return;
+    counts.add_stratum(stratum);
+    stratum = {};
+  });
+  counts.add_stratum(stratum);
+  return counts;
+}
+
+std::vector<DirectionScore> BatchScorer::score_all(std::span<const ScoringTask> tasks) {
+  if (tasks.empty()) return {};
+  CHECK(tasks.size() <= batch_size_);
+  make_room(tasks.size());
+  std::vector<Begun> begun;
+  for (const ScoringTask& task : tasks)
+    begun.push_back(begin(task.direction, static_cast<int>(begun.size())));
+
+  const double total_area = part_.model->geometry.total_area;
+  const double square = part_.model->frame.diagonal * part_.model->frame.diagonal;
+  const double shadow_error = shadow_error_share(settings_.map.resolution) * total_area;
+  std::vector<DirectionScore> scores;
+  for (SampleCounts counts : gl_->counting->run(*gl_->maps, static_cast<int>(tasks.size()))) {
+    const std::size_t i = scores.size();
+    counts.add(begun[i].steep);
+    DirectionScore& score = scores.emplace_back();
+    score.areas = counts.areas(total_area);
+    score.undercut_error = counts.undercut_error(total_area);
+    score.shadow_area = gl_->maps->shadow(static_cast<int>(i)) * square;
+    score.undercut_bound = std::max(0.0, begun[i].projected - 2.0 * score.shadow_area - shadow_error);
+  }
+  return scores;
+}
+
+}  // namespace moldlight
