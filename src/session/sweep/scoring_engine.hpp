@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "mold/scan/scan_part.hpp"
 #include "mold/surface_samples.hpp"
 #include "mold/sweep/engine_choice.hpp"
-#include "mold/scan/scan_part.hpp"
 #include "session/classifier.hpp"
 #include "session/sweep/scoring.hpp"
 #include "session/sweep/sweep_settings.hpp"

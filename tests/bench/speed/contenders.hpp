@@ -8,8 +8,8 @@
 
 #include "bench/speed/bench_settings.hpp"
 #include "bench/speed/truth.hpp"
-#include "mold/surface_samples.hpp"
 #include "mold/scan/scan_part.hpp"
+#include "mold/surface_samples.hpp"
 #include "session/part_model.hpp"
 #include "session/settings.hpp"
 #include "session/sweep/scoring.hpp"

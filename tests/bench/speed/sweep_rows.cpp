@@ -10,8 +10,8 @@
 #include "bench/speed/machine_limit.hpp"
 #include "bench/speed/paper_sweep.hpp"
 #include "mold/map_frame.hpp"
-#include "mold/sweep/engine_choice.hpp"
 #include "mold/scan/scan_maps.hpp"
+#include "mold/sweep/engine_choice.hpp"
 #include "mold/sweep/scan_scorer.hpp"
 
 namespace moldlight::bench {
