@@ -84,6 +84,7 @@ Scene::Thumbnails Scene::thumbnails(int size_px) {
     thumbnails_stale_ = true;
   }
   if (thumbnails_stale_) {
+    maps_.complete_depths();
     map_picture_.draw(plus_->framebuffer(), plus_->size(), maps_.maps(), true);
     map_picture_.draw(minus_->framebuffer(), minus_->size(), maps_.maps(), false);
     thumbnails_stale_ = false;

@@ -85,6 +85,19 @@ void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::s
   gl::check_errors(*gl_, "uploading the shadow maps");
 }
 
+void ShadowMaps::load_depths(std::span<const float> plus, std::span<const float> minus) {
+  const auto size = static_cast<std::size_t>(settings_.resolution);
+  CHECK(plus.size() == size * size && minus.size() == size * size);
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_->ActiveTexture(GL_TEXTURE0);
+  for (const bool of_plus : {true, false}) {
+    gl_->BindTexture(GL_TEXTURE_2D, side(of_plus).depth.name());
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings_.resolution, settings_.resolution, GL_DEPTH_COMPONENT,
+                       GL_FLOAT, (of_plus ? plus : minus).data());
+  }
+  gl::check_errors(*gl_, "uploading depths of the shadow maps");
+}
+
 double ShadowMaps::covered_area(bool plus) const {
   const int blocks = block_count(settings_.resolution);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, count_framebuffer_.name());

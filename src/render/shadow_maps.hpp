@@ -28,6 +28,8 @@ class ShadowMaps {
   /// below.
   void load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
             std::span<const std::uint32_t> minus);
+  /// Adds depths to such maps, for who looks at depth().
+  void load_depths(std::span<const float> plus, std::span<const float> minus);
 
   /// Binds everything that shaders/common/region.glsl asks for to `program`, which must be in use and
   /// compiled with SYMMETRIC_KERNEL defined exactly if the settings say so; takes texture units from

@@ -43,6 +43,7 @@ void PictureMaps::draw_resting(const MethodSettings& settings) {
   const MapFrame frame = map_frame(settings.direction);
   buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, settings.tau_deg));
   maps_.draw(buffers_, frame, map_settings(settings, model_->frame.diagonal));
+  lacks_depths_ = false;
 }
 
 void PictureMaps::scan(const MethodSettings& settings) {
@@ -61,6 +62,16 @@ void PictureMaps::scan(const MethodSettings& settings) {
   scan_maps_->copy_entries(true, plus_);
   scan_maps_->copy_entries(false, minus_);
   maps_.load(frame, map, plus_, minus_);
+  lacks_depths_ = true;
+}
+
+void PictureMaps::complete_depths() {
+  if (!lacks_depths_) return;
+  std::vector<float> plus, minus;
+  scan_maps_->copy_depths(true, plus);
+  scan_maps_->copy_depths(false, minus);
+  maps_.load_depths(plus, minus);
+  lacks_depths_ = false;
 }
 
 }  // namespace moldlight

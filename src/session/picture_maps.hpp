@@ -34,6 +34,9 @@ class PictureMaps {
   void draw_moving(const MethodSettings& settings);
   void draw_resting(const MethodSettings& settings);
 
+  /// Makes sure that the maps have depths, which pictures of the part do not need.
+  void complete_depths();
+
   [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
   [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
 
@@ -47,6 +50,7 @@ class PictureMaps {
   std::unique_ptr<const ScanPart> scan_part_;
   std::optional<ScanMaps> scan_maps_;
   std::vector<std::uint32_t> plus_, minus_;  // facet + 1 a texel
+  bool lacks_depths_ = false;
 };
 
 }  // namespace moldlight

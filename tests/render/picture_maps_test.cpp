@@ -1,6 +1,8 @@
 // Maps of a moving direction, whoever draws them, show the regions of the GL's own.
 #include "session/picture_maps.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "gl/colour_target.hpp"
@@ -15,6 +17,9 @@ namespace {
 constexpr glm::ivec2 k_size(320, 240);
 constexpr double k_most_differing =
     2e-3;  // of the part's pixels: along region borders, by roundings of a texel
+
+constexpr float k_depth_rounding =
+    1.0F / 1024;  // unit frame: corners are snapped, which moves steep facets up or down
 
 class Moving : public testing::TestWithParam<KernelShape> {};
 
@@ -52,6 +57,41 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
     }
     EXPECT_GT(pixels, 10'000U) << shape.name;
     EXPECT_LE(static_cast<double>(differing), k_most_differing * static_cast<double>(pixels)) << shape.name;
+  }
+}
+
+std::vector<float> depths(const gl::Functions& gl, const gl::Texture& texture, int size) {
+  std::vector<float> values(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {}, .depth = texture.name()});
+  gl.ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+  return values;
+}
+
+TEST_P(Moving, HasTheDepthsOfMapsDrawnByTheGl) {
+  const gl::Context& context = test::shared_context();
+  Part part;
+  part.mesh = test::snap_hook({}).mesh;
+  const auto model = prepare_part(std::move(part), {});
+  PictureMaps moving(context, model), drawn(context, model);
+  MethodSettings method;
+  method.resolution = 256;
+  method.kernel_shape = GetParam();
+  for (const glm::dvec3& direction : {glm::dvec3(0.1, 0.2, 1.0), glm::dvec3(0.3, -0.5, 0.8)}) {
+    method.direction = direction;
+    moving.draw_moving(method);
+    moving.complete_depths();
+    drawn.draw_resting(method);
+    for (const bool plus : {true, false}) {
+      const auto expected = depths(context.functions(), drawn.maps().depth(plus), method.resolution);
+      const auto found = depths(context.functions(), moving.maps().depth(plus), method.resolution);
+      std::size_t covered = 0, differing = 0;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        covered += expected[i] < 1.0F ? 1 : 0;
+        differing += std::abs(found[i] - expected[i]) > k_depth_rounding ? 1 : 0;
+      }
+      EXPECT_GT(covered, 1000U);
+      EXPECT_LE(differing, covered / 50) << "edges of facets round to either side of a texel's centre";
+    }
   }
 }
 

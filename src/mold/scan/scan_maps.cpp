@@ -196,6 +196,20 @@ void ScanMaps::copy_entries(bool plus, std::vector<std::uint32_t>& entries) cons
   }
 }
 
+void ScanMaps::copy_depths(bool plus, std::vector<float>& depths) const {
+  const auto size = static_cast<std::size_t>(resolution_);
+  const std::vector<std::int64_t>& map = back_[plus ? scan::k_down_layer : scan::k_up_layer];
+  depths.resize(size * size);
+  for (std::size_t y = 0; y < size; ++y) {
+    const std::int64_t* from = map.data() + y * static_cast<std::size_t>(target_.pitch);
+    for (std::size_t x = 0; x < size; ++x) {
+      const auto height = static_cast<float>(scan::height_of(from[x], !plus));
+      const float risen = (height - scan::k_height_margin) / scan::k_height_scale;
+      depths[y * size + x] = !is_present(from[x]) ? 1.0F : plus ? 1.0F - risen : risen;
+    }
+  }
+}
+
 double ScanMaps::shadow_area() const {
   const std::uint64_t texels =
       std::max(sums_.fragments[0] - sums_.hidden[0], sums_.fragments[1] - sums_.hidden[1]);

@@ -43,6 +43,8 @@ class ScanMaps {
 
   /// entry() of a whole map, rows from below.
   void copy_entries(bool plus, std::vector<std::uint32_t>& entries) const;
+  /// Depths of the same, from 0 next to the light to 1 where nothing is.
+  void copy_depths(bool plus, std::vector<float>& depths) const;
 
   /// The facet of a layer that lies last as seen from the side that it faces.
   [[nodiscard]] std::int64_t back(scan::Layer layer, int x, int y) const {
