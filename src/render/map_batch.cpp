@@ -31,8 +31,6 @@ MapBatch::MapBatch(const gl::Functions& gl, const PartBuffers& part, const MapSe
       part_(&part),
       settings_(settings),
       painter_(gl),
-      far_plane_(gl, {.vertex = "common/at_infinity.vert"}),
-      fullscreen_(gl::make_vertex_array(gl)),
       maps_(gl::make_texture_array(gl, GL_R32UI, settings.resolution, 2 * capacity)),
       depth_(gl::make_texture_2d(gl, GL_DEPTH_COMPONENT32F, settings.resolution, settings.resolution)),
       places_(static_cast<std::size_t>(capacity)) {
@@ -61,37 +59,16 @@ void MapBatch::draw(int index, const MapFrame& frame, std::span<const std::uint8
     const Side& side = plus ? place.plus : place.minus;
     gl_->BindFramebuffer(GL_FRAMEBUFFER, side.framebuffer.name());
     painter_.draw_facets(subject, plus);
-    count_covered(side.covered);
+    painter_.count_covered(side.covered);
     painter_.draw_edges(subject, plus);
   }
   gl::check_errors(*gl_, "drawing shadow maps");
 }
 
-/// Of the bound map as it is, without the thick edges: what is nearer than the far plane.
-void MapBatch::count_covered(const gl::Query& query) const {
-  gl_->DepthFunc(GL_GREATER);
-  gl_->DepthMask(GL_FALSE);
-  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  far_plane_.use();
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->BeginQuery(GL_SAMPLES_PASSED, query.name());
-  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_->EndQuery(GL_SAMPLES_PASSED);
-  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-}
-
 double MapBatch::shadow(int index) const {
   const Place& place = places_.at(static_cast<std::size_t>(index));
-  GLuint most = 0;
-  for (const Side* side : {&place.plus, &place.minus}) {
-    GLuint covered = 0;
-    gl_->GetQueryObjectuiv(side->covered.name(), GL_QUERY_RESULT, &covered);
-    most = std::max(most, covered);
-  }
-  const double texel = 1.0 / settings_.resolution;
-  return static_cast<double>(most) * texel * texel;
+  return std::max(covered_area(*gl_, place.plus.covered, settings_.resolution),
+                  covered_area(*gl_, place.minus.covered, settings_.resolution));
 }
 
 void MapBatch::bind(const gl::Program& program, int index, int first_unit) const {

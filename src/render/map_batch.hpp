@@ -48,14 +48,10 @@ class MapBatch {
     gl::Texture classes;
     MapFrame frame;
   };
-  void count_covered(const gl::Query& query) const;
-
   const gl::Functions* gl_;
   const PartBuffers* part_;
   MapSettings settings_;
   MapPainter painter_;
-  gl::Program far_plane_;
-  gl::VertexArray fullscreen_;
   gl::Texture maps_, depth_;  // one depth buffer for all layers, one after the other
   std::vector<Place> places_;
 };

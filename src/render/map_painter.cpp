@@ -21,7 +21,9 @@ MapPainter::MapPainter(const gl::Functions& gl)
       edges_(gl, {.vertex = "maps/contour_edge.vert", .fragment = "maps/contour_edge.frag"}),
       symmetric_edges_(gl, {.vertex = "maps/contour_edge.vert",
                             .fragment = "maps/contour_edge.frag",
-                            .defines = {{"SYMMETRIC_KERNEL", "1"}}}) {}
+                            .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
+      far_plane_(gl, {.vertex = "common/at_infinity.vert"}),
+      fullscreen_(gl::make_vertex_array(gl)) {}
 
 void MapPainter::draw_facets(const MapSubject& subject, bool plus) const {
   gl_->Viewport(0, 0, subject.settings.resolution, subject.settings.resolution);
@@ -60,6 +62,28 @@ void MapPainter::draw_edges(const MapSubject& subject, bool plus) const {
   if (!settings.symmetric_kernel)
     program.set_texture("t_planes", 1, GL_TEXTURE_BUFFER, subject.part.planes());
   subject.part.draw_concave_edges();
+}
+
+void MapPainter::count_covered(const gl::Query& query) const {
+  // What is nearer than the far plane.
+  gl_->DepthFunc(GL_GREATER);
+  gl_->DepthMask(GL_FALSE);
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  far_plane_.use();
+  gl_->BindVertexArray(fullscreen_.name());
+  gl_->BeginQuery(GL_SAMPLES_PASSED, query.name());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->EndQuery(GL_SAMPLES_PASSED);
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->DepthMask(GL_TRUE);
+  gl_->DepthFunc(GL_LESS);
+}
+
+double covered_area(const gl::Functions& gl, const gl::Query& query, int resolution) {
+  GLuint covered = 0;
+  gl.GetQueryObjectuiv(query.name(), GL_QUERY_RESULT, &covered);
+  const double texel = 1.0 / resolution;
+  return static_cast<double>(covered) * texel * texel;
 }
 
 }  // namespace moldlight

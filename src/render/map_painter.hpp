@@ -36,11 +36,17 @@ class MapPainter {
   void draw_facets(const MapSubject& subject, bool plus) const;
   /// Adds the thick edges to the facets.
   void draw_edges(const MapSubject& subject, bool plus) const;
+  /// Has `query` count the texels that are covered so far.
+  void count_covered(const gl::Query& query) const;
 
  private:
   const gl::Functions* gl_;
-  gl::Program facets_, edges_, symmetric_edges_;
+  gl::Program facets_, edges_, symmetric_edges_, far_plane_;
+  gl::VertexArray fullscreen_;
 };
+
+/// Area of the texels that `query` has counted, unit frame squared. Waits for the GL.
+[[nodiscard]] double covered_area(const gl::Functions& gl, const gl::Query& query, int resolution);
 
 /// Sets what shaders/common/map_frame.glsl asks for on `program`, which must be in use.
 void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolution);

@@ -1,26 +1,12 @@
 #include "render/shadow_maps.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <vector>
 
 #include "base/check.hpp"
 
 namespace moldlight {
 
-namespace {
-
-constexpr int k_coverage_block = 16;  // texels along a side of a block that one fragment counts
-
-int block_count(int resolution) { return (resolution + k_coverage_block - 1) / k_coverage_block; }
-
-}  // namespace
-
-ShadowMaps::ShadowMaps(const gl::Functions& gl)
-    : gl_(&gl),
-      painter_(gl),
-      coverage_program_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/coverage.frag"}),
-      fullscreen_(gl::make_vertex_array(gl)) {}
+ShadowMaps::ShadowMaps(const gl::Functions& gl) : gl_(&gl), painter_(gl) {}
 
 void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
   frame_ = frame;
@@ -34,11 +20,8 @@ void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
     side->depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, settings.resolution, settings.resolution);
     const GLuint colour = side->facets.name();
     side->framebuffer = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}, .depth = side->depth.name()});
+    side->covered = gl::make_query(*gl_);
   }
-  const int blocks = block_count(settings.resolution);
-  counts_ = gl::make_texture_2d(*gl_, GL_R32UI, blocks, blocks);
-  const GLuint colour = counts_.name();
-  count_framebuffer_ = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}});
   allocated_ = settings.resolution;
 }
 
@@ -57,17 +40,16 @@ double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFra
                                            const MapSettings& settings) {
   begin(frame, settings);
   const MapSubject subject{part, part.facet_classes(), frame_, settings_};
-  double covered[2] = {};
   for (const bool plus : {true, false}) {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
     painter_.draw_facets(subject, plus);
-    covered[plus ? 1 : 0] = covered_area(plus);
-    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
+    painter_.count_covered(side(plus).covered);
     painter_.draw_edges(subject, plus);
   }
   gl_->Finish();
   gl::check_errors(*gl_, "drawing the shadow maps");
-  return std::max(covered[0], covered[1]);
+  return std::max(covered_area(*gl_, plus_.covered, settings.resolution),
+                  covered_area(*gl_, minus_.covered, settings.resolution));
 }
 
 void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
@@ -96,24 +78,6 @@ void ShadowMaps::load_depths(std::span<const float> plus, std::span<const float>
                        GL_FLOAT, (of_plus ? plus : minus).data());
   }
   gl::check_errors(*gl_, "uploading depths of the shadow maps");
-}
-
-double ShadowMaps::covered_area(bool plus) const {
-  const int blocks = block_count(settings_.resolution);
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, count_framebuffer_.name());
-  gl_->Viewport(0, 0, blocks, blocks);
-  gl_->Disable(GL_DEPTH_TEST);
-  coverage_program_.use();
-  coverage_program_.set_texture("t_map", 0, GL_TEXTURE_2D, side(plus).facets);
-  coverage_program_.set("u_block", k_coverage_block);
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  std::vector<std::uint32_t> counts(static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks));
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_->ReadPixels(0, 0, blocks, blocks, GL_RED_INTEGER, GL_UNSIGNED_INT, counts.data());
-  const auto covered = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  const double texel = 1.0 / settings_.resolution;
-  return static_cast<double>(covered) * texel * texel;
 }
 
 void ShadowMaps::bind(const gl::Program& program, const PartBuffers& part, int first_unit) const {

@@ -47,18 +47,14 @@ class ShadowMaps {
   struct Side {
     gl::Texture facets, depth;
     gl::Framebuffer framebuffer;
+    gl::Query covered;  // texels
   };
   [[nodiscard]] const Side& side(bool plus) const { return plus ? plus_ : minus_; }
   void begin(const MapFrame& frame, const MapSettings& settings);
-  [[nodiscard]] double covered_area(bool plus) const;
 
   const gl::Functions* gl_;
   MapPainter painter_;
-  gl::Program coverage_program_;
-  gl::VertexArray fullscreen_;
   Side plus_, minus_;
-  gl::Texture counts_;
-  gl::Framebuffer count_framebuffer_;
   MapFrame frame_;
   MapSettings settings_;
   int allocated_ = 0;
