@@ -4,6 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
+#include "cli/still_flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "session/classifier.hpp"
@@ -98,13 +99,7 @@ void add_classify_command(CLI::App& program, Request& request) {
                                         "write the picture to this file")
                            ->option_text("FILE.png")
                            ->check(named());
-  command
-      ->add_option_function<std::string>(
-          "--size",
-          [flags](const std::string& text) { flags->still.size = parse_picture_size(text, "--size"); },
-          "Width and height of the picture in pixels [default 1600x1000]")
-      ->option_text("WxH")
-      ->needs(image);
+  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   for (const Option<StillSettings>& option : still_options()) {
     CLI::Option* flag = add_option_flag(*command, option, flags->still);
     // The palette is the meshes', too.

@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
+#include "cli/still_flags.hpp"
 #include "cli/sweep_meter.hpp"
 #include "cli/undercut_limit.hpp"
 #include "io/atomic_file.hpp"
@@ -180,13 +181,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
                        "direction to the end")
           ->option_text("DIR")
           ->check(named());
-  command
-      ->add_option_function<std::string>(
-          "--size",
-          [flags](const std::string& text) { flags->still.size = parse_picture_size(text, "--size"); },
-          "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike "
-          "[default 1600x1000]")
-      ->option_text("WxH")
+  add_size_flag(*command, flags->still.size,
+                "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
   for (const Option<StillSettings>& option : still_options()) {
     add_option_flag(*command, option, flags->still)->needs(pictures);

@@ -9,6 +9,7 @@
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/still_flags.hpp"
 #include "gui/screenshot.hpp"
 #include "gui/shipped_parts.hpp"
 #include "gui/store/state_folder.hpp"
@@ -16,7 +17,6 @@
 #include "session/frame_benchmark.hpp"
 #include "session/headless.hpp"
 #include "session/option_table.hpp"
-#include "session/still_options.hpp"
 
 namespace moldlight::cli {
 
@@ -103,14 +103,7 @@ void add_view_command(CLI::App& program, Request& request) {
                    "Write the window's picture and open none; needs no display")
       ->option_text("OUT.png")
       ->check(named());
-  command
-      ->add_option_function<std::string>(
-          "--size",
-          [flags](const std::string& text) {
-            flags->size = parse_picture_size(text, "--size", k_least_size);
-          },
-          "Size of that picture [default 1280x720]")
-      ->option_text("WxH");
+  add_size_flag(*command, flags->size, "Size of that picture", k_least_size);
   command
       ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
       ->option_text("FACTOR")
