@@ -15,15 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 using test::file_bytes;
 using test::json_of;
+using test::keys;
 using test::run_moldlight;
 using test::SmallPart;
 using Json = nlohmann::ordered_json;
-
-std::vector<std::string> keys(const Json& object) {
-  std::vector<std::string> names;
-  for (const auto& [key, value] : object.items()) names.push_back(key);
-  return names;
-}
 
 TEST(Classify, PrintsATableAndNothingElseOnStdout) {
   const SmallPart part;

@@ -48,6 +48,13 @@ class SmallPart {
   Shape shape_;
 };
 
+/// Names of an object's members, in their order.
+[[nodiscard]] inline std::vector<std::string> keys(const nlohmann::ordered_json& object) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : object.items()) names.push_back(key);
+  return names;
+}
+
 [[nodiscard]] inline nlohmann::ordered_json json_of(const std::string& text) {
   return nlohmann::ordered_json::parse(text);
 }

@@ -17,16 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 using test::file_bytes;
 using test::json_of;
+using test::keys;
 using test::run_moldlight;
 using test::SmallPart;
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
-
-Names keys(const Json& object) {
-  Names names;
-  for (const auto& [key, value] : object.items()) names.push_back(key);
-  return names;
-}
 
 Json without_time(Json json) {
   json.erase("elapsed_s");
