@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/median.hpp"
 #include "gl/colour_target.hpp"
 #include "render/part_view.hpp"
 #include "session/picture_maps.hpp"
@@ -15,12 +16,6 @@ namespace moldlight {
 namespace {
 
 constexpr int k_turns = 25, k_warm_up = 2;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "base/check.hpp"
+#include "base/median.hpp"
 
 namespace moldlight::bench {
 
@@ -23,13 +24,6 @@ double core_ms() {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 std::size_t Contest::add(double count, std::function<void()> work) {
   CHECK(count > 0.0);

@@ -7,9 +7,6 @@
 
 namespace moldlight::bench {
 
-/// Median of values; 0 of none.
-[[nodiscard]] double median(std::vector<double> values);
-
 class Contest {
  public:
   /// `work` handles `count` items (directions, files) at once. Gives the contestant's number.

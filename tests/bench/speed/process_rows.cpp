@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/median.hpp"
 #include "bench/speed/contest.hpp"
 #include "session/part_model.hpp"
 #include "support/process.hpp"
