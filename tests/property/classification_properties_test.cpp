@@ -1,6 +1,7 @@
 // Properties of the classification, on generated cases: shapes of ours, turned, scaled, moved and reordered.
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "support/boxes.hpp"
@@ -151,6 +152,34 @@ TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {
     EXPECT_EQ(a.uncertainty.total, b.uncertainty.total) << shape.name;
     EXPECT_EQ(a.projected.surface, b.projected.surface) << shape.name;
   }
+}
+
+/// Standard error of the undercut area from independent samples, with `more` of either kind counted on top.
+double undercut_error(const PartModel& model, const Classification& result, double more) {
+  const SurfaceSamples samples = sample_surface(model.part.mesh, model.geometry, model.frame,
+                                                static_cast<std::uint64_t>(result.settings.samples));
+  double variance = 0.0;
+  for (std::size_t facet = 0; facet < model.geometry.areas.size(); ++facet) {
+    const auto count = static_cast<double>(samples.first[facet + 1] - samples.first[facet]);
+    const double hits = count * result.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)];
+    const double share = (hits + more) / (count + 2.0 * more);
+    variance += std::pow(model.geometry.areas[facet], 2.0) * share * (1.0 - share) / (count + 2.0 * more);
+  }
+  return std::sqrt(variance);
+}
+
+TEST(ClassificationProperties, TheSamplingUncertaintyIsTwoStandardErrors) {
+  const test::Shape shape = test::cup_with_side_hole({});
+  const auto model = test::model_of(shape.mesh);
+  Classifier classifier(test::shared_context(), model);
+  MethodSettings settings = settings_for(shape);
+  settings.direction = glm::normalize(glm::dvec3(0.3, 0.2, 1.0));  // many a facet is partly an undercut
+  const Classification result = classifier.classify(settings, Progress{});
+  const double least = undercut_error(*model, result, 0.0), most = undercut_error(*model, result, 1.0);
+  ASSERT_GT(least, 0.0);
+  ASSERT_LT(most, 1.5 * least) << "else the bounds say little";
+  EXPECT_GE(result.uncertainty.sampling, 1.99 * least);
+  EXPECT_LE(result.uncertainty.sampling, 2.01 * most);
 }
 
 }  // namespace
