@@ -180,6 +180,9 @@ TEST(ClassificationProperties, TheSamplingUncertaintyIsTwoStandardErrors) {
   ASSERT_LT(most, 1.5 * least) << "else the bounds say little";
   EXPECT_GE(result.uncertainty.sampling, 1.99 * least);
   EXPECT_LE(result.uncertainty.sampling, 2.01 * most);
+  EXPECT_DOUBLE_EQ(
+      result.uncertainty.total,
+      std::hypot(result.uncertainty.sampling, result.uncertainty.audit) + result.uncertainty.unsettled);
 }
 
 }  // namespace
