@@ -170,5 +170,24 @@ TEST(SweepKnownAnswers, TwoEqualDirectionsTie) {
   }
 }
 
+TEST(SweepKnownAnswers, ScoresByRaysStateTwoStandardErrors) {
+  SweepSettings settings = quick_settings();
+  settings.engine = SweepEngine::rays;
+  settings.thorough = true;
+  settings.kinds = {CandidateKind::uniform};
+  settings.directions = 12;
+  settings.refine = 0;
+  settings.top = 1;
+  const TriangleMesh mesh = test::cup_with_side_hole({}).mesh;
+  const double area = facet_geometry(mesh).total_area, count = settings.scoring_samples + 2.0;
+  const SweepResult result = sweep_of(mesh, settings);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const EvaluatedDirection& evaluated = result.evaluated[i];
+    // One sample more of either kind, so that none seen is not none there.
+    const double share = (evaluated.undercut / area * settings.scoring_samples + 1.0) / count;
+    EXPECT_NEAR(evaluated.undercut_error, 2.0 * area * std::sqrt(share * (1.0 - share) / count), 1e-9 * area);
+  }
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -214,6 +214,10 @@ TEST(FindCandidates, EndsBetweenSourcesWhenCancelled) {
       static_cast<void>(find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, progress)),
       Cancelled);
   EXPECT_EQ(reports, 3);
+  EXPECT_THROW(static_cast<void>(
+                   find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, silent(progress))),
+               Cancelled);
+  EXPECT_EQ(reports, 3) << "it tells nobody";
 }
 
 }  // namespace
