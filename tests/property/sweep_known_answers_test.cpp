@@ -189,5 +189,19 @@ TEST(SweepKnownAnswers, ScoresByRaysStateTwoStandardErrors) {
   }
 }
 
+TEST(SweepKnownAnswers, DirectionsFoundBySearchAreListedApart) {
+  SweepSettings settings = quick_settings();
+  settings.kinds = {CandidateKind::uniform};
+  settings.directions = 500;
+  settings.apart_deg = 15.0;
+  const SweepResult result = sweep_of(test::cup_with_side_hole({}).mesh, settings);
+  ASSERT_EQ(result.candidates.size(), 4U);
+  for (std::size_t b = 0; b < 4; ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      EXPECT_GT(angle_deg(result.candidates[a], result.candidates[b].candidate.direction), 15.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -73,7 +73,9 @@ TEST(ClassifyReport, MarksACheckThatFails) {
   result.total_area = 6.0;
   result.projected = {.surface = 1.0, .identity = 0.5, .gap = 0.5, .gap_limit = 0.1};
   EXPECT_NE(classify_table(*model, result, false).find("check ✗"), std::string::npos);
-  EXPECT_EQ(classify_json(*model, result)["projected_undercut"]["agrees"], false);
+  const nlohmann::ordered_json told = {
+      {"surface", 1.0}, {"identity", 0.5}, {"gap", 0.5}, {"gap_limit", 0.1}, {"agrees", false}};
+  EXPECT_EQ(classify_json(*model, result)["projected_undercut"], told);
   result.projected = {.surface = 1.0, .identity = 1.05, .gap = -0.05, .gap_limit = 0.1};
   EXPECT_NE(classify_table(*model, result, false).find("check ✓"), std::string::npos);
 }
