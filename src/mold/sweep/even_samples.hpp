@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "mold/surface_samples.hpp"
 #include "mold/scan/scan_part.hpp"
+#include "mold/surface_samples.hpp"
 
 namespace moldlight {
 

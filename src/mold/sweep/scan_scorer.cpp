@@ -8,8 +8,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "mold/measure.hpp"
-#include "mold/sweep/even_samples.hpp"
 #include "mold/scan/wall_lookup.hpp"
+#include "mold/sweep/even_samples.hpp"
 
 namespace moldlight {
 

@@ -9,9 +9,9 @@
 
 #include "mold/exact_rays.hpp"
 #include "mold/region.hpp"
-#include "mold/sweep/direction_scorer.hpp"
 #include "mold/scan/scan_maps.hpp"
 #include "mold/scan/scan_part.hpp"
+#include "mold/sweep/direction_scorer.hpp"
 
 namespace moldlight {
 
