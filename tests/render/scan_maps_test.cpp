@@ -11,9 +11,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/scan/map_lookup.hpp"
 #include "render/sample_pass.hpp"
 #include "support/classify_mesh.hpp"
+#include "support/map_lookup.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
@@ -152,7 +152,7 @@ BothMaps::Verdicts BothMaps::compare_verdicts(SamplePass& pass) const {
   const SurfaceSamples samples = sample_surface(model_->part.mesh, model_->geometry, model_->frame, 20'000);
   const std::vector<std::uint8_t> by_gl =
       pass.run(samples.samples, classifier_.buffers(), classifier_.maps());
-  const MapLookup lookup(part_, *scan_, map_settings(settings_, model_->frame.diagonal).lateral);
+  const test::MapLookup lookup(part_, *scan_, map_settings(settings_, model_->frame.diagonal).lateral);
   Verdicts result;
   result.samples = by_gl.size();
   for (std::size_t i = 0; i < by_gl.size(); ++i) {

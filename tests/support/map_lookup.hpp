@@ -1,5 +1,5 @@
 // Looks surface points up in the scan-converted maps: the twin of the one-sided look-up in
-// shaders/common/region.glsl.
+// shaders/common/region.glsl, to compare the two by.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "mold/scan/scan_maps.hpp"
 
-namespace moldlight {
+namespace moldlight::test {
 
 /// References must outlive it; valid until the maps are drawn again.
 class MapLookup {
@@ -39,4 +39,4 @@ class MapLookup {
   float lateral_, size_;
 };
 
-}  // namespace moldlight
+}  // namespace moldlight::test

@@ -1,4 +1,4 @@
-#include "mold/scan/map_lookup.hpp"
+#include "support/map_lookup.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "mold/measure.hpp"
 
-namespace moldlight {
+namespace moldlight::test {
 
 namespace {
 /// As in the shader: rounding of n.p - c at coordinates up to 0.5 in single precision.
@@ -82,4 +82,4 @@ std::uint8_t MapLookup::verdict(const glm::vec3& point, FacetIndex facet) const 
                                    (undercut_in_doubt ? verdict::k_undercut_in_doubt : 0));
 }
 
-}  // namespace moldlight
+}  // namespace moldlight::test
