@@ -54,7 +54,7 @@ uniform float u_lateral;  // lateral tolerance in the unit frame
 const float k_plane_rounding = 2.5e-7;
 
 bool in_map(ivec2 texel) {
-  return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(int(u_map_size))));
+  return all(lessThan(uvec2(texel), uvec2(u_map_size)));  // without their sign, negative places are large ones
 }
 
 #ifdef MAP_BATCH
