@@ -25,29 +25,27 @@ void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
   allocated_ = settings.resolution;
 }
 
-void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
+void ShadowMaps::draw_pair(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings,
+                           bool count_covered) {
   begin(frame, settings);
   const MapSubject subject{part, part.facet_classes(), frame_, settings_};
   for (const bool plus : {true, false}) {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
     painter_.draw_facets(subject, plus);
+    if (count_covered) painter_.count_covered(side(plus).covered);
     painter_.draw_edges(subject, plus);
   }
   gl::check_errors(*gl_, "drawing the shadow maps");
 }
 
+void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
+  draw_pair(part, frame, settings, false);
+}
+
 double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
                                            const MapSettings& settings) {
-  begin(frame, settings);
-  const MapSubject subject{part, part.facet_classes(), frame_, settings_};
-  for (const bool plus : {true, false}) {
-    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
-    painter_.draw_facets(subject, plus);
-    painter_.count_covered(side(plus).covered);
-    painter_.draw_edges(subject, plus);
-  }
+  draw_pair(part, frame, settings, true);
   gl_->Finish();
-  gl::check_errors(*gl_, "drawing the shadow maps");
   return std::max(covered_area(*gl_, plus_.covered, settings.resolution),
                   covered_area(*gl_, minus_.covered, settings.resolution));
 }

@@ -51,6 +51,8 @@ class ShadowMaps {
   };
   [[nodiscard]] const Side& side(bool plus) const { return plus ? plus_ : minus_; }
   void begin(const MapFrame& frame, const MapSettings& settings);
+  void draw_pair(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings,
+                 bool count_covered);
 
   const gl::Functions* gl_;
   MapPainter painter_;

@@ -53,8 +53,7 @@ struct CellWriter {
 
   /// Cells are written some time after they are known: until then they are fetched.
   inline void fetch_ahead(Layer layer, std::int32_t cell) const {
-    if constexpr (k_front) __builtin_prefetch(target.front[layer] + cell, 1);
-    if constexpr (!k_front) __builtin_prefetch(target.back[layer] + cell, 1);
+    __builtin_prefetch((k_front ? target.front : target.back)[layer] + cell, 1);
   }
 
   inline void write_four(std::int32_t cell, Long4 depths, Long4 inside, Job& job) {

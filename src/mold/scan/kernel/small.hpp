@@ -30,38 +30,28 @@ constexpr std::size_t k_most_eights_of_one =
 /// Four triangles into places of the batch. Rows of those of no area are none.
 template <typename Corner>
 inline void set_up_small(const Corner& corner, int size, int pitch, SmallBatch& batch, std::size_t at) {
-  Corners4 corners = load_corners(corner);
-  const Int4 *x = corners.x, *y = corners.y;
-  const Float4* z = corners.z;
-  const Int4 signed_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-  const Int4 down = signed_area < 0;
-  reverse(down, corners);
-  const Int4 area = down ? -signed_area : signed_area;
-  const Box4 box = box_of(corners, size);
-  const Int4 px = box.left * k_subtexel + k_half_texel, py = box.bottom * k_subtexel + k_half_texel;
+  const Small4 four = load_small(corner, size);
+  const Int4 *x = four.corners.x, *y = four.corners.y;
   Int4 yields[3];
   for (int e = 0; e < 3; ++e) {
     const int f = e == 2 ? 0 : e + 1;
     const Int4 dx = x[f] - x[e], dy = y[f] - y[e];
     yields[e] = yields_ties(dx, dy);
-    store(batch.edge[e] + at, dx * (py - y[e]) - dy * (px - x[e]) + yields[e]);
+    store(batch.edge[e] + at, dx * (four.py - y[e]) - dy * (four.px - x[e]) + yields[e]);
     store(batch.column_step[e] + at, dy * -k_subtexel);
     store(batch.row_step[e] + at, dx * k_subtexel);
   }
-  const Float4 inverse = 1.0F / __builtin_convertvector(area, Float4);
-  const Float4 rise2 = (z[1] - z[0]) * inverse, rise0 = (z[2] - z[0]) * inverse;
-  const Float4 low01 = z[0] < z[1] ? z[0] : z[1], high01 = z[0] < z[1] ? z[1] : z[0];
   // The functions stand one too low where ties are the neighbour's.
-  store(batch.base + at, z[0] - rise2 * __builtin_convertvector(yields[2], Float4) -
-                             rise0 * __builtin_convertvector(yields[0], Float4));
-  store(batch.rise0 + at, rise0);
-  store(batch.rise2 + at, rise2);
-  store(batch.lowest + at, low01 < z[2] ? low01 : z[2]);
-  store(batch.highest + at, high01 < z[2] ? z[2] : high01);
-  store(batch.cell + at, box.bottom * pitch + box.left);
-  store(batch.rows + at, area > 0 ? box.top - box.bottom + 1 : Int4{});
-  store(batch.columns + at, box.right - box.left + 1);
-  store(batch.down + at, down);
+  store(batch.base + at, four.corners.z[0] - four.rise2 * __builtin_convertvector(yields[2], Float4) -
+                             four.rise0 * __builtin_convertvector(yields[0], Float4));
+  store(batch.rise0 + at, four.rise0);
+  store(batch.rise2 + at, four.rise2);
+  store(batch.lowest + at, four.lowest);
+  store(batch.highest + at, four.highest);
+  store(batch.cell + at, four.box.bottom * pitch + four.box.left);
+  store(batch.rows + at, four.area > 0 ? four.box.top - four.box.bottom + 1 : Int4{});
+  store(batch.columns + at, four.box.right - four.box.left + 1);
+  store(batch.down + at, four.down);
 }
 
 /// Finds what a triangle covers.

@@ -18,28 +18,18 @@ struct TinyBatch {
 template <Entries k_entries, typename Corner>
 inline void add_tiny(const Corner& corner, const std::uint32_t* facets, std::size_t lanes, std::size_t place,
                      const CellWriter<k_entries>& cells, TinyBatch& batch) {
-  Corners4 corners = load_corners(corner);
-  const Int4 *x = corners.x, *y = corners.y;
-  const Float4* z = corners.z;
-  const Int4 signed_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-  const Int4 down = signed_area < 0;
-  reverse(down, corners);
-  const Int4 area = down ? -signed_area : signed_area;
-  const Box4 box = box_of(corners, cells.target.size);
-  const Int4 px = box.left * k_subtexel + k_half_texel, py = box.bottom * k_subtexel + k_half_texel;
+  const Small4 four = load_small(corner, cells.target.size);
+  const Int4 *x = four.corners.x, *y = four.corners.y;
+  const Box4& box = four.box;
   // Edge functions at the first centre, less one where ties are the neighbour's, and their steps.
   Int4 value[3], dx[3], dy[3];
   for (int e = 0; e < 3; ++e) {
     const int f = e == 2 ? 0 : e + 1;
     dx[e] = x[f] - x[e];
     dy[e] = y[f] - y[e];
-    value[e] = dx[e] * (py - y[e]) - dy[e] * (px - x[e]);
+    value[e] = dx[e] * (four.py - y[e]) - dy[e] * (four.px - x[e]);
   }
-  const Int4 exists = (Int4{0, 1, 2, 3} < static_cast<std::int32_t>(lanes)) & (area > 0);
-  const Float4 inverse = 1.0F / __builtin_convertvector(area, Float4);
-  const Float4 rise1 = (z[1] - z[0]) * inverse, rise2 = (z[2] - z[0]) * inverse;
-  const Float4 low01 = z[0] < z[1] ? z[0] : z[1], high01 = z[0] < z[1] ? z[1] : z[0];
-  const Float4 lowest = low01 < z[2] ? low01 : z[2], highest = high01 < z[2] ? z[2] : high01;
+  const Int4 exists = (Int4{0, 1, 2, 3} < static_cast<std::int32_t>(lanes)) & (four.area > 0);
   const Int4 first = box.bottom * cells.target.pitch + box.left;
   const Int4 places = Int4{0, 1, 2, 3} + static_cast<std::int32_t>(place);
   Int4 fragments = {};
@@ -51,10 +41,10 @@ inline void add_tiny(const Corner& corner, const std::uint32_t* facets, std::siz
       at[e] = value[e] + (row * dx[e] - column * dy[e]) * k_subtexel;
       inside &= at[e] + yields_ties(dx[e], dy[e]) >= 0;
     }
-    Float4 heights = z[0] + rise1 * __builtin_convertvector(at[2], Float4) +
-                     rise2 * __builtin_convertvector(at[0], Float4);
-    heights = heights < lowest ? lowest : heights;
-    heights = heights > highest ? highest : heights;
+    Float4 heights = four.corners.z[0] + four.rise2 * __builtin_convertvector(at[2], Float4) +
+                     four.rise0 * __builtin_convertvector(at[0], Float4);
+    heights = heights < four.lowest ? four.lowest : heights;
+    heights = heights > four.highest ? four.highest : heights;
     const std::uint32_t covered = lanes_set(inside);
     store_set(batch.cell + batch.fragments, first + (row * cells.target.pitch + column), covered);
     store_set(batch.height + batch.fragments, __builtin_convertvector(heights, Int4), covered);
@@ -68,7 +58,7 @@ inline void add_tiny(const Corner& corner, const std::uint32_t* facets, std::siz
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int l = static_cast<int>(lane);
     Job& job = batch.jobs[place + lane];
-    cells.start_job(job, facets[lane], down[l] != 0 ? k_down_layer : k_up_layer);
+    cells.start_job(job, facets[lane], four.down[l] != 0 ? k_down_layer : k_up_layer);
     job.fragments = static_cast<std::uint32_t>(fragments[l]);
   }
 }

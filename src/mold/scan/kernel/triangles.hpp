@@ -55,3 +55,35 @@ inline Box4 box_of(const Corners4& corners, int size) {
 
 /// Edges that leave the texel centres on them to the facet on their other side.
 inline Int4 yields_ties(Int4 dx, Int4 dy) { return (dy < 0) | ((dy == 0) & (dx > 0)); }
+
+/// Four triangles of either winding, small enough for edge functions of 32 bits, made counter-clockwise.
+struct Small4 {
+  Corners4 corners;
+  Int4 down, area;  // mask of those that were turned; twice the area
+  Box4 box;
+  Int4 px, py;             // first centre of the box
+  Float4 rise0, rise2;     // of the height, by the functions of the edges 0 and 2
+  Float4 lowest, highest;  // heights
+};
+
+template <typename Corner>
+inline Small4 load_small(const Corner& corner, int size) {
+  Small4 four;
+  four.corners = load_corners(corner);
+  const Int4 *x = four.corners.x, *y = four.corners.y;
+  const Float4* z = four.corners.z;
+  const Int4 signed_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+  four.down = signed_area < 0;
+  four.area = four.down ? -signed_area : signed_area;
+  reverse(four.down, four.corners);
+  four.box = box_of(four.corners, size);
+  four.px = four.box.left * k_subtexel + k_half_texel;
+  four.py = four.box.bottom * k_subtexel + k_half_texel;
+  const Float4 inverse = 1.0F / __builtin_convertvector(four.area, Float4);
+  four.rise2 = (z[1] - z[0]) * inverse;
+  four.rise0 = (z[2] - z[0]) * inverse;
+  const Float4 low01 = z[0] < z[1] ? z[0] : z[1], high01 = z[0] < z[1] ? z[1] : z[0];
+  four.lowest = low01 < z[2] ? low01 : z[2];
+  four.highest = high01 < z[2] ? z[2] : high01;
+  return four;
+}

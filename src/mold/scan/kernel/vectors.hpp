@@ -34,7 +34,7 @@ inline Int4 greatest(Int4 a, Int4 b) { return a > b ? a : b; }
 inline Double4 to_double(Int4 values) { return __builtin_convertvector(values, Double4); }
 inline Long4 widen(Int4 mask) { return __builtin_convertvector(mask, Long4); }
 
-/// Bit k is the highest one of lane k.
+/// Bit k tells of lane k: of four lanes, each all ones or none, and of eight lanes whether it is negative.
 inline std::uint32_t lanes_set(Int4 mask) {
 #if defined(MOLDLIGHT_SCAN_AVX2)
   return static_cast<std::uint32_t>(__builtin_ia32_movmskps(bits_as<Float4>(mask)));
