@@ -1,6 +1,7 @@
 #include "render/shadow_maps.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/check.hpp"
 
@@ -11,7 +12,9 @@ ShadowMaps::ShadowMaps(const gl::Functions& gl) : gl_(&gl), painter_(gl) {}
 void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
   frame_ = frame;
   settings_ = settings;
-  ++revision_;
+  // Views tell drawings apart by it, also those of several pairs of maps.
+  static std::atomic<std::uint64_t> drawings = 0;
+  revision_ = ++drawings;
   if (settings.resolution == allocated_) return;
   allocated_ = 0;
   for (Side* side : {&plus_, &minus_}) {

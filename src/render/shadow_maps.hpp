@@ -38,7 +38,7 @@ class ShadowMaps {
 
   [[nodiscard]] const MapSettings& settings() const { return settings_; }
   [[nodiscard]] const MapFrame& frame() const { return frame_; }
-  /// Changes whenever the maps are drawn again; 0 before they are.
+  /// Another for every drawing of any maps; 0 before they are drawn.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] const gl::Texture& facets(bool plus) const { return side(plus).facets; }  // R32UI, facet + 1
   [[nodiscard]] const gl::Texture& depth(bool plus) const { return side(plus).depth; }
