@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace moldlight {
 
@@ -29,6 +30,9 @@ struct RegionValues {
   [[nodiscard]] double& operator[](Region region) { return values[static_cast<std::size_t>(region)]; }
   [[nodiscard]] double total() const;
 };
+
+/// A row a facet: the share of each region in its area, sum 1; 0 for a facet without area.
+using FacetFractions = std::vector<std::array<double, k_region_count>>;
 
 /// An sRGB colour.
 struct Colour {

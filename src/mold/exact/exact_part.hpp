@@ -1,0 +1,71 @@
+// What the exact regions of a part need of the part alone: its edges, and where its facets cross each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/progress.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/unit_frame.hpp"
+
+namespace moldlight {
+
+/// How an edge bends. Irregular: open, used by more than two facets, or wound alike by both.
+enum class EdgeKind : std::uint8_t { convex_or_flat, concave, irregular };
+
+struct ExactEdge {
+  VertexIndex a = 0, b = 0;                 // a < b
+  FacetIndex left = 0, right = k_no_facet;  // the first two facets that use it
+  EdgeKind kind = EdgeKind::convex_or_flat;
+};
+
+/// Where a facet of the part crosses another one. Unit frame.
+struct FacetCrossing {
+  glm::dvec3 start, end;
+};
+
+/// Made once a part, immutable, shared by any number of threads. References must outlive it. Coordinates are
+/// in double in the unit frame, so that areas scale to the bit with the part.
+class ExactPart {
+ public:
+  static constexpr std::uint32_t k_no_edge = ~0U;
+
+  /// Takes some 200 bytes a facet. Throws Cancelled.
+  ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
+            const Progress& progress);
+
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const FacetGeometry& geometry() const { return geometry_; }
+  [[nodiscard]] const UnitFrame& frame() const { return frame_; }
+  [[nodiscard]] const std::vector<glm::dvec3>& positions() const { return positions_; }
+  [[nodiscard]] const std::vector<ExactEdge>& edges() const { return edges_; }
+  /// Edge of each side of a facet (side k runs from corner k to corner k + 1); k_no_edge for a facet with two
+  /// equal corners.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& side_edges() const { return side_edges_; }
+  /// Crossings of facet k: [first_crossing[k], first_crossing[k + 1]).
+  [[nodiscard]] const std::vector<FacetCrossing>& crossings() const { return crossings_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& first_crossing() const { return first_crossing_; }
+  /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
+  [[nodiscard]] bool regular() const { return regular_; }
+  [[nodiscard]] bool has_irregular_edges() const { return irregular_edges_; }
+
+ private:
+  void find_edges();
+  void find_crossings(const Progress& progress);
+
+  const TriangleMesh& mesh_;
+  const FacetGeometry& geometry_;
+  UnitFrame frame_;
+  std::vector<glm::dvec3> positions_;
+  std::vector<ExactEdge> edges_;
+  std::vector<std::array<std::uint32_t, 3>> side_edges_;
+  std::vector<FacetCrossing> crossings_;
+  std::vector<std::uint32_t> first_crossing_;
+  bool regular_ = true, irregular_edges_ = false;
+};
+
+}  // namespace moldlight

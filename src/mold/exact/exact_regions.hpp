@@ -1,0 +1,48 @@
+// The regions of a part for a parting direction, computed: every facet is cut where visibility along the
+// direction may change (under the contour edges: Priyadarshi & Gupta 2006, theorem 1), and each cell is
+// labelled by one test inside it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/progress.hpp"
+#include "mold/exact/exact_part.hpp"
+#include "mold/exact/split_mesh.hpp"
+#include "mold/region.hpp"
+
+namespace moldlight {
+
+struct ExactQuery {
+  glm::dvec3 direction{0, 0, 1};  // unit
+  double tau_deg = 1.0;           // [0, 90)
+  double lateral = 0.0;           // lateral tolerance in the unit frame, >= 0
+};
+
+/// Areas in model units squared.
+struct ExactAreas {
+  FacetFractions facet_fractions;  // a row a facet, sum 1; 0 for a facet without area
+  RegionValues areas;
+  double near_vertical_area = 0.0;
+  /// Projected area of the surface that faces along +d (up) and is accessible along +d, and the same for -d;
+  /// at tau = 0, whatever the query's tau. Each is the area of the part's shadow if the mesh is closed.
+  double projected_core = 0.0, projected_cavity = 0.0;
+};
+
+struct ExactSplit {
+  ExactAreas areas;
+  SplitMesh mesh;
+};
+
+/// Both use all cores of the calling thread's TBB arena; the result is the same to the bit for any number of
+/// threads. Throw Cancelled.
+[[nodiscard]] ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query,
+                                     const Progress& progress);
+[[nodiscard]] ExactSplit exact_split(const ExactPart& part, const ExactQuery& query,
+                                     const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,38 @@
+// The part's mesh, split at the borders between regions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "mesh/triangle_mesh.hpp"
+#include "mold/region.hpp"
+
+namespace moldlight {
+
+/// A triangle of the split mesh: wound as its source facet and inside it.
+struct SplitPiece {
+  std::array<VertexIndex, 3> corners{};
+  FacetIndex facet = 0;  // source
+  Region region = Region::both;
+};
+
+/// Conforming: neighbours share whole edges, so it is closed if the part is. Pieces are in the order of their
+/// facets. The part's own vertices come first, with their numbers and coordinates; lengths are the part's.
+struct SplitMesh {
+  std::vector<glm::dvec3> vertices;
+  std::vector<SplitPiece> pieces;
+};
+
+/// A line between two regions, as far as it has the same two on its sides.
+struct RegionBorder {
+  Region left = Region::core, right = Region::core;  // left of the walk, seen from outside; left < right
+  std::vector<VertexIndex> vertices;                 // of the split mesh; the last is the first if closed
+  [[nodiscard]] bool closed() const { return vertices.size() > 2 && vertices.front() == vertices.back(); }
+};
+/// Every edge of the split mesh whose two pieces are of different regions, chained.
+[[nodiscard]] std::vector<RegionBorder> region_borders(const SplitMesh& mesh);
+
+}  // namespace moldlight
