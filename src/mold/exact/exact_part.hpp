@@ -11,6 +11,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
+#include "mold/exact/facet_crossings.hpp"
 
 namespace moldlight {
 
@@ -21,11 +22,6 @@ struct ExactEdge {
   VertexIndex a = 0, b = 0;                 // a < b
   FacetIndex left = 0, right = k_no_facet;  // the first two facets that use it
   EdgeKind kind = EdgeKind::convex_or_flat;
-};
-
-/// Where a facet of the part crosses another one. Unit frame.
-struct FacetCrossing {
-  glm::dvec3 start, end;
 };
 
 /// Made once a part, immutable, shared by any number of threads. References must outlive it. Coordinates are
@@ -55,7 +51,6 @@ class ExactPart {
 
  private:
   void find_edges();
-  void find_crossings(const Progress& progress);
 
   const TriangleMesh& mesh_;
   const FacetGeometry& geometry_;

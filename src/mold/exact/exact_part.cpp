@@ -1,0 +1,60 @@
+#include "mold/exact/exact_part.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/edge_table.hpp"
+#include "mold/exact/facet_crossings.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Height above the left facet's plane, in the unit frame, over which the right one's far corner makes an
+/// edge concave: far above the rounding of double, far below the bend of any tessellation.
+constexpr double k_concave_height = 1e-10;
+
+}  // namespace
+
+ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
+                     const Progress& progress)
+    : mesh_(mesh), geometry_(geometry), frame_(frame) {
+  progress.report("finding edges", 0.0);
+  positions_.reserve(mesh.vertices.size());
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    positions_.push_back((vertex - frame.center) / frame.diagonal);
+  }
+  find_edges();
+  progress.report("finding crossings", 0.0);
+  FacetCrossings found = facet_crossings(mesh, positions_, geometry.normals, progress);
+  crossings_ = std::move(found.crossings);
+  first_crossing_ = std::move(found.first);
+  regular_ = !irregular_edges_ && crossings_.empty();
+}
+
+void ExactPart::find_edges() {
+  side_edges_.assign(mesh_.facets.size(), {k_no_edge, k_no_edge, k_no_edge});
+  edges_.reserve(mesh_.facets.size() * 3 / 2 + 3);
+  const EdgeTable table(mesh_);
+  table.for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
+    ExactEdge edge{.a = low, .b = uses.front().high, .left = facet_of(uses.front().half_edge)};
+    for (const EdgeUse& use : uses) {
+      side_edges_[facet_of(use.half_edge)][use.half_edge % 3] = static_cast<std::uint32_t>(edges_.size());
+    }
+    const auto runs_up = [&](const EdgeUse& use) { return start_vertex(mesh_, use.half_edge) == low; };
+    if (uses.size() != 2 || runs_up(uses[0]) == runs_up(uses[1])) {
+      edge.kind = EdgeKind::irregular;
+      irregular_edges_ = true;
+      if (uses.size() >= 2) edge.right = facet_of(uses[1].half_edge);
+    } else {
+      edge.right = facet_of(uses[1].half_edge);
+      const VertexIndex far = mesh_.facets[edge.right][(uses[1].half_edge % 3 + 2) % 3];
+      const double height = glm::dot(geometry_.normals[edge.left], positions_[far] - positions_[low]);
+      if (height > k_concave_height) edge.kind = EdgeKind::concave;
+    }
+    edges_.push_back(edge);
+  });
+}
+
+}  // namespace moldlight

@@ -1,0 +1,304 @@
+#include "mold/exact/exact_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "mold/draft.hpp"
+#include "mold/exact/facet_cells.hpp"
+#include "mold/exact/projected_part.hpp"
+#include "mold/exact/split_assembly.hpp"
+
+namespace moldlight {
+
+namespace {
+
+// Unit frame. Segments are clipped generously, since one too many does no harm and one too few does: what
+// lies below a facet's plane by less than the first is kept, as bodies that touch hide each other.
+constexpr double k_plane_margin = 1e-7;
+constexpr double k_clip_slack = 1e-9;
+/// A curtain that enters a facet by less than this only touches it.
+constexpr double k_touch = 1e-13;
+constexpr std::size_t k_grain = 256;  // facets a task
+
+/// A plane's own coordinates: the first axis is level, the second rises as steeply as the plane does.
+struct PlaneFrame {
+  glm::dvec3 origin{0.0}, level{1, 0, 0}, rising{0, 1, 0};
+
+  [[nodiscard]] glm::dvec2 in_plane(const glm::dvec3& point) const {
+    return {glm::dot(level, point - origin), glm::dot(rising, point - origin)};
+  }
+  [[nodiscard]] glm::dvec3 in_space(const glm::dvec2& place) const {
+    return origin + place.x * level + place.y * rising;
+  }
+};
+
+/// What a facet's points are tested for.
+struct FacetTest {
+  bool plus = true, minus = true;  // accessibility along +d, along -d
+  bool beside = false;             // from beside the facet, where anything in the way counts
+  glm::dvec3 shift{0.0};           // to the point that is tested
+};
+
+/// One thread's room.
+class FacetSplitter {
+ public:
+  FacetSplitter(const ProjectedPart& projected, const ExactQuery& query)
+      : projected_(projected),
+        query_(query),
+        sine_of_tau_(std::sin(glm::radians(query.tau_deg))),
+        seen_(projected.contour().size(), 0) {}
+
+  struct Outcome {
+    std::array<double, k_region_count> areas{};  // unit frame squared
+    FacetClass facet_class = FacetClass::near_vertical;
+    double projected_core = 0.0, projected_cavity = 0.0;
+  };
+  /// Cuts the facet; the cells are those of cells() if they are kept.
+  Outcome split(FacetIndex facet, bool keep_cells);
+
+  [[nodiscard]] const FacetCells& cells() const { return cells_; }
+  [[nodiscard]] const PlaneFrame& plane() const { return plane_; }
+
+ private:
+  void run(FacetIndex facet, const FacetTest& test, bool keep_cells);
+  void gather(FacetIndex facet, const FacetTest& test);
+  void add_curtain(const ContourEdge& edge, Sense sense);
+  void add_crossings_beside();
+  void add_segment(const glm::dvec3& start, const glm::dvec3& end);
+
+  const ProjectedPart& projected_;
+  const ExactQuery& query_;
+  double sine_of_tau_;
+  PlaneFrame plane_;  // of the facet, not shifted
+  glm::dvec3 shift_{0.0};
+  std::array<glm::dvec3, 3> corners_{};  // shifted
+  std::vector<std::uint32_t> seen_;      // round in which an edge was last met
+  std::vector<std::uint32_t> facets_;
+  std::uint32_t round_ = 0;
+  std::vector<CutSegment> segments_;
+  FacetCells cells_;
+};
+
+FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
+  const ExactPart& part = projected_.part();
+  const glm::dvec3& normal = part.geometry().normals[facet];
+  const double sine = glm::dot(normal, projected_.frame().z);
+  const Sense facing = projected_.facing(facet);
+  Outcome outcome;
+  outcome.facet_class = facet_class(sine, sine_of_tau_);
+  const auto seen_from_above = [&](const std::array<double, k_region_count>& areas) {
+    if (facing > 0) outcome.projected_core = sine * areas[static_cast<std::size_t>(Region::core)];
+    if (facing < 0) outcome.projected_cavity = -sine * areas[static_cast<std::size_t>(Region::cavity)];
+  };
+  if (outcome.facet_class != FacetClass::near_vertical) {
+    const bool up = outcome.facet_class == FacetClass::up;
+    run(facet, {.plus = up, .minus = !up}, keep_cells);
+    seen_from_above(cells_.areas());
+  } else {
+    if (facing != 0) {
+      run(facet, {.plus = facing > 0, .minus = facing < 0}, false);
+      seen_from_above(cells_.areas());
+    }
+    FacetTest test{.beside = true};
+    const glm::dvec2 level(projected_.turned(normal));
+    const double length = glm::length(level);
+    if (length > 0.0) test.shift = glm::dvec3(level * (query_.lateral / length), 0.0);
+    run(facet, test, keep_cells);
+  }
+  outcome.areas = cells_.areas();
+  return outcome;
+}
+
+void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells) {
+  const auto& vertices = projected_.part().mesh().facets[facet];
+  const glm::dvec3 normal = projected_.turned(projected_.part().geometry().normals[facet]);
+  const double level = std::hypot(normal.x, normal.y);
+  plane_.origin = projected_.point(vertices[0]);
+  plane_.level = level > 0.0 ? glm::dvec3(-normal.y / level, normal.x / level, 0.0) : glm::dvec3(1, 0, 0);
+  plane_.rising = normal == glm::dvec3(0.0) ? glm::dvec3(0, 1, 0) : glm::cross(normal, plane_.level);
+  shift_ = test.shift;
+  std::array<glm::dvec2, 3> places{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    places[k] = plane_.in_plane(projected_.point(vertices[k]));
+    corners_[k] = projected_.point(vertices[k]) + shift_;
+  }
+  gather(facet, test);
+  cells_.cut(places, segments_, keep_cells, [&](const glm::dvec2& place) {
+    const glm::dvec3 point = plane_.in_space(place) + shift_;
+    return region_of(test.plus && !projected_.blocked(point, 1, test.beside),
+                     test.minus && !projected_.blocked(point, -1, test.beside));
+  });
+}
+
+void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
+  segments_.clear();
+  const ExactPart& part = projected_.part();
+  if (part.geometry().areas[facet] <= 0.0) return;
+  const double lowest = std::min({corners_[0].z, corners_[1].z, corners_[2].z}) - k_plane_margin;
+  const double highest = std::max({corners_[0].z, corners_[1].z, corners_[2].z}) + k_plane_margin;
+  const std::array<glm::dvec2, 3> footprint = {glm::dvec2(corners_[0]), glm::dvec2(corners_[1]),
+                                               glm::dvec2(corners_[2])};
+  ++round_;
+  const ProjectionGrid& grid = projected_.contour_grid();
+  grid.for_each_span(footprint, [&](std::size_t first, std::size_t last) {
+    for (const std::uint32_t k : grid.items_between(first, last)) {
+      if (seen_[k] == round_) continue;
+      seen_[k] = round_;
+      const ContourEdge& edge = projected_.contour()[k];
+      const double from = edge.start.z, to = edge.start.z + edge.along.z;
+      const bool above = std::max(from, to) > lowest, below = std::min(from, to) < highest;
+      if (test.plus && above && (test.beside || edge.down)) add_curtain(edge, 1);
+      if (test.minus && below && (test.beside || edge.up)) add_curtain(edge, -1);
+    }
+  });
+  for (std::uint32_t k = part.first_crossing()[facet]; k < part.first_crossing()[facet + 1]; ++k) {
+    const FacetCrossing& crossing = part.crossings()[k];
+    add_segment(projected_.turned(crossing.start), projected_.turned(crossing.end));
+  }
+  if (test.beside && shift_ != glm::dvec3(0.0)) {
+    facets_.clear();
+    projected_.facet_grid().for_each_span(footprint, [&](std::size_t first, std::size_t last) {
+      const auto items = projected_.facet_grid().items_between(first, last);
+      facets_.insert(facets_.end(), items.begin(), items.end());
+    });
+    add_crossings_beside();
+  }
+}
+
+/// The facet's intersection with what hangs from the edge.
+void FacetSplitter::add_curtain(const ContourEdge& edge, Sense sense) {
+  std::array<double, 3> heights{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    heights[k] =
+        edge.across.x * (corners_[k].x - edge.start.x) + edge.across.y * (corners_[k].y - edge.start.y);
+  }
+  if (std::max({heights[0], heights[1], heights[2]}) <= k_touch ||
+      std::min({heights[0], heights[1], heights[2]}) >= -k_touch) {
+    return;
+  }
+  std::array<glm::dvec3, 2> ends{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3 && count < 2; ++k) {
+    const double from = heights[k], to = heights[(k + 1) % 3];
+    if ((from > 0.0) == (to > 0.0)) continue;
+    ends[count++] = corners_[k] + (from / (from - to)) * (corners_[(k + 1) % 3] - corners_[k]);
+  }
+  if (count < 2) return;
+  double begin = 0.0, end = 1.0;
+  const auto clip = [&](double from, double to) {  // keeps where a line from `from` to `to` is positive
+    if (from < 0.0 && to < 0.0) return false;
+    if (from < 0.0) begin = std::max(begin, from / (from - to));
+    if (to < 0.0) end = std::min(end, from / (from - to));
+    return begin < end;
+  };
+  std::array<double, 2> along{}, room{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const glm::dvec3 from_start = ends[k] - edge.start;
+    // `across` is the edge's direction turned by a quarter to the left.
+    along[k] = from_start.x * edge.across.y - from_start.y * edge.across.x;
+    room[k] = sense * (edge.start.z + along[k] * edge.per_length * edge.along.z - ends[k].z) + k_plane_margin;
+  }
+  const double length = 1.0 / edge.per_length;
+  if (!clip(along[0] + k_clip_slack, along[1] + k_clip_slack)) return;
+  if (!clip(length - along[0] + k_clip_slack, length - along[1] + k_clip_slack)) return;
+  if (!clip(room[0], room[1])) return;
+  add_segment(ends[0] + begin * (ends[1] - ends[0]) - shift_, ends[0] + end * (ends[1] - ends[0]) - shift_);
+}
+
+void FacetSplitter::add_crossings_beside() {
+  const TriangleMesh& mesh = projected_.part().mesh();
+  std::sort(facets_.begin(), facets_.end());
+  facets_.erase(std::unique(facets_.begin(), facets_.end()), facets_.end());
+  for (const std::uint32_t facet : facets_) {
+    const auto& vertices = mesh.facets[facet];
+    const std::array<glm::dvec3, 3> other = {projected_.point(vertices[0]), projected_.point(vertices[1]),
+                                             projected_.point(vertices[2])};
+    FacetCrossing crossing;
+    if (triangle_crossing({.a = corners_.data(),
+                           .b = other.data(),
+                           .normal_b = projected_.turned(projected_.part().geometry().normals[facet]),
+                           .slack = k_clip_slack},
+                          crossing)) {
+      add_segment(crossing.start - shift_, crossing.end - shift_);
+    }
+  }
+}
+
+void FacetSplitter::add_segment(const glm::dvec3& start, const glm::dvec3& end) {
+  segments_.push_back({plane_.in_plane(start), plane_.in_plane(end)});
+}
+
+/// Runs the splitter over all facets; visit(splitter, facet, outcome) is called from several threads.
+template <typename Visit>
+void split_facets(const ProjectedPart& projected, const ExactQuery& query, bool keep_cells,
+                  const Progress& progress, const Visit& visit) {
+  tbb::enumerable_thread_specific<FacetSplitter> splitters([&] { return FacetSplitter(projected, query); });
+  const std::size_t facets = projected.part().mesh().facets.size();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets, k_grain), [&](const auto& range) {
+    if (progress.cancelled()) return;
+    FacetSplitter& splitter = splitters.local();
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      const auto facet = static_cast<FacetIndex>(k);
+      visit(splitter, facet, splitter.split(facet, keep_cells));
+    }
+  });
+  progress.report("computing regions", 1.0);
+}
+
+/// Sums in the order of the facets, so that the result does not depend on the number of threads.
+ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcome>& outcomes) {
+  ExactAreas result;
+  const double square = part.frame().diagonal * part.frame().diagonal;
+  result.facet_fractions.resize(outcomes.size());
+  for (std::size_t facet = 0; facet < outcomes.size(); ++facet) {
+    const FacetSplitter::Outcome& outcome = outcomes[facet];
+    const double area = part.geometry().areas[facet];
+    double total = 0.0;
+    for (const double of_region : outcome.areas) total += of_region;
+    if (area <= 0.0 || total <= 0.0) continue;
+    for (std::size_t region = 0; region < k_region_count; ++region) {
+      const double share = outcome.areas[region] / total;
+      result.facet_fractions[facet][region] = share;
+      result.areas.values[region] += share * area;
+    }
+    if (outcome.facet_class == FacetClass::near_vertical) result.near_vertical_area += area;
+    result.projected_core += outcome.projected_core * square;
+    result.projected_cavity += outcome.projected_cavity * square;
+  }
+  return result;
+}
+
+}  // namespace
+
+ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
+  const ProjectedPart projected(part, query.direction);
+  progress.report("computing regions", 0.0);
+  std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
+  split_facets(projected, query, false, progress,
+               [&](const FacetSplitter&, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
+                 outcomes[facet] = outcome;
+               });
+  return summed(part, outcomes);
+}
+
+ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
+  const ProjectedPart projected(part, query.direction);
+  progress.report("computing regions", 0.0);
+  std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
+  SplitAssembly assembly(part);
+  split_facets(projected, query, true, progress,
+               [&](const FacetSplitter& splitter, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
+                 outcomes[facet] = outcome;
+                 assembly.add(facet, splitter.cells());
+               });
+  return {summed(part, outcomes), assembly.finish(progress)};
+}
+
+}  // namespace moldlight

@@ -1,0 +1,238 @@
+#include "mold/exact/facet_crossings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+namespace moldlight {
+
+namespace {
+
+/// Facets that come nearer than this to a plane only touch it: a few roundings of a coordinate in double.
+constexpr double k_touch = 1e-12;
+constexpr double k_shortest = 1e-9;  // shorter crossings cut nothing that has an area
+constexpr std::uint32_t k_leaf_facets = 6;
+constexpr std::uint32_t k_parallel_facets = 8192;  // smaller subtrees are one task
+constexpr std::size_t k_leaves_a_task = 64;
+
+struct Box {
+  glm::vec3 low, high;
+};
+
+/// Single precision, rounded outwards.
+Box box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  constexpr float k_out = 1e-7F;
+  return {glm::vec3(glm::min(glm::min(a, b), c)) - k_out, glm::vec3(glm::max(glm::max(a, b), c)) + k_out};
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+/// A balanced tree: node k has the children 2 k + 1 and 2 k + 2; its facets are split at the median.
+class BoxTree {
+ public:
+  BoxTree(const TriangleMesh& mesh, std::span<const glm::dvec3> positions) {
+    for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+      const auto& corners = mesh.facets[facet];
+      order_.push_back(facet);
+      boxes_.push_back(box_of(positions[corners[0]], positions[corners[1]], positions[corners[2]]));
+    }
+    std::size_t nodes = 1;
+    for (std::size_t facets = order_.size(); facets > k_leaf_facets; facets = (facets + 1) / 2) {
+      nodes = 2 * nodes + 1;
+    }
+    nodes_.resize(nodes);
+    if (!order_.empty()) build(0, 0, static_cast<std::uint32_t>(order_.size()));
+  }
+
+  struct Node {
+    Box box{};
+    std::uint32_t begin = 0, end = 0;  // of order()
+    bool leaf = false;
+  };
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<FacetIndex>& order() const { return order_; }
+  [[nodiscard]] const Box& box(FacetIndex facet) const { return boxes_[facet]; }
+
+  /// Calls visit(other) for every facet whose box overlaps that of `facet` and whose number is higher.
+  template <typename Visit>
+  void for_each_overlap(FacetIndex facet, const Visit& visit) const {
+    const Box& box = boxes_[facet];
+    std::array<std::uint32_t, 64> stack{};
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const std::uint32_t number = stack[--depth];
+      const Node& node = nodes_[number];
+      if (!overlap(node.box, box)) continue;
+      if (!node.leaf) {
+        stack[depth++] = 2 * number + 2;
+        stack[depth++] = 2 * number + 1;
+        continue;
+      }
+      for (std::uint32_t k = node.begin; k < node.end; ++k) {
+        if (order_[k] > facet && overlap(boxes_[order_[k]], box)) visit(order_[k]);
+      }
+    }
+  }
+
+ private:
+  void build(std::uint32_t number, std::uint32_t begin, std::uint32_t end) {
+    Node& node = nodes_[number];
+    node.begin = begin;
+    node.end = end;
+    node.box = boxes_[order_[begin]];
+    glm::vec3 low(node.box.low + node.box.high), high = low;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const Box& box = boxes_[order_[k]];
+      node.box.low = glm::min(node.box.low, box.low);
+      node.box.high = glm::max(node.box.high, box.high);
+      low = glm::min(low, box.low + box.high);
+      high = glm::max(high, box.low + box.high);
+    }
+    if (2 * static_cast<std::size_t>(number) + 2 >= nodes_.size() || end - begin <= 1) {
+      node.leaf = true;
+      return;
+    }
+    const glm::vec3 extent = high - low;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::uint32_t middle = begin + (end - begin + 1) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](FacetIndex a, FacetIndex b) {
+                       const float at_a = boxes_[a].low[axis] + boxes_[a].high[axis];
+                       const float at_b = boxes_[b].low[axis] + boxes_[b].high[axis];
+                       return at_a != at_b ? at_a < at_b : a < b;
+                     });
+    const auto first = [&] { build(2 * number + 1, begin, middle); };
+    const auto second = [&] { build(2 * number + 2, middle, end); };
+    if (end - begin > k_parallel_facets) {
+      tbb::parallel_invoke(first, second);
+    } else {
+      first();
+      second();
+    }
+  }
+
+  std::vector<FacetIndex> order_;
+  std::vector<Box> boxes_;
+  std::vector<Node> nodes_;
+};
+
+struct FoundCrossing {
+  FacetIndex facet, other;
+  FacetCrossing crossing;
+};
+
+int shared_corners(const std::array<VertexIndex, 3>& a, const std::array<VertexIndex, 3>& b) {
+  int count = 0;
+  for (const VertexIndex vertex : a) count += std::count(b.begin(), b.end(), vertex) > 0 ? 1 : 0;
+  return count;
+}
+
+/// True if the corners lie on one side of the plane or touch it.
+bool on_one_side(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& origin,
+                 const glm::dvec3& normal) {
+  bool above = false, below = false;
+  for (const glm::dvec3& corner : corners) {
+    const double height = glm::dot(normal, corner - origin);
+    above |= height > k_touch;
+    below |= height < -k_touch;
+  }
+  return !(above && below);
+}
+
+}  // namespace
+
+bool triangle_crossing(const CrossingQuery& query, FacetCrossing& crossing) {
+  const glm::dvec3* a = query.a;
+  const glm::dvec3* b = query.b;
+  std::array<double, 3> heights{};
+  for (int k = 0; k < 3; ++k) heights[k] = glm::dot(query.normal_b, a[k] - b[0]);
+  if (std::max({heights[0], heights[1], heights[2]}) <= k_touch ||
+      std::min({heights[0], heights[1], heights[2]}) >= -k_touch) {
+    return false;
+  }
+  // The line through a: from a side that rises through b's plane to one that falls.
+  std::array<glm::dvec3, 2> ends{};
+  int count = 0;
+  for (int k = 0; k < 3 && count < 2; ++k) {
+    const double from = heights[k], to = heights[(k + 1) % 3];
+    if ((from > 0.0) == (to > 0.0)) continue;
+    ends[count++] = a[k] + (from / (from - to)) * (a[(k + 1) % 3] - a[k]);
+  }
+  if (count < 2) return false;
+  double begin = 0.0, end = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const glm::dvec3 side = b[(k + 1) % 3] - b[k];
+    const double length = glm::length(side);
+    if (length <= 0.0) return false;
+    const glm::dvec3 inward = glm::cross(query.normal_b, side / length);
+    const double from = glm::dot(inward, ends[0] - b[k]) + query.slack;
+    const double to = glm::dot(inward, ends[1] - b[k]) + query.slack;
+    if (from < 0.0 && to < 0.0) return false;
+    if (from < 0.0) begin = std::max(begin, from / (from - to));
+    if (to < 0.0) end = std::min(end, from / (from - to));
+  }
+  if (end <= begin) return false;
+  crossing = {ends[0] + begin * (ends[1] - ends[0]), ends[0] + end * (ends[1] - ends[0])};
+  return glm::distance(crossing.start, crossing.end) > k_shortest;
+}
+
+FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
+                               std::span<const glm::dvec3> normals, const Progress& progress) {
+  const BoxTree tree(mesh, positions);
+  const auto corners_of = [&](FacetIndex facet) {
+    const auto& corners = mesh.facets[facet];
+    return std::array<glm::dvec3, 3>{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
+  };
+  tbb::enumerable_thread_specific<std::vector<FoundCrossing>> found;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
+      [&](const auto& range) {
+        if (progress.cancelled()) return;
+        std::vector<FoundCrossing>& mine = found.local();
+        for (std::size_t k = range.begin(); k < range.end(); ++k) {
+          const FacetIndex facet = tree.order()[k];
+          if (normals[facet] == glm::dvec3(0.0)) continue;
+          const auto corners = corners_of(facet);
+          tree.for_each_overlap(facet, [&](FacetIndex other) {
+            if (normals[other] == glm::dvec3(0.0)) return;
+            if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
+            const auto other_corners = corners_of(other);
+            if (on_one_side(other_corners, corners[0], normals[facet])) return;
+            FacetCrossing crossing;
+            const CrossingQuery here{corners.data(), other_corners.data(), normals[other], 0.0};
+            if (!triangle_crossing(here, crossing)) return;
+            mine.push_back({facet, other, crossing});
+            const CrossingQuery there{other_corners.data(), corners.data(), normals[facet], 0.0};
+            if (triangle_crossing(there, crossing)) mine.push_back({other, facet, crossing});
+          });
+        }
+      });
+  progress.report("finding crossings", 1.0);
+  std::vector<FoundCrossing> all;
+  for (const std::vector<FoundCrossing>& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end(), [](const FoundCrossing& a, const FoundCrossing& b) {
+    return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
+  });
+  FacetCrossings result;
+  result.first.assign(mesh.facets.size() + 1, 0);
+  for (const FoundCrossing& crossing : all) {
+    result.crossings.push_back(crossing.crossing);
+    ++result.first[crossing.facet + 1];
+  }
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+  return result;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,122 @@
+// A uniform grid over the projection of a part, whose cells list the items that reach into them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace moldlight {
+
+/// Cells are filled by scan conversion, not by bounding boxes, so that a long thin item is in few cells.
+class ProjectionGrid {
+ public:
+  /// About `cells` cells over the box from `low` to `high`, nearly square.
+  void reset(const glm::dvec2& low, const glm::dvec2& high, double cells);
+
+  /// Calls visit(first cell, last cell) for each row of cells that the convex polygon (2 or 3 corners)
+  /// reaches, a little generously. Parts outside the grid are left out.
+  template <typename Visit>
+  void for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const;
+
+  /// Fills the grid with `count` items; corners(k, out) writes the 2 or 3 corners of item k and returns how
+  /// many, 0 to leave it out.
+  template <typename Corners>
+  void fill(std::size_t count, const Corners& corners);
+
+  /// Items of the cells from `first` to `last`; one may come several times.
+  [[nodiscard]] std::span<const std::uint32_t> items_between(std::size_t first, std::size_t last) const {
+    return {items_.data() + first_[first], first_[last + 1] - first_[first]};
+  }
+  [[nodiscard]] std::size_t cell_count() const { return columns_ * rows_; }
+  /// Items of the cell around a point; none outside the grid.
+  [[nodiscard]] std::span<const std::uint32_t> items_at(const glm::dvec2& point) const;
+
+ private:
+  [[nodiscard]] std::size_t column(double x) const { return clamped(x, columns_); }
+  [[nodiscard]] std::size_t row(double y) const { return clamped(y, rows_); }
+  /// Cell number along an axis of a place in cells.
+  [[nodiscard]] static std::size_t clamped(double place, std::size_t count) {
+    return place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), count - 1);
+  }
+
+  glm::dvec2 low_{0.0}, per_cell_{1.0};  // cells per length
+  std::size_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> first_, items_;
+};
+
+template <typename Visit>
+void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const {
+  constexpr double k_generous = 1e-6;  // cells
+  glm::dvec2 at[3], least(1e300), most(-1e300);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    at[k] = (corners[k] - low_) * per_cell_;
+    least = {std::min(least.x, at[k].x), std::min(least.y, at[k].y)};
+    most = {std::max(most.x, at[k].x), std::max(most.y, at[k].y)};
+  }
+  least -= k_generous;
+  most += k_generous;
+  if (most.x < 0.0 || most.y < 0.0 || least.x > static_cast<double>(columns_) ||
+      least.y > static_cast<double>(rows_)) {
+    return;
+  }
+  const std::size_t bottom = row(least.y), top = row(most.y);
+  if (bottom == top || column(least.x) == column(most.x)) {
+    for (std::size_t r = bottom; r <= top; ++r) {
+      visit(r * columns_ + column(least.x), r * columns_ + column(most.x));
+    }
+    return;
+  }
+  for (std::size_t r = bottom; r <= top; ++r) {
+    const double slab_low = static_cast<double>(r) - k_generous,
+                 slab_high = static_cast<double>(r) + 1.0 + k_generous;
+    double left = 1e300, right = -1e300;
+    const auto add = [&](double x) {
+      left = std::min(left, x);
+      right = std::max(right, x);
+    };
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const glm::dvec2& a = at[k];
+      const glm::dvec2& b = at[k + 1 == corners.size() ? 0 : k + 1];
+      if (a.y >= slab_low && a.y <= slab_high) add(a.x);
+      const auto cross = [&](double y) {
+        if ((a.y < y) != (b.y < y)) add(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+      };
+      cross(slab_low);
+      cross(slab_high);
+    }
+    // The lowest and the highest row may be touched by the generous margin alone.
+    if (left > right) {
+      left = least.x;
+      right = most.x;
+    }
+    if (right + k_generous < 0.0 || left - k_generous > static_cast<double>(columns_)) continue;
+    visit(r * columns_ + column(left - k_generous), r * columns_ + column(right + k_generous));
+  }
+}
+
+template <typename Corners>
+void ProjectionGrid::fill(std::size_t count, const Corners& corners) {
+  first_.assign(cell_count() + 2, 0);
+  glm::dvec2 at[3];
+  const auto for_each_cell = [&](const auto& visit) {
+    for (std::size_t item = 0; item < count; ++item) {
+      const std::size_t used = corners(item, at);
+      if (used == 0) continue;
+      for_each_span({at, used}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell <= end; ++cell) visit(cell, static_cast<std::uint32_t>(item));
+      });
+    }
+  };
+  // Counted two places on, so that while items are put in, first_[cell + 1] is where the next one goes.
+  for_each_cell([&](std::size_t cell, std::uint32_t) { ++first_[cell + 2]; });
+  for (std::size_t cell = 2; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
+  items_.resize(first_.back());
+  for_each_cell([&](std::size_t cell, std::uint32_t item) { items_[first_[cell + 1]++] = item; });
+  first_.pop_back();
+}
+
+}  // namespace moldlight
