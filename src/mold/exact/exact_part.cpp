@@ -30,7 +30,7 @@ ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, co
   FacetCrossings found = facet_crossings(mesh, positions_, geometry.normals, progress);
   crossings_ = std::move(found.crossings);
   first_crossing_ = std::move(found.first);
-  regular_ = !irregular_edges_ && crossings_.empty();
+  regular_ = regular_ && crossings_.empty();
 }
 
 void ExactPart::find_edges() {
@@ -45,7 +45,8 @@ void ExactPart::find_edges() {
     const auto runs_up = [&](const EdgeUse& use) { return start_vertex(mesh_, use.half_edge) == low; };
     if (uses.size() != 2 || runs_up(uses[0]) == runs_up(uses[1])) {
       edge.kind = EdgeKind::irregular;
-      irregular_edges_ = true;
+      regular_ = false;
+      closed_ = closed_ && 2 * std::ranges::count_if(uses, runs_up) == std::ssize(uses);
       if (uses.size() >= 2) edge.right = facet_of(uses[1].half_edge);
     } else {
       edge.right = facet_of(uses[1].half_edge);

@@ -47,7 +47,8 @@ class ExactPart {
   [[nodiscard]] const std::vector<std::uint32_t>& first_crossing() const { return first_crossing_; }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }
-  [[nodiscard]] bool has_irregular_edges() const { return irregular_edges_; }
+  /// Facets run through each edge as often in the one sense as in the other, so that there is an inside.
+  [[nodiscard]] bool closed() const { return closed_; }
 
  private:
   void find_edges();
@@ -60,7 +61,7 @@ class ExactPart {
   std::vector<std::array<std::uint32_t, 3>> side_edges_;
   std::vector<FacetCrossing> crossings_;
   std::vector<std::uint32_t> first_crossing_;
-  bool regular_ = true, irregular_edges_ = false;
+  bool regular_ = true, closed_ = true;
 };
 
 }  // namespace moldlight

@@ -53,7 +53,8 @@ class FacetSplitter {
       : projected_(projected),
         query_(query),
         sine_of_tau_(std::sin(glm::radians(query.tau_deg))),
-        seen_(projected.contour().size(), 0) {}
+        seen_(projected.contour().size(), 0),
+        seen_facets_(projected.part().mesh().facets.size(), 0) {}
 
   struct Outcome {
     std::array<double, k_region_count> areas{};  // unit frame squared
@@ -70,7 +71,7 @@ class FacetSplitter {
   void run(FacetIndex facet, const FacetTest& test, bool keep_cells);
   void gather(FacetIndex facet, const FacetTest& test);
   void add_curtain(const ContourEdge& edge, Sense sense);
-  void add_crossings_beside();
+  void add_crossing(FacetIndex other, const glm::dvec3& normal);
   void add_segment(const glm::dvec3& start, const glm::dvec3& end);
 
   const ProjectedPart& projected_;
@@ -79,8 +80,8 @@ class FacetSplitter {
   PlaneFrame plane_;  // of the facet, not shifted
   glm::dvec3 shift_{0.0};
   std::array<glm::dvec3, 3> corners_{};  // shifted
-  std::vector<std::uint32_t> seen_;      // round in which an edge was last met
-  std::vector<std::uint32_t> facets_;
+  std::vector<std::uint32_t> seen_;      // round in which a contour edge was last met
+  std::vector<std::uint32_t> seen_facets_;
   std::uint32_t round_ = 0;
   std::vector<CutSegment> segments_;
   FacetCells cells_;
@@ -90,7 +91,7 @@ FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
   const ExactPart& part = projected_.part();
   const glm::dvec3& normal = part.geometry().normals[facet];
   const double sine = glm::dot(normal, projected_.frame().z);
-  const Sense facing = projected_.facing(facet);
+  const Sense facing = projected_.extent(facet).facing;
   Outcome outcome;
   outcome.facet_class = facet_class(sine, sine_of_tau_);
   const auto seen_from_above = [&](const std::array<double, k_region_count>& areas) {
@@ -132,8 +133,10 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   gather(facet, test);
   cells_.cut(places, segments_, keep_cells, [&](const glm::dvec2& place) {
     const glm::dvec3 point = plane_.in_space(place) + shift_;
-    return region_of(test.plus && !projected_.blocked(point, 1, test.beside),
-                     test.minus && !projected_.blocked(point, -1, test.beside));
+    const auto blocked = [&](Sense sense) {
+      return test.beside ? projected_.blocked(point, sense) : projected_.blocked(point, facet, sense);
+    };
+    return region_of(test.plus && !blocked(1), test.minus && !blocked(-1));
   });
 }
 
@@ -149,13 +152,16 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   const ProjectionGrid& grid = projected_.contour_grid();
   grid.for_each_span(footprint, [&](std::size_t first, std::size_t last) {
     for (const std::uint32_t k : grid.items_between(first, last)) {
-      if (seen_[k] == round_) continue;
+      const ProjectedPart::ContourExtent& extent = projected_.contour_extent(k);
+      const auto ends_here = [&](Sense facing) {
+        return test.beside || (facing > 0 ? extent.up : extent.down);
+      };
+      const bool hangs = test.plus && extent.high > lowest && ends_here(projected_.blocker(1));
+      const bool stands = test.minus && extent.low < highest && ends_here(projected_.blocker(-1));
+      if (!(hangs || stands) || seen_[k] == round_) continue;
       seen_[k] = round_;
-      const ContourEdge& edge = projected_.contour()[k];
-      const double from = edge.start.z, to = edge.start.z + edge.along.z;
-      const bool above = std::max(from, to) > lowest, below = std::min(from, to) < highest;
-      if (test.plus && above && (test.beside || edge.down)) add_curtain(edge, 1);
-      if (test.minus && below && (test.beside || edge.up)) add_curtain(edge, -1);
+      if (hangs) add_curtain(projected_.contour()[k], 1);
+      if (stands) add_curtain(projected_.contour()[k], -1);
     }
   });
   for (std::uint32_t k = part.first_crossing()[facet]; k < part.first_crossing()[facet + 1]; ++k) {
@@ -163,12 +169,15 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
     add_segment(projected_.turned(crossing.start), projected_.turned(crossing.end));
   }
   if (test.beside && shift_ != glm::dvec3(0.0)) {
-    facets_.clear();
+    const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
     projected_.facet_grid().for_each_span(footprint, [&](std::size_t first, std::size_t last) {
-      const auto items = projected_.facet_grid().items_between(first, last);
-      facets_.insert(facets_.end(), items.begin(), items.end());
+      for (const std::uint32_t other : projected_.facet_grid().items_between(first, last)) {
+        if (seen_facets_[other] == round_) continue;
+        seen_facets_[other] = round_;
+        const ProjectedPart::Extent& extent = projected_.extent(other);
+        if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
+      }
     });
-    add_crossings_beside();
   }
 }
 
@@ -212,22 +221,24 @@ void FacetSplitter::add_curtain(const ContourEdge& edge, Sense sense) {
   add_segment(ends[0] + begin * (ends[1] - ends[0]) - shift_, ends[0] + end * (ends[1] - ends[0]) - shift_);
 }
 
-void FacetSplitter::add_crossings_beside() {
-  const TriangleMesh& mesh = projected_.part().mesh();
-  std::sort(facets_.begin(), facets_.end());
-  facets_.erase(std::unique(facets_.begin(), facets_.end()), facets_.end());
-  for (const std::uint32_t facet : facets_) {
-    const auto& vertices = mesh.facets[facet];
-    const std::array<glm::dvec3, 3> other = {projected_.point(vertices[0]), projected_.point(vertices[1]),
+/// Where the shifted facet runs through another one: there it enters the solid or leaves it.
+void FacetSplitter::add_crossing(FacetIndex other, const glm::dvec3& normal) {
+  const auto& vertices = projected_.part().mesh().facets[other];
+  const std::array<glm::dvec3, 3> corners = {projected_.point(vertices[0]), projected_.point(vertices[1]),
                                              projected_.point(vertices[2])};
-    FacetCrossing crossing;
-    if (triangle_crossing({.a = corners_.data(),
-                           .b = other.data(),
-                           .normal_b = projected_.turned(projected_.part().geometry().normals[facet]),
-                           .slack = k_clip_slack},
-                          crossing)) {
-      add_segment(crossing.start - shift_, crossing.end - shift_);
-    }
+  std::array<double, 3> heights{};
+  for (std::size_t k = 0; k < 3; ++k) heights[k] = glm::dot(normal, corners[k] - corners_[0]);
+  if (std::max({heights[0], heights[1], heights[2]}) <= 0.0 ||
+      std::min({heights[0], heights[1], heights[2]}) >= 0.0) {
+    return;
+  }
+  FacetCrossing crossing;
+  if (triangle_crossing({.a = corners_.data(),
+                         .b = corners.data(),
+                         .normal_b = projected_.turned(projected_.part().geometry().normals[other]),
+                         .slack = k_clip_slack},
+                        crossing)) {
+    add_segment(crossing.start - shift_, crossing.end - shift_);
   }
 }
 
