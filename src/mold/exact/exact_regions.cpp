@@ -9,6 +9,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "mold/draft.hpp"
 #include "mold/exact/facet_cells.hpp"
@@ -53,6 +54,7 @@ class FacetSplitter {
       : projected_(projected),
         query_(query),
         sine_of_tau_(std::sin(glm::radians(query.tau_deg))),
+        square_(projected.part().frame().diagonal * projected.part().frame().diagonal),
         seen_(projected.contour().size(), 0),
         seen_facets_(projected.part().mesh().facets.size(), 0) {}
 
@@ -65,25 +67,25 @@ class FacetSplitter {
   Outcome split(FacetIndex facet, bool keep_cells);
 
   [[nodiscard]] const FacetCells& cells() const { return cells_; }
-  [[nodiscard]] const PlaneFrame& plane() const { return plane_; }
 
  private:
   void run(FacetIndex facet, const FacetTest& test, bool keep_cells);
   void gather(FacetIndex facet, const FacetTest& test);
   void add_curtain(const ContourEdge& edge, Sense sense);
   void add_crossing(FacetIndex other, const glm::dvec3& normal);
-  void add_segment(const glm::dvec3& start, const glm::dvec3& end);
 
   const ProjectedPart& projected_;
   const ExactQuery& query_;
   double sine_of_tau_;
-  PlaneFrame plane_;  // of the facet, not shifted
+  double square_;     // model units squared per unit frame squared
+  PlaneFrame plane_;  // of the facet, shifted
   glm::dvec3 shift_{0.0};
   std::array<glm::dvec3, 3> corners_{};  // shifted
   std::vector<std::uint32_t> seen_;      // round in which a contour edge was last met
   std::vector<std::uint32_t> seen_facets_;
   std::uint32_t round_ = 0;
-  std::vector<CutSegment> segments_;
+  std::vector<FacetCrossing> segments_;  // shifted
+  std::vector<CutSegment> plane_segments_;
   FacetCells cells_;
 };
 
@@ -119,25 +121,32 @@ FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
 
 void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells) {
   const auto& vertices = projected_.part().mesh().facets[facet];
-  const glm::dvec3 normal = projected_.turned(projected_.part().geometry().normals[facet]);
-  const double level = std::hypot(normal.x, normal.y);
-  plane_.origin = projected_.point(vertices[0]);
-  plane_.level = level > 0.0 ? glm::dvec3(-normal.y / level, normal.x / level, 0.0) : glm::dvec3(1, 0, 0);
-  plane_.rising = normal == glm::dvec3(0.0) ? glm::dvec3(0, 1, 0) : glm::cross(normal, plane_.level);
   shift_ = test.shift;
-  std::array<glm::dvec2, 3> places{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    places[k] = plane_.in_plane(projected_.point(vertices[k]));
-    corners_[k] = projected_.point(vertices[k]) + shift_;
-  }
-  gather(facet, test);
-  cells_.cut(places, segments_, keep_cells, [&](const glm::dvec2& place) {
-    const glm::dvec3 point = plane_.in_space(place) + shift_;
+  for (std::size_t k = 0; k < 3; ++k) corners_[k] = projected_.point(vertices[k]) + shift_;
+  const auto region_at = [&](const glm::dvec3& point) {
     const auto blocked = [&](Sense sense) {
       return test.beside ? projected_.blocked(point, sense) : projected_.blocked(point, facet, sense);
     };
     return region_of(test.plus && !blocked(1), test.minus && !blocked(-1));
-  });
+  };
+  gather(facet, test);
+  if (segments_.empty()) {
+    cells_.keep_whole(region_at((corners_[0] + corners_[1] + corners_[2]) / 3.0),
+                      projected_.part().geometry().areas[facet] / square_);
+    return;
+  }
+  const glm::dvec3 normal = projected_.turned(projected_.part().geometry().normals[facet]);
+  const double level = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+  plane_.origin = corners_[0];
+  plane_.level = level > 0.0 ? glm::dvec3(-normal.y / level, normal.x / level, 0.0) : glm::dvec3(1, 0, 0);
+  plane_.rising = glm::cross(normal, plane_.level);
+  plane_segments_.clear();
+  for (const FacetCrossing& segment : segments_) {
+    plane_segments_.push_back({plane_.in_plane(segment.start), plane_.in_plane(segment.end)});
+  }
+  cells_.cut({plane_.in_plane(corners_[0]), plane_.in_plane(corners_[1]), plane_.in_plane(corners_[2])},
+             plane_segments_, keep_cells,
+             [&](const glm::dvec2& place) { return region_at(plane_.in_space(place)); });
 }
 
 void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
@@ -166,7 +175,8 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   });
   for (std::uint32_t k = part.first_crossing()[facet]; k < part.first_crossing()[facet + 1]; ++k) {
     const FacetCrossing& crossing = part.crossings()[k];
-    add_segment(projected_.turned(crossing.start), projected_.turned(crossing.end));
+    segments_.push_back(
+        {projected_.turned(crossing.start) + shift_, projected_.turned(crossing.end) + shift_});
   }
   if (test.beside && shift_ != glm::dvec3(0.0)) {
     const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
@@ -218,7 +228,7 @@ void FacetSplitter::add_curtain(const ContourEdge& edge, Sense sense) {
   if (!clip(along[0] + k_clip_slack, along[1] + k_clip_slack)) return;
   if (!clip(length - along[0] + k_clip_slack, length - along[1] + k_clip_slack)) return;
   if (!clip(room[0], room[1])) return;
-  add_segment(ends[0] + begin * (ends[1] - ends[0]) - shift_, ends[0] + end * (ends[1] - ends[0]) - shift_);
+  segments_.push_back({ends[0] + begin * (ends[1] - ends[0]), ends[0] + end * (ends[1] - ends[0])});
 }
 
 /// Where the shifted facet runs through another one: there it enters the solid or leaves it.
@@ -238,12 +248,8 @@ void FacetSplitter::add_crossing(FacetIndex other, const glm::dvec3& normal) {
                          .normal_b = projected_.turned(projected_.part().geometry().normals[other]),
                          .slack = k_clip_slack},
                         crossing)) {
-    add_segment(crossing.start - shift_, crossing.end - shift_);
+    segments_.push_back(crossing);
   }
-}
-
-void FacetSplitter::add_segment(const glm::dvec3& start, const glm::dvec3& end) {
-  segments_.push_back({plane_.in_plane(start), plane_.in_plane(end)});
 }
 
 /// Runs the splitter over all facets; visit(splitter, facet, outcome) is called from several threads.
@@ -310,6 +316,33 @@ ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Pro
                  assembly.add(facet, splitter.cells());
                });
   return {summed(part, outcomes), assembly.finish(progress)};
+}
+
+std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQuery& query,
+                                             const UndercutLimit& limit) {
+  tbb::task_arena alone(1);
+  return alone.execute([&]() -> std::optional<ExactAreas> {
+    const ProjectedPart projected(part, query.direction);
+    FacetSplitter splitter(projected, query);
+    const std::size_t facets = part.mesh().facets.size();
+    const double least = limit.undercut / (part.frame().diagonal * part.frame().diagonal);
+    std::vector<FacetSplitter::Outcome> outcomes(facets);
+    std::vector<bool> seen(facets, false);
+    double undercut = 0.0;
+    const auto above_limit = [&](FacetIndex facet) {
+      seen[facet] = true;
+      outcomes[facet] = splitter.split(facet, false);
+      undercut += outcomes[facet].areas[static_cast<std::size_t>(Region::undercut)];
+      return undercut > least;
+    };
+    for (const FacetIndex facet : limit.first) {
+      if (!seen[facet] && above_limit(facet)) return std::nullopt;
+    }
+    for (FacetIndex facet = 0; facet < facets; ++facet) {
+      if (!seen[facet] && above_limit(facet)) return std::nullopt;
+    }
+    return summed(part, outcomes);
+  });
 }
 
 }  // namespace moldlight

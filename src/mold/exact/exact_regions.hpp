@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,5 +45,16 @@ struct ExactSplit {
                                      const Progress& progress);
 [[nodiscard]] ExactSplit exact_split(const ExactPart& part, const ExactQuery& query,
                                      const Progress& progress);
+
+/// When a direction is hopeless: its undercut area is certain to be above `undercut` (model units squared).
+struct UndercutLimit {
+  double undercut = 0.0;
+  std::span<const FacetIndex> first;  // facets looked at first, each once: those likely to be undercut
+};
+
+/// exact_areas() to the bit, on the calling thread alone; nothing as soon as the undercut facets seen are
+/// above the limit.
+[[nodiscard]] std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQuery& query,
+                                                           const UndercutLimit& limit);
 
 }  // namespace moldlight

@@ -38,6 +38,12 @@ void FacetCells::begin(const std::array<glm::dvec2, 3>& corners) {
   outlines_.clear();
 }
 
+void FacetCells::keep_whole(Region region, double area) {
+  areas_ = {};
+  areas_[static_cast<std::size_t>(region)] = area;
+  cells_.assign(1, {.region = region, .begin = 0, .end = 0});
+}
+
 void FacetCells::append_leaves(const Use& use, std::vector<Use>& out) const {
   const std::uint32_t child = edges_[use.edge].first_child;
   if (child == k_none) {

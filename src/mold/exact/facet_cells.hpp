@@ -27,6 +27,9 @@ class FacetCells {
   void cut(const std::array<glm::dvec2, 3>& corners, std::vector<CutSegment>& segments, bool keep_cells,
            const Label& label);
 
+  /// In place of cut() for a triangle that nothing cuts.
+  void keep_whole(Region region, double area);
+
   /// Of the regions, after cut().
   [[nodiscard]] const std::array<double, k_region_count>& areas() const { return areas_; }
 
