@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -104,6 +106,28 @@ constexpr std::array<SweepColumn, 11> k_columns = {{
 }  // namespace
 
 std::span<const SweepColumn> sweep_columns() { return k_columns; }
+
+bool SweepOrder::follow(std::shared_ptr<const SweepResult> result) {
+  if (result_ == result) return false;
+  result_ = std::move(result);
+  sort();
+  return true;
+}
+
+void SweepOrder::sort_by(std::size_t column) {
+  descending_ = column_ == column && !descending_;
+  column_ = column;
+  sort();
+}
+
+void SweepOrder::sort() {
+  const auto key = [&](std::size_t k) { return k_columns.at(column_).key(result_->candidates[k]); };
+  rows_.resize(result_->candidates.size());
+  std::iota(rows_.begin(), rows_.end(), std::size_t{0});
+  std::stable_sort(rows_.begin(), rows_.end(), [&](std::size_t a, std::size_t b) {
+    return descending_ ? key(a) > key(b) : key(a) < key(b);
+  });
+}
 
 bool ties(const SweepResult& result, const SweepCandidate& candidate) {
   return std::any_of(result.candidates.begin(), result.candidates.end(), [&](const SweepCandidate& other) {

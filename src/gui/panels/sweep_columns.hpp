@@ -1,9 +1,11 @@
 // The columns of the table of directions: what they show and how they sort.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gui/app_state.hpp"
 
@@ -17,6 +19,27 @@ struct SweepColumn {
   double (*key)(const SweepCandidate& candidate);  // null: cannot be sorted by
 };
 [[nodiscard]] std::span<const SweepColumn> sweep_columns();
+
+/// The order of a result's candidates in the table; at first by rank.
+class SweepOrder {
+ public:
+  /// Sorts the candidates of a result that is not the one of the last call; true if it was not.
+  bool follow(std::shared_ptr<const SweepResult> result);
+  /// Sorts by a column, or the other way round where it is the present one. Needs a result.
+  void sort_by(std::size_t column);
+
+  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+  [[nodiscard]] std::size_t column() const { return column_; }
+  [[nodiscard]] bool descending() const { return descending_; }
+
+ private:
+  void sort();
+
+  std::shared_ptr<const SweepResult> result_;  // kept, so that no later one has its address
+  std::vector<std::size_t> rows_;
+  std::size_t column_ = 1;
+  bool descending_ = false;
+};
 
 /// Whether another candidate of the result is in the same tie group.
 [[nodiscard]] bool ties(const SweepResult& result, const SweepCandidate& candidate);

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "gui/direction.hpp"
-#include "gui/panels/sweep_columns.hpp"
 #include "gui/panels/sweep_options_fold.hpp"
 #include "gui/widgets.hpp"
 #include "session/figures.hpp"
@@ -156,21 +154,8 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
 
 void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
-  const SweepResult& result = *context.state.sweep.result;
   const std::span<const SweepColumn> columns = sweep_columns();
-  const auto sort = [&] {
-    order_.resize(result.candidates.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    const auto key = [&](std::size_t k) { return columns[column_].key(result.candidates[k]); };
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return descending_ ? key(a) > key(b) : key(a) < key(b);
-    });
-    sorted_result_ = &result;
-  };
-  if (sorted_result_ != &result) {
-    first_ = 0;
-    sort();
-  }
+  if (order_.follow(context.state.sweep.result)) first_ = 0;
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x;
   float left = start.x;
@@ -184,14 +169,10 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
         ImGui::InvisibleButton("heading", ImVec2(std::max(column_width, 1.0F), ui.px(k_heading)));
     ImGui::PopID();
     if (!column.help.empty()) tooltip(ui, {}, column.help);
-    if (clicked && column.key != nullptr) {
-      descending_ = column_ == k && !descending_;
-      column_ = k;
-      sort();
-    }
-    const bool sorted = k == column_, hovered = ImGui::IsItemHovered() && column.key != nullptr;
-    const std::string name =
-        sorted ? fmt::format("{} {}", column.name, descending_ ? "↓" : "↑") : std::string(column.name);
+    if (clicked && column.key != nullptr) order_.sort_by(k);
+    const bool sorted = k == order_.column(), hovered = ImGui::IsItemHovered() && column.key != nullptr;
+    const std::string name = sorted ? fmt::format("{} {}", column.name, order_.descending() ? "↓" : "↑")
+                                    : std::string(column.name);
     const float inset = ui.px(column.right ? 8 : k == columns.size() - 1 ? 10 : 0);
     const float x = column.right ? left + column_width - inset - text_size(ui.fonts.small, name).x + ui.px(2)
                                  : left + inset;
@@ -204,13 +185,14 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   const float window_height = ImGui::GetIO().DisplaySize.y;
   const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
   const auto fits = static_cast<std::size_t>(std::max(room / ui.px(k_row), 2.0F));
-  const std::size_t shown = std::min(fits, order_.size());
+  const std::vector<std::size_t>& rows = order_.rows();
+  const std::size_t shown = std::min(fits, rows.size());
   if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0F) {
     first_ = ImGui::GetIO().MouseWheel < 0.0F ? first_ + 1 : first_ - std::min<std::size_t>(first_, 1);
   }
-  first_ = std::min(first_, order_.size() - shown);
+  first_ = std::min(first_, rows.size() - shown);
   for (std::size_t k = first_; k < first_ + shown; ++k) {
-    draw_row(context, order_[k], order_[k] < pictures.size() ? pictures[order_[k]] : 0);
+    draw_row(context, rows[k], rows[k] < pictures.size() ? pictures[rows[k]] : 0);
   }
   draw_footer(context, shown);
 }
@@ -282,7 +264,7 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
 void SweepPanel::draw_footer(const PanelContext& context, std::size_t shown) {
   const Ui& ui = context.ui;
   const SweepResult& result = *context.state.sweep.result;
-  const bool more = shown < order_.size() || expanded_;
+  const bool more = shown < order_.rows().size() || expanded_;
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x;
   if (!more && result.remarks.empty()) {
@@ -292,7 +274,7 @@ void SweepPanel::draw_footer(const PanelContext& context, std::size_t shown) {
   float used = 0.0F;
   if (more) {
     const std::string label =
-        expanded_ ? "Less" : fmt::format("{} to {} of {}", first_ + 1, first_ + shown, order_.size());
+        expanded_ ? "Less" : fmt::format("{} to {} of {}", first_ + 1, first_ + shown, order_.rows().size());
     used = text_size(ui.fonts.small, label).x + ui.px(34);
     if (disclosure(ui, label, expanded_)) expanded_ = !expanded_;
   } else {

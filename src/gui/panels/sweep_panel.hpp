@@ -3,9 +3,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "gui/panels/panels.hpp"
+#include "gui/panels/sweep_columns.hpp"
 
 namespace moldlight::gui {
 
@@ -23,10 +23,7 @@ class SweepPanel {
   void draw_row(const PanelContext& context, std::size_t index, unsigned picture);
   void draw_footer(const PanelContext& context, std::size_t shown);
 
-  const SweepResult* sorted_result_ = nullptr;
-  std::vector<std::size_t> order_;  // of the candidates in the table
-  std::size_t column_ = 1;          // by which it is sorted: the rank
-  bool descending_ = false;
+  SweepOrder order_;
   std::size_t first_ = 0;  // row on top
   bool options_ = false, expanded_ = false;
 };
