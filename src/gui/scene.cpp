@@ -9,17 +9,6 @@
 
 namespace moldlight::gui {
 
-namespace {
-
-/// Whether both draw the same maps; the rest of the settings is about measuring.
-bool same_maps(const MethodSettings& a, const MethodSettings& b) {
-  return a.direction == b.direction && a.tau_deg == b.tau_deg && a.kernel == b.kernel &&
-         a.tolerance == b.tolerance && a.kernel_shape == b.kernel_shape &&
-         a.edge_thickness == b.edge_thickness && a.resolution == b.resolution;
-}
-
-}  // namespace
-
 Extent extent_along(const PartModel& model, const glm::dvec3& direction) {
   Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const glm::dvec3& vertex : model.part.mesh.vertices) {
@@ -40,30 +29,31 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
   const MethodSettings& method = settings.method;
-  if (!maps_of_ || !same_maps(*maps_of_, method) || (maps_are_moving_ && !settings.direction_moves)) {
+  const MapInputs inputs{.direction = glm::normalize(method.direction),
+                         .tau_deg = method.tau_deg,
+                         .settings = map_settings(method, model_->frame.diagonal)};
+  if (maps_of_ != inputs || (maps_are_moving_ && !settings.direction_moves)) {
     if (settings.direction_moves) {
       maps_.draw_moving(method);
     } else {
       maps_.draw_resting(method);
     }
-    maps_of_ = method;
+    maps_of_ = inputs;
     maps_are_moving_ = settings.direction_moves;
     thumbnails_stale_ = true;
   }
-  if (settings.view.contour_edges) find_contour_edges(method);
+  if (settings.view.contour_edges) find_contour_edges(inputs);
   drawn_ = true;
   return view_.draw(target, maps_.buffers(), maps_.maps(), settings.camera, settings.view, settings.marks);
 }
 
-void Scene::find_contour_edges(const MethodSettings& method) {
-  if (contour_of_ && contour_of_->direction == method.direction && contour_of_->tau_deg == method.tau_deg)
-    return;
-  const std::vector<FacetClass> classes =
-      facet_classes(model_->geometry, glm::normalize(method.direction), method.tau_deg);
+void Scene::find_contour_edges(const MapInputs& inputs) {
+  if (contour_of_ == inputs) return;
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, inputs.direction, inputs.tau_deg);
   const TriangleMesh& mesh = model_->part.mesh;
   view_.set_contour_edges(contour_edges(mesh, model_->edges.convex, classes, model_->frame),
                           contour_edges(mesh, model_->edges.concave, classes, model_->frame));
-  contour_of_ = method;
+  contour_of_ = inputs;
 }
 
 void Scene::choose_face(const ChosenFace* face) {

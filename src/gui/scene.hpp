@@ -50,16 +50,23 @@ class Scene {
   [[nodiscard]] const std::shared_ptr<const PartModel>& model() const { return model_; }
 
  private:
-  void find_contour_edges(const MethodSettings& method);
+  /// All that maps and contour edges depend on; other settings are about measuring.
+  struct MapInputs {
+    glm::dvec3 direction{0.0};
+    double tau_deg = 0.0;
+    MapSettings settings;
+    bool operator==(const MapInputs&) const = default;
+  };
+  void find_contour_edges(const MapInputs& inputs);
 
   const gl::Context* context_;
   std::shared_ptr<const PartModel> model_;
   PictureMaps maps_;
   PartView view_;
   MapPicture map_picture_;
-  std::optional<MethodSettings> maps_of_;     // the settings by which the maps were drawn
-  bool maps_are_moving_ = false;              // maps of a direction that moved then
-  std::optional<MethodSettings> contour_of_;  // the settings for which the contour edges were found
+  std::optional<MapInputs> maps_of_;     // from which the maps were drawn
+  bool maps_are_moving_ = false;         // maps of a direction that moved then
+  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;

@@ -16,6 +16,8 @@ struct MapSettings {
       false;              // the paper's kernel and strips; otherwise one-sided look-ups and extended facets
   int kernel_radius = 1;  // texels, for the symmetric kernel
   double lateral = 0.0;   // lateral tolerance in the unit frame, for the one-sided look-up
+
+  bool operator==(const MapSettings&) const = default;
 };
 
 /// What is drawn; `facet_classes` (R8UI, one a facet) must be those for `frame.z`.
