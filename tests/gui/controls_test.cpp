@@ -2,13 +2,21 @@
 #include "gui/window_with_part.hpp"
 #include "session/method_options.hpp"
 #include "session/option_table.hpp"
+#include "session/sweep/sweep_settings.hpp"
 
 namespace moldlight::gui::test {
 namespace {
 
 class Controls : public WindowWithPart {
  protected:
-  /// What was done, for messages.
+  void enter(const std::string& field, const std::string& number) {
+    click(field);
+    window.type(number);
+    window.frame();
+    key({.key = k_enter});
+  }
+
+  /// Changes it by its control.
   template <typename S>
   void use(const Option<S>& option, const S& settings) {
     const std::string label(option.label);
@@ -16,12 +24,7 @@ class Controls : public WindowWithPart {
                    [&](const RealKind<S>& kind) {
                      slide(label, settings.*kind.member > 0.5 * (kind.min + kind.max) ? 0.2F : 0.8F);
                    },
-                   [&](const OptionalRealKind<S>&) {
-                     click(std::string(option.key));
-                     window.type("0.25");
-                     window.frame();
-                     key({.key = k_enter});
-                   },
+                   [&](const OptionalRealKind<S>&) { enter(std::string(option.key), "0.25"); },
                    [&](const IntegerKind<S>&) { slide(label, 0.7F); },
                    [&](const SwitchKind<S>&) { click(label); },
                    [&](const ChoiceKind<S>& kind) {
@@ -72,6 +75,37 @@ TEST_F(Controls, OfTheWindow) {
   click("settings");
   walk(
       window_options(), [&] { return state().window; }, false);
+}
+
+TEST_F(Controls, OfTheSweep) {
+  using S = SweepSettings;
+  const auto json = [](const S& settings) { return options_json(sweep_options(), settings); };
+  const auto shown = [&]() -> const S& { return state().sweep_choices.options; };
+  click("options");
+  for (const Option<S>& option : sweep_options()) {
+    const S before = shown();
+    if (const auto* integer = std::get_if<IntegerKind<S>>(&option.kind)) {
+      enter(std::string(option.key), std::to_string(integer->max));
+    } else if (const auto* real = std::get_if<RealKind<S>>(&option.kind)) {
+      enter(std::string(option.key), real_text(real->max));
+    } else {
+      use(option, before);
+    }
+    EXPECT_NE(option_text(option, shown()), option_text(option, before))
+        << option.key << ": its control changes nothing";
+    S expected = before;
+    set_option(option, expected, option_text(option, shown()));
+    EXPECT_EQ(json(shown()), json(expected)) << option.key;
+  }
+  // What the table does not hold has controls of its own.
+  click("Best is the least=patches");
+  EXPECT_EQ(shown().objective, "patches");
+  std::vector<CandidateKind> kinds = shown().kinds;
+  for (const CandidateKind kind : all_candidate_kinds()) {
+    click(std::string(candidate_kind_name(kind)));
+    std::erase(kinds, kind);
+    EXPECT_EQ(shown().kinds, kinds);
+  }
 }
 
 TEST_F(Controls, RightClickResets) {

@@ -90,7 +90,6 @@ void draw_sweep_options(const PanelContext& context) {
   if (ImGui::BeginTable("options", k_columns,
                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
     for (const Option<SweepSettings>& option : sweep_options()) {
-      if (option.key == "objective") continue;
       ImGui::TableNextColumn();
       option_cell(context, option);
     }
