@@ -93,20 +93,21 @@ FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
   const ExactPart& part = projected_.part();
   const glm::dvec3& normal = part.geometry().normals[facet];
   const double sine = glm::dot(normal, projected_.frame().z);
-  const Sense facing = projected_.extent(facet).facing;
+  const std::uint8_t faces = projected_.extent(facet).facing;
   Outcome outcome;
   outcome.facet_class = facet_class(sine, sine_of_tau_);
   const auto seen_from_above = [&](const std::array<double, k_region_count>& areas) {
-    if (facing > 0) outcome.projected_core = sine * areas[static_cast<std::size_t>(Region::core)];
-    if (facing < 0) outcome.projected_cavity = -sine * areas[static_cast<std::size_t>(Region::cavity)];
+    if (faces == facing::k_up) outcome.projected_core = sine * areas[static_cast<std::size_t>(Region::core)];
+    if (faces == facing::k_down)
+      outcome.projected_cavity = -sine * areas[static_cast<std::size_t>(Region::cavity)];
   };
   if (outcome.facet_class != FacetClass::near_vertical) {
     const bool up = outcome.facet_class == FacetClass::up;
     run(facet, {.plus = up, .minus = !up}, keep_cells);
     seen_from_above(cells_.areas());
   } else {
-    if (facing != 0) {
-      run(facet, {.plus = facing > 0, .minus = facing < 0}, false);
+    if (faces != 0) {
+      run(facet, {.plus = faces == facing::k_up, .minus = faces == facing::k_down}, false);
       seen_from_above(cells_.areas());
     }
     FacetTest test{.beside = true};
@@ -125,7 +126,8 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   for (std::size_t k = 0; k < 3; ++k) corners_[k] = projected_.point(vertices[k]) + shift_;
   const auto region_at = [&](const glm::dvec3& point) {
     const auto blocked = [&](Sense sense) {
-      return test.beside ? projected_.blocked(point, sense) : projected_.blocked(point, facet, sense);
+      return projected_.blocked(
+          {.point = point, .sense = sense, .beside = test.beside, .own = test.beside ? k_no_facet : facet});
     };
     return region_of(test.plus && !blocked(1), test.minus && !blocked(-1));
   };
@@ -158,20 +160,16 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   const std::array<glm::dvec2, 3> footprint = {glm::dvec2(corners_[0]), glm::dvec2(corners_[1]),
                                                glm::dvec2(corners_[2])};
   ++round_;
-  const ProjectionGrid& grid = projected_.contour_grid();
-  grid.for_each_span(footprint, [&](std::size_t first, std::size_t last) {
-    for (const std::uint32_t k : grid.items_between(first, last)) {
-      const ProjectedPart::ContourExtent& extent = projected_.contour_extent(k);
-      const auto ends_here = [&](Sense facing) {
-        return test.beside || (facing > 0 ? extent.up : extent.down);
-      };
-      const bool hangs = test.plus && extent.high > lowest && ends_here(projected_.blocker(1));
-      const bool stands = test.minus && extent.low < highest && ends_here(projected_.blocker(-1));
-      if (!(hangs || stands) || seen_[k] == round_) continue;
-      seen_[k] = round_;
-      if (hangs) add_curtain(projected_.contour()[k], 1);
-      if (stands) add_curtain(projected_.contour()[k], -1);
-    }
+  const std::uint8_t over = test.plus ? projected_.blockers(1, test.beside) : 0;
+  const std::uint8_t under = test.minus ? projected_.blockers(-1, test.beside) : 0;
+  projected_.contour_grid().for_each_item(footprint, [&](std::uint32_t k) {
+    const ProjectedPart::ContourExtent& extent = projected_.contour_extent(k);
+    const bool hangs = (extent.for_below & over) != 0 && extent.high > lowest;
+    const bool stands = (extent.for_above & under) != 0 && extent.low < highest;
+    if (!(hangs || stands) || seen_[k] == round_) return;
+    seen_[k] = round_;
+    if (hangs) add_curtain(projected_.contour()[k], 1);
+    if (stands) add_curtain(projected_.contour()[k], -1);
   });
   for (std::uint32_t k = part.first_crossing()[facet]; k < part.first_crossing()[facet + 1]; ++k) {
     const FacetCrossing& crossing = part.crossings()[k];
@@ -180,13 +178,11 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   }
   if (test.beside && shift_ != glm::dvec3(0.0)) {
     const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
-    projected_.facet_grid().for_each_span(footprint, [&](std::size_t first, std::size_t last) {
-      for (const std::uint32_t other : projected_.facet_grid().items_between(first, last)) {
-        if (seen_facets_[other] == round_) continue;
-        seen_facets_[other] = round_;
-        const ProjectedPart::Extent& extent = projected_.extent(other);
-        if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
-      }
+    projected_.facet_grid().for_each_item(footprint, [&](std::uint32_t other) {
+      if (seen_facets_[other] == round_) return;
+      seen_facets_[other] = round_;
+      const ProjectedPart::Extent& extent = projected_.extent(other);
+      if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
     });
   }
 }

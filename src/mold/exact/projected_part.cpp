@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
@@ -18,10 +21,23 @@ constexpr double k_edge_on = 1e-9;
 constexpr double k_narrowest = 1e-11;
 /// Distances of a facet from a point, in the unit frame, up to which they touch.
 constexpr double k_touch = 1e-12;
+/// What lies below a plane by less than this may touch it; and how far lines reach beyond their ends, lest
+/// they miss each other.
+constexpr double k_plane_margin = 1e-7, k_clip_slack = 1e-9;
+/// Twice the area of a facet whose height over a point is known to k_plane_margin.
+constexpr double k_clear_area = 2e-10;
+constexpr std::size_t k_edges_a_task = 64;
 constexpr double k_contour_cells = 2.0, k_facet_cells = 1.0;  // cells an item
+/// Edges whose ends agree to so many places per unit lie over one another.
+constexpr double k_places = 0x1p40;
 constexpr float k_single_rounding =
     1e-6F;  // more than that of a coordinate, and than what counts as touching
 constexpr std::size_t k_grain = 4096;
+
+std::uint8_t side_of(double sine) {
+  if (sine > k_edge_on) return facing::k_up;
+  return sine < -k_edge_on ? facing::k_down : 0;
+}
 
 }  // namespace
 
@@ -40,49 +56,53 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
       const auto [low, high] = std::minmax({points_[facet[0]].z, points_[facet[1]].z, points_[facet[2]].z});
       extents_[k] = {.low = static_cast<float>(low) - k_single_rounding,
                      .high = static_cast<float>(high) + k_single_rounding,
-                     .facing = sine > k_edge_on    ? 1
-                               : sine < -k_edge_on ? -1
-                                                   : 0};
+                     .facing = side_of(sine)};
     }
   });
-  glm::dvec2 low(1e300), high(-1e300);
+  box_ = {glm::dvec2(1e300), glm::dvec2(-1e300)};
   for (const auto& facet : mesh.facets) {
     for (const VertexIndex vertex : facet) {
-      low = glm::min(low, glm::dvec2(points_[vertex]));
-      high = glm::max(high, glm::dvec2(points_[vertex]));
+      box_.low = glm::min(box_.low, glm::dvec2(points_[vertex]));
+      box_.high = glm::max(box_.high, glm::dvec2(points_[vertex]));
     }
   }
   tbb::parallel_invoke(
       [&] {
         find_contour();
-        contour_grid_.reset(low, high, k_contour_cells * static_cast<double>(contour_.size()));
-        contour_grid_.fill(contour_.size(), [&](std::size_t k, glm::dvec2* corners) -> std::size_t {
-          corners[0] = glm::dvec2(contour_[k].start);
-          corners[1] = glm::dvec2(contour_[k].start + contour_[k].along);
-          return 2;
-        });
+        leave_out_covered_edges();
+        fill_contour_grid();
       },
       [&] {
-        facet_grid_.reset(low, high, k_facet_cells * static_cast<double>(mesh.facets.size()));
-        facet_grid_.fill(mesh.facets.size(), [&](std::size_t k, glm::dvec2* corners) -> std::size_t {
-          if (extents_[k].facing == 0) return 0;
+        const double cells = k_facet_cells * static_cast<double>(mesh.facets.size());
+        facet_grid_.fill(box_, cells, mesh.facets.size(), [&](std::size_t k, glm::dvec2* corners) {
+          if (extents_[k].facing == 0) return std::size_t{0};
           for (int c = 0; c < 3; ++c)
             corners[c] = glm::dvec2(points_[mesh.facets[k][static_cast<std::size_t>(c)]]);
-          return 3;
+          return std::size_t{3};
         });
       });
+  leave_out_hidden_edges();
+  fill_contour_grid();
+}
+
+void ProjectedPart::fill_contour_grid() {
+  const double cells = k_contour_cells * static_cast<double>(contour_.size());
+  contour_grid_.fill(box_, cells, contour_.size(), [&](std::size_t k, glm::dvec2* corners) {
+    corners[0] = glm::dvec2(contour_[k].start);
+    corners[1] = glm::dvec2(contour_[k].start + contour_[k].along);
+    return std::size_t{2};
+  });
 }
 
 void ProjectedPart::find_contour() {
   for (const ExactEdge& edge : part_->edges()) {
-    bool up = true, down = true;
+    std::uint8_t ends = facing::k_up | facing::k_down;
     if (edge.kind != EdgeKind::irregular) {
-      const Sense left = extents_[edge.left].facing, right = extents_[edge.right].facing;
+      const std::uint8_t left = extents_[edge.left].facing, right = extents_[edge.right].facing;
       if (left == right) continue;
       // Where the solid fills more than a half space nothing appears from behind, unless surfaces cross.
       if (edge.kind == EdgeKind::concave && part_->regular()) continue;
-      up = (left > 0) != (right > 0);
-      down = (left < 0) != (right < 0);
+      ends = left | right;
     }
     ContourEdge contour;
     contour.start = points_[edge.a];
@@ -93,30 +113,186 @@ void ProjectedPart::find_contour() {
     contour.per_length = 1.0 / length;
     contour.across = glm::dvec2(-level.y, level.x) * contour.per_length;
     contour_.push_back(contour);
-    const auto [low, high] = std::minmax(points_[edge.a].z, points_[edge.b].z);
+    const auto [low, high] = std::minmax({points_[edge.a].z, points_[edge.b].z});
     contour_extents_.push_back({.low = static_cast<float>(low) - k_single_rounding,
                                 .high = static_cast<float>(high) + k_single_rounding,
-                                .up = up,
-                                .down = down});
+                                .for_below = ends,
+                                .for_above = ends});
   }
 }
 
-bool ProjectedPart::blocked_by(const glm::dvec3& point, const Blockers& blockers) const {
-  const Sense sense = blockers.sense;
+/// Walls along the direction have an edge above and one below, stacks many: of those in one place the curtain
+/// of the highest covers the curtains of the others, seen from below.
+void ProjectedPart::leave_out_covered_edges() {
+  struct Place {
+    std::array<std::int64_t, 4> ends;  // of the projection, the lesser first
+    std::array<double, 2> heights;     // there
+    std::uint32_t edge;
+  };
+  std::vector<Place> places;
+  places.reserve(contour_.size());
+  for (std::uint32_t k = 0; k < contour_.size(); ++k) {
+    const glm::dvec3 start = contour_[k].start, end = start + contour_[k].along;
+    const auto place = [](double x) { return std::llround(x * k_places); };
+    Place at{{place(start.x), place(start.y), place(end.x), place(end.y)}, {start.z, end.z}, k};
+    if (std::tie(at.ends[2], at.ends[3]) < std::tie(at.ends[0], at.ends[1])) {
+      std::swap(at.ends[0], at.ends[2]);
+      std::swap(at.ends[1], at.ends[3]);
+      std::swap(at.heights[0], at.heights[1]);
+    }
+    places.push_back(at);
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.edge < b.edge;
+  });
+  for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+    while (end < places.size() && places[end].ends == places[begin].ends) ++end;
+    if (end - begin == 1) continue;
+    const std::span<const Place> stack(places.data() + begin, end - begin);
+    for (const std::uint8_t side : {facing::k_up, facing::k_down}) {
+      for (const Sense sense : {1, -1}) {
+        const auto asked = [&](const Place& p) -> std::uint8_t& {
+          ContourExtent& extent = contour_extents_[p.edge];
+          return sense > 0 ? extent.for_below : extent.for_above;
+        };
+        const Place* outermost = nullptr;
+        for (const Place& p : stack) {
+          const auto height = [&](const Place& q) { return sense * (q.heights[0] + q.heights[1]); };
+          if ((asked(p) & side) != 0 && (outermost == nullptr || height(p) > height(*outermost)))
+            outermost = &p;
+        }
+        for (const Place& p : stack) {
+          if (&p == outermost || (asked(p) & side) == 0) continue;
+          if (sense * (outermost->heights[0] - p.heights[0]) >= 0.0 &&
+              sense * (outermost->heights[1] - p.heights[1]) >= 0.0) {
+            asked(p) &= static_cast<std::uint8_t>(~side);
+          }
+        }
+      }
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < contour_.size(); ++k) {
+    if ((contour_extents_[k].for_below | contour_extents_[k].for_above) == 0) continue;
+    contour_[kept] = contour_[k];
+    contour_extents_[kept++] = contour_extents_[k];
+  }
+  contour_.resize(kept);
+  contour_extents_.resize(kept);
+}
+
+/// An edge that is hidden hides nothing: what hides it does, on both of its sides. Along the others only the
+/// stretches count that are seen.
+void ProjectedPart::leave_out_hidden_edges() {
+  struct Visible {
+    std::uint32_t edge;
+    std::array<bool, 2> senses;  // for surface below, above
+    Stretch stretch;
+  };
+  std::vector<std::vector<Visible>> found((contour_.size() + k_edges_a_task - 1) / k_edges_a_task);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t task) {
+    std::vector<Stretch> below, above;
+    const std::size_t end = std::min((task + 1) * k_edges_a_task, contour_.size());
+    for (std::size_t k = task * k_edges_a_task; k < end; ++k) {
+      const auto edge = static_cast<std::uint32_t>(k);
+      find_visible(edge, 1, below);
+      find_visible(edge, -1, above);
+      const auto whole = [](const std::vector<Stretch>& v) {
+        return v.size() == 1 && v.front().from <= 0.0 && v.front().to >= 1.0;
+      };
+      if (whole(below) && whole(above)) {
+        found[task].push_back({edge, {true, true}, below.front()});
+        continue;
+      }
+      for (const Stretch& stretch : below) found[task].push_back({edge, {true, false}, stretch});
+      for (const Stretch& stretch : above) found[task].push_back({edge, {false, true}, stretch});
+    }
+  });
+  const std::vector<ContourEdge> edges = std::move(contour_);
+  const std::vector<ContourExtent> extents = std::move(contour_extents_);
+  contour_.clear();
+  contour_extents_.clear();
+  for (const std::vector<Visible>& some : found) {
+    for (const Visible& visible : some) {
+      ContourEdge edge = edges[visible.edge];
+      ContourExtent extent = extents[visible.edge];
+      if (!visible.senses[0]) extent.for_below = 0;
+      if (!visible.senses[1]) extent.for_above = 0;
+      if (visible.stretch.from > 0.0 || visible.stretch.to < 1.0) {
+        const double share = visible.stretch.to - visible.stretch.from;
+        edge.start += visible.stretch.from * edge.along;
+        edge.along *= share;
+        edge.per_length /= share;
+        const auto [low, high] = std::minmax({edge.start.z, edge.start.z + edge.along.z});
+        extent.low = static_cast<float>(low) - k_single_rounding;
+        extent.high = static_cast<float>(high) + k_single_rounding;
+      }
+      contour_.push_back(edge);
+      contour_extents_.push_back(extent);
+    }
+  }
+}
+
+/// Cuts the edge where contour edges beyond it cross it, and asks for each stretch once.
+void ProjectedPart::find_visible(std::uint32_t number, Sense sense, std::vector<Stretch>& visible) const {
+  visible.clear();
+  const ContourEdge& edge = contour_[number];
+  const ContourExtent& extent = contour_extents_[number];
+  if ((sense > 0 ? extent.for_below : extent.for_above) == 0) return;
+  const std::uint8_t facings = blockers(sense, false);
+  const glm::dvec3 end = edge.start + edge.along;
+  std::vector<double> cuts = {0.0, 1.0};
+  const std::array<glm::dvec2, 2> footprint = {glm::dvec2(edge.start), glm::dvec2(end)};
+  contour_grid_.for_each_item(footprint, [&](std::uint32_t k) {
+    const ContourExtent& other = contour_extents_[k];
+    if (k == number || ((sense > 0 ? other.for_below : other.for_above) & facings) == 0) return;
+    if (sense > 0 ? other.high < extent.low : other.low > extent.high) return;
+    const ContourEdge& beyond = contour_[k];
+    const double from = glm::dot(beyond.across, glm::dvec2(edge.start - beyond.start));
+    const double to = glm::dot(beyond.across, glm::dvec2(end - beyond.start));
+    if (std::min(from, to) > k_clip_slack || std::max(from, to) < -k_clip_slack) return;
+    if (std::abs(from - to) < k_narrowest) return;
+    const double at = from / (from - to);
+    const glm::dvec3 place = edge.start + at * edge.along - beyond.start;
+    const double along = place.x * beyond.across.y - place.y * beyond.across.x;
+    if (along < -k_clip_slack || along * beyond.per_length > 1.0 + k_clip_slack * beyond.per_length) return;
+    if (sense * (along * beyond.per_length * beyond.along.z - place.z) < -k_plane_margin) return;
+    if (at > 0.0 && at < 1.0) cuts.push_back(at);
+  });
+  std::sort(cuts.begin(), cuts.end());
+  const double shortest = k_clip_slack * edge.per_length;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    if (cuts[k + 1] - cuts[k] < shortest) continue;
+    const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
+    if (blocked({.point = edge.start + middle * edge.along, .sense = sense, .clearly = true})) continue;
+    // A little longer, so that stretches that meet leave nothing between them.
+    const Stretch stretch{cuts[k] - shortest, cuts[k + 1] + shortest};
+    if (!visible.empty() && visible.back().to >= stretch.from) {
+      visible.back().to = stretch.to;
+    } else {
+      visible.push_back(stretch);
+    }
+  }
+}
+
+bool ProjectedPart::blocked(const Ray& ray) const {
   const TriangleMesh& mesh = part_->mesh();
+  const std::uint8_t facings = blockers(ray.sense, ray.beside);
   const double per_area = 2.0 / (part_->frame().diagonal * part_->frame().diagonal);
   // Where the blockers face the ray, one that touches the point hides it; else it may be the same surface
   // twice.
-  const double least = (blockers.facing == sense ? k_touch : -k_touch) * per_area;
-  for (const std::uint32_t facet : facet_grid_.items_at(glm::dvec2(point))) {
+  const double distance = ray.clearly ? k_plane_margin : part_->closed() ? k_touch : -k_touch;
+  const double smallest = ray.clearly ? k_clear_area / per_area : 0.0;
+  for (const std::uint32_t facet : facet_grid_.items_at(glm::dvec2(ray.point))) {
     const Extent& extent = extents_[facet];
-    if (facet == blockers.own || (blockers.facing != 0 && extent.facing != blockers.facing)) continue;
-    if (sense > 0 ? extent.high < point.z : extent.low > point.z) continue;
+    if ((extent.facing & facings) == 0 || facet == ray.own) continue;
+    if (ray.sense > 0 ? extent.high < ray.point.z : extent.low > ray.point.z) continue;
     const auto& corners = mesh.facets[facet];
     const std::array<const glm::dvec3*, 3> at = {&points_[corners[0]], &points_[corners[1]],
                                                  &points_[corners[2]]};
     // Twice the areas that the point spans with the sides, seen along the direction. Each side is taken from
     // its lower vertex to its higher one, so that two facets agree about their common side.
+    const double turn = extent.facing == facing::k_up ? 1.0 : -1.0;
     std::array<double, 3> spans{};
     bool inside = true;
     for (std::size_t k = 0; k < 3 && inside; ++k) {
@@ -125,14 +301,15 @@ bool ProjectedPart::blocked_by(const glm::dvec3& point, const Blockers& blockers
       if (swapped) std::swap(from, to);
       const glm::dvec3& a = *at[from];
       const glm::dvec3& b = *at[to];
-      const double span = (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x);
+      const double span = (b.x - a.x) * (ray.point.y - a.y) - (b.y - a.y) * (ray.point.x - a.x);
       spans[(k + 2) % 3] = swapped ? -span : span;
-      inside = spans[(k + 2) % 3] * extent.facing >= 0.0;
+      inside = spans[(k + 2) % 3] * turn >= 0.0;
     }
     if (!inside) continue;
-    const double rise =
-        spans[0] * (at[0]->z - point.z) + spans[1] * (at[1]->z - point.z) + spans[2] * (at[2]->z - point.z);
-    if (rise * extent.facing * sense > least * part_->geometry().areas[facet]) return true;
+    const double rise = spans[0] * (at[0]->z - ray.point.z) + spans[1] * (at[1]->z - ray.point.z) +
+                        spans[2] * (at[2]->z - ray.point.z);
+    const double area = part_->geometry().areas[facet];
+    if (area >= smallest && rise * turn * ray.sense > distance * per_area * area) return true;
   }
   return false;
 }

@@ -18,7 +18,13 @@ namespace moldlight {
 /// Which way a surface point looks: +1 along the direction, -1 against it.
 using Sense = int;
 
-/// A contour edge; the strip that hangs from it along the direction is its curtain.
+/// Sets of facets by the side that they face: a sum of these.
+namespace facing {
+inline constexpr std::uint8_t k_up = 1;
+inline constexpr std::uint8_t k_down = 2;
+}  // namespace facing
+
+/// A contour edge, or a stretch of one; the strip that hangs from it along the direction is its curtain.
 struct ContourEdge {
   glm::dvec3 start{0.0}, along{0.0};  // end - start
   glm::dvec2 across{0.0};             // unit normal of the curtain, in the projection
@@ -38,41 +44,49 @@ class ProjectedPart {
   }
   /// What is asked of a facet most often.
   struct Extent {
-    float low, high;  // least and greatest z, a little generously
-    Sense facing;     // +1 up, -1 down, 0 for a facet that is seen from neither side
+    float low, high;      // least and greatest z, a little generously
+    std::uint8_t facing;  // 0 for a facet that is seen edge-on
   };
   [[nodiscard]] const Extent& extent(FacetIndex facet) const { return extents_[facet]; }
+  /// What of the contour edges is not hidden itself: below the rest nothing changes.
   [[nodiscard]] const std::vector<ContourEdge>& contour() const { return contour_; }
-  /// The same of an edge of contour().
+  /// The same of an edge of contour(): the facets that end there, for a surface below it and for one above.
+  /// Of edges that lie over one another only the outermost is asked.
   struct ContourExtent {
     float low, high;
-    bool up, down;  // whether facets that face up, or down, end here
+    std::uint8_t for_below, for_above;
   };
   [[nodiscard]] const ContourExtent& contour_extent(std::size_t edge) const { return contour_extents_[edge]; }
   [[nodiscard]] const ProjectionGrid& contour_grid() const { return contour_grid_; }
   [[nodiscard]] const ProjectionGrid& facet_grid() const { return facet_grid_; }
 
-  /// Facets that hide surface from a light facing the way `sense` says. In a closed mesh what is nearest to
-  /// the light faces it, whether bodies overlap or touch; an open one has no inside, and what faces the ray
-  /// from the surface hides it.
-  [[nodiscard]] Sense blocker(Sense sense) const { return part_->closed() ? sense : -sense; }
-  /// True if a blocker lies beyond a point of a facet.
-  [[nodiscard]] bool blocked(const glm::dvec3& point, FacetIndex own, Sense sense) const {
-    return blocked_by(point, {.own = own, .sense = sense, .facing = blocker(sense)});
+  /// Facets that hide surface which looks the way `sense` says; `beside`: from points beside it. In a closed
+  /// mesh what is nearest to the light faces it, whether bodies overlap or touch; an open one has no inside:
+  /// what faces the ray from the surface hides it, and anything does from a point beside.
+  [[nodiscard]] std::uint8_t blockers(Sense sense, bool beside) const {
+    if (part_->closed()) return sense > 0 ? facing::k_up : facing::k_down;
+    if (beside) return facing::k_up | facing::k_down;
+    return sense > 0 ? facing::k_down : facing::k_up;
   }
-  /// True if any facet, save those seen edge-on, lies beyond a point that is not on the surface.
-  [[nodiscard]] bool blocked(const glm::dvec3& point, Sense sense) const {
-    return blocked_by(point, {.own = k_no_facet, .sense = sense, .facing = 0});
-  }
+  struct Ray {
+    glm::dvec3 point{0.0};
+    Sense sense = 1;
+    bool beside = false;
+    FacetIndex own = k_no_facet;  // the facet that the point lies on
+    bool clearly = false;         // only what lies beyond it beyond doubt
+  };
+  /// True if a blocker lies beyond the point.
+  [[nodiscard]] bool blocked(const Ray& ray) const;
 
  private:
-  struct Blockers {
-    FacetIndex own;  // never one
-    Sense sense;
-    Sense facing;  // 0: either
-  };
-  [[nodiscard]] bool blocked_by(const glm::dvec3& point, const Blockers& blockers) const;
   void find_contour();
+  void fill_contour_grid();
+  void leave_out_covered_edges();
+  void leave_out_hidden_edges();
+  struct Stretch {
+    double from, to;  // shares of an edge's length
+  };
+  void find_visible(std::uint32_t edge, Sense sense, std::vector<Stretch>& visible) const;
 
   const ExactPart* part_;
   MapFrame frame_;
@@ -80,6 +94,7 @@ class ProjectedPart {
   std::vector<Extent> extents_;
   std::vector<ContourEdge> contour_;
   std::vector<ContourExtent> contour_extents_;
+  ProjectionGrid::Box box_;
   ProjectionGrid contour_grid_, facet_grid_;
 };
 

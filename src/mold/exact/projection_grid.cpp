@@ -1,30 +1,37 @@
 #include "mold/exact/projection_grid.hpp"
 
+#include <glm/common.hpp>
+
 namespace moldlight {
 
 namespace {
 
 constexpr double k_most_along = 4096.0;  // cells along a side
+constexpr double k_least_extent = 1e-12;
 
 }  // namespace
 
-void ProjectionGrid::reset(const glm::dvec2& low, const glm::dvec2& high, double cells) {
-  const glm::dvec2 size = {std::max(high.x - low.x, 1e-9), std::max(high.y - low.y, 1e-9)};
+void ProjectionGrid::reset(const Box& box, double cells) {
+  const glm::dvec2 size = glm::max(box.high - box.low, glm::dvec2(k_least_extent));
   const double side = std::sqrt(size.x * size.y / std::max(cells, 1.0));
   const auto along = [&](double length) { return std::floor(std::clamp(length / side, 1.0, k_most_along)); };
   columns_ = static_cast<std::size_t>(along(size.x));
   rows_ = static_cast<std::size_t>(along(size.y));
-  low_ = low;
+  box_ = box;
   per_cell_ = {static_cast<double>(columns_) / size.x, static_cast<double>(rows_) / size.y};
 }
 
 std::span<const std::uint32_t> ProjectionGrid::items_at(const glm::dvec2& point) const {
-  const glm::dvec2 at = (point - low_) * per_cell_;
-  if (at.x < 0.0 || at.y < 0.0 || at.x > static_cast<double>(columns_) || at.y > static_cast<double>(rows_)) {
+  if (point.x < box_.low.x || point.y < box_.low.y || point.x > box_.high.x || point.y > box_.high.y)
     return {};
+  // Whoever is in a cell is in the grid of the cell, whatever rounding says of its border.
+  const ProjectionGrid* grid = this;
+  std::size_t cell = cell_at(point);
+  while (!grid->nested_of_cell_.empty() && grid->nested_of_cell_[cell] != k_none) {
+    grid = &grid->nested_[grid->nested_of_cell_[cell]];
+    cell = grid->cell_at(point);
   }
-  const std::size_t cell = row(at.y) * columns_ + column(at.x);
-  return items_between(cell, cell);
+  return grid->items_between(cell, cell);
 }
 
 }  // namespace moldlight

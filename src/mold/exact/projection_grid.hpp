@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -11,31 +12,46 @@
 
 namespace moldlight {
 
-/// Cells are filled by scan conversion, not by bounding boxes, so that a long thin item is in few cells.
+/// Cells are filled by scan conversion, not by bounding boxes, so that a long thin item is in few cells. A
+/// cell with many items has a grid of its own: threads and lettering have far more facets to the area than
+/// the rest.
 class ProjectionGrid {
  public:
-  /// About `cells` cells over the box from `low` to `high`, nearly square.
-  void reset(const glm::dvec2& low, const glm::dvec2& high, double cells);
-
-  /// Calls visit(first cell, last cell) for each row of cells that the convex polygon (2 or 3 corners)
-  /// reaches, a little generously. Parts outside the grid are left out.
-  template <typename Visit>
-  void for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const;
-
-  /// Fills the grid with `count` items; corners(k, out) writes the 2 or 3 corners of item k and returns how
-  /// many, 0 to leave it out.
+  /// About `cells` cells over the box from `low` to `high`, nearly square, filled with the items 0 … count -
+  /// 1; corners(k, out) writes the 2 or 3 corners of item k and returns how many, 0 to leave it out.
+  struct Box {
+    glm::dvec2 low{0.0}, high{1.0};
+  };
   template <typename Corners>
-  void fill(std::size_t count, const Corners& corners);
+  void fill(const Box& box, double cells, std::size_t count, const Corners& corners);
 
-  /// Items of the cells from `first` to `last`; one may come several times.
-  [[nodiscard]] std::span<const std::uint32_t> items_between(std::size_t first, std::size_t last) const {
-    return {items_.data() + first_[first], first_[last + 1] - first_[first]};
-  }
-  [[nodiscard]] std::size_t cell_count() const { return columns_ * rows_; }
+  /// Calls visit(item) for the items of every cell that the convex polygon (2 or 3 corners) reaches, a little
+  /// generously; one may come several times.
+  template <typename Visit>
+  void for_each_item(std::span<const glm::dvec2> corners, const Visit& visit) const;
+
   /// Items of the cell around a point; none outside the grid.
   [[nodiscard]] std::span<const std::uint32_t> items_at(const glm::dvec2& point) const;
 
  private:
+  static constexpr std::uint32_t k_none = ~0U;
+  static constexpr std::size_t k_many = 64;        // items of a cell that gets a grid of its own
+  static constexpr std::size_t k_most_growth = 8;  // of the number of entries, by such a grid
+  static constexpr int k_most_levels = 4;          // of grids in grids
+
+  void reset(const Box& box, double cells);
+  template <typename Corners>
+  void fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level);
+  /// Calls visit(first cell, last cell) for each row of cells that the polygon reaches.
+  template <typename Visit>
+  void for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const;
+  [[nodiscard]] std::span<const std::uint32_t> items_between(std::size_t first, std::size_t last) const {
+    return {items_.data() + first_[first], first_[last + 1] - first_[first]};
+  }
+  [[nodiscard]] std::size_t cell_at(const glm::dvec2& point) const {
+    const glm::dvec2 at = (point - box_.low) * per_cell_;
+    return row(at.y) * columns_ + column(at.x);
+  }
   [[nodiscard]] std::size_t column(double x) const { return clamped(x, columns_); }
   [[nodiscard]] std::size_t row(double y) const { return clamped(y, rows_); }
   /// Cell number along an axis of a place in cells.
@@ -43,9 +59,12 @@ class ProjectionGrid {
     return place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), count - 1);
   }
 
-  glm::dvec2 low_{0.0}, per_cell_{1.0};  // cells per length
+  Box box_;
+  glm::dvec2 per_cell_{1.0};  // cells per length
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_, items_;
+  std::vector<std::uint32_t> nested_of_cell_;  // empty if no cell has a grid of its own
+  std::vector<ProjectionGrid> nested_;
 };
 
 template <typename Visit>
@@ -53,7 +72,7 @@ void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Vi
   constexpr double k_generous = 1e-6;  // cells
   glm::dvec2 at[3], least(1e300), most(-1e300);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    at[k] = (corners[k] - low_) * per_cell_;
+    at[k] = (corners[k] - box_.low) * per_cell_;
     least = {std::min(least.x, at[k].x), std::min(least.y, at[k].y)};
     most = {std::max(most.x, at[k].x), std::max(most.y, at[k].y)};
   }
@@ -98,16 +117,42 @@ void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Vi
   }
 }
 
+template <typename Visit>
+void ProjectionGrid::for_each_item(std::span<const glm::dvec2> corners, const Visit& visit) const {
+  for_each_span(corners, [&](std::size_t first, std::size_t last) {
+    if (nested_of_cell_.empty()) {
+      for (const std::uint32_t item : items_between(first, last)) visit(item);
+      return;
+    }
+    for (std::size_t cell = first; cell <= last; ++cell) {
+      if (nested_of_cell_[cell] != k_none) {
+        nested_[nested_of_cell_[cell]].for_each_item(corners, visit);
+        continue;
+      }
+      for (const std::uint32_t item : items_between(cell, cell)) visit(item);
+    }
+  });
+}
+
 template <typename Corners>
-void ProjectionGrid::fill(std::size_t count, const Corners& corners) {
-  first_.assign(cell_count() + 2, 0);
+void ProjectionGrid::fill(const Box& box, double cells, std::size_t count, const Corners& corners) {
+  reset(box, cells);
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0U);
+  fill_level(all, corners, 1);
+}
+
+template <typename Corners>
+void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level) {
+  const std::size_t cells = columns_ * rows_;
+  first_.assign(cells + 2, 0);
   glm::dvec2 at[3];
   const auto for_each_cell = [&](const auto& visit) {
-    for (std::size_t item = 0; item < count; ++item) {
+    for (const std::uint32_t item : items) {
       const std::size_t used = corners(item, at);
       if (used == 0) continue;
       for_each_span({at, used}, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell <= end; ++cell) visit(cell, static_cast<std::uint32_t>(item));
+        for (std::size_t cell = begin; cell <= end; ++cell) visit(cell, item);
       });
     }
   };
@@ -117,6 +162,25 @@ void ProjectionGrid::fill(std::size_t count, const Corners& corners) {
   items_.resize(first_.back());
   for_each_cell([&](std::size_t cell, std::uint32_t item) { items_[first_[cell + 1]++] = item; });
   first_.pop_back();
+  nested_.clear();
+  nested_of_cell_.clear();
+  if (level == k_most_levels) return;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto in_cell = items_between(cell, cell);
+    if (in_cell.size() <= k_many) continue;
+    if (nested_of_cell_.empty()) nested_of_cell_.assign(cells, k_none);
+    nested_of_cell_[cell] = static_cast<std::uint32_t>(nested_.size());
+    const glm::dvec2 corner(static_cast<double>(cell % columns_), static_cast<double>(cell / columns_));
+    const glm::dvec2 low = box_.low + corner / per_cell_;
+    ProjectionGrid& nested = nested_.emplace_back();
+    nested.reset({low, low + 1.0 / per_cell_}, static_cast<double>(in_cell.size()));
+    nested.fill_level(in_cell, corners, level + 1);
+    // Items as large as the cell are no fewer in a part of it.
+    if (nested.items_.size() > k_most_growth * in_cell.size()) {
+      nested_.pop_back();
+      nested_of_cell_[cell] = k_none;
+    }
+  }
 }
 
 }  // namespace moldlight
