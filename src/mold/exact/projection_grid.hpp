@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 namespace moldlight {
@@ -69,12 +71,20 @@ class ProjectionGrid {
 
 template <typename Visit>
 void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const {
-  constexpr double k_generous = 1e-6;  // cells
-  glm::dvec2 at[3], least(1e300), most(-1e300);
+  // In cells: far more than rounding takes from the crossings of sides that rise by k_level at least.
+  constexpr double k_generous = 1e-3, k_level = 1e-5;
+  struct Side {
+    glm::dvec2 low, high;  // by y
+    double slope;          // x per y
+  };
+  std::array<Side, 3> sides;
+  glm::dvec2 least(1e300), most(-1e300);
+  const auto in_cells = [&](std::size_t k) { return (corners[k] - box_.low) * per_cell_; };
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    at[k] = (corners[k] - box_.low) * per_cell_;
-    least = {std::min(least.x, at[k].x), std::min(least.y, at[k].y)};
-    most = {std::max(most.x, at[k].x), std::max(most.y, at[k].y)};
+    Side& side = sides[k];
+    side.low = in_cells(k);
+    least = glm::min(least, side.low);
+    most = glm::max(most, side.low);
   }
   least -= k_generous;
   most += k_generous;
@@ -89,30 +99,33 @@ void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Vi
     }
     return;
   }
+  const std::size_t count = corners.size() == 2 ? 1 : 3;
+  const std::array<glm::dvec2, 3> at = {sides[0].low, sides[1].low, sides[2].low};
+  for (std::size_t k = 0; k < count; ++k) {
+    Side& side = sides[k];
+    side.high = at[(k + 1) % corners.size()];
+    if (side.high.y < side.low.y) std::swap(side.low, side.high);
+    const double rise = side.high.y - side.low.y;
+    side.slope = rise < k_level ? 0.0 : (side.high.x - side.low.x) / rise;
+  }
   for (std::size_t r = bottom; r <= top; ++r) {
-    const double slab_low = static_cast<double>(r) - k_generous,
-                 slab_high = static_cast<double>(r) + 1.0 + k_generous;
+    const double slab_low = static_cast<double>(r) - k_generous;
+    const double slab_high = static_cast<double>(r) + 1.0 + k_generous;
     double left = 1e300, right = -1e300;
     const auto add = [&](double x) {
       left = std::min(left, x);
       right = std::max(right, x);
     };
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const glm::dvec2& a = at[k];
-      const glm::dvec2& b = at[k + 1 == corners.size() ? 0 : k + 1];
-      if (a.y >= slab_low && a.y <= slab_high) add(a.x);
-      const auto cross = [&](double y) {
-        if ((a.y < y) != (b.y < y)) add(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
-      };
-      cross(slab_low);
-      cross(slab_high);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Side& side = sides[k];
+      if (side.high.y < slab_low || side.low.y > slab_high) continue;
+      const bool level = side.slope == 0.0;
+      add(level || side.low.y >= slab_low ? side.low.x : side.low.x + side.slope * (slab_low - side.low.y));
+      add(level || side.high.y <= slab_high ? side.high.x
+                                            : side.low.x + side.slope * (slab_high - side.low.y));
     }
-    // The lowest and the highest row may be touched by the generous margin alone.
-    if (left > right) {
-      left = least.x;
-      right = most.x;
-    }
-    if (right + k_generous < 0.0 || left - k_generous > static_cast<double>(columns_)) continue;
+    if (left > right || right + k_generous < 0.0 || left - k_generous > static_cast<double>(columns_))
+      continue;
     visit(r * columns_ + column(left - k_generous), r * columns_ + column(right + k_generous));
   }
 }
@@ -145,22 +158,27 @@ void ProjectionGrid::fill(const Box& box, double cells, std::size_t count, const
 template <typename Corners>
 void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level) {
   const std::size_t cells = columns_ * rows_;
+  struct Span {
+    std::uint32_t first, last, item;
+  };
+  std::vector<Span> spans;
+  spans.reserve(2 * items.size());
+  // Counted two places on, so that while items are put in, first_[cell + 1] is where the next one goes.
   first_.assign(cells + 2, 0);
   glm::dvec2 at[3];
-  const auto for_each_cell = [&](const auto& visit) {
-    for (const std::uint32_t item : items) {
-      const std::size_t used = corners(item, at);
-      if (used == 0) continue;
-      for_each_span({at, used}, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell <= end; ++cell) visit(cell, item);
-      });
-    }
-  };
-  // Counted two places on, so that while items are put in, first_[cell + 1] is where the next one goes.
-  for_each_cell([&](std::size_t cell, std::uint32_t) { ++first_[cell + 2]; });
+  for (const std::uint32_t item : items) {
+    const std::size_t used = corners(item, at);
+    if (used == 0) continue;
+    for_each_span({at, used}, [&](std::size_t first, std::size_t last) {
+      spans.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), item});
+      for (std::size_t cell = first; cell <= last; ++cell) ++first_[cell + 2];
+    });
+  }
   for (std::size_t cell = 2; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   items_.resize(first_.back());
-  for_each_cell([&](std::size_t cell, std::uint32_t item) { items_[first_[cell + 1]++] = item; });
+  for (const Span& span : spans) {
+    for (std::size_t cell = span.first; cell <= span.last; ++cell) items_[first_[cell + 1]++] = span.item;
+  }
   first_.pop_back();
   nested_.clear();
   nested_of_cell_.clear();
