@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <span>
 #include <tuple>
 
@@ -27,6 +28,9 @@ constexpr double k_plane_margin = 1e-7, k_clip_slack = 1e-9;
 /// Twice the area of a facet whose height over a point is known to k_plane_margin.
 constexpr double k_clear_area = 2e-10;
 constexpr std::size_t k_edges_a_task = 64;
+/// An edge that more edges cross counts as seen.
+constexpr std::size_t k_most_cuts = 64;
+constexpr double k_wall_sine = 0.02;
 constexpr double k_contour_cells = 2.0, k_facet_cells = 1.0;  // cells an item
 /// Edges whose ends agree to so many places per unit lie over one another.
 constexpr double k_places = 0x1p40;
@@ -39,10 +43,27 @@ std::uint8_t side_of(double sine) {
   return sine < -k_edge_on ? facing::k_down : 0;
 }
 
+/// A frame whose axes lie along most of the walls, so that these are in few cells of a grid.
+MapFrame frame_along_walls(const FacetGeometry& geometry, const glm::dvec3& direction) {
+  const MapFrame any = map_frame(direction);
+  std::complex<double> sum = 0.0;  // of the fourth powers of the normals: a wall counts as one across it does
+  for (std::size_t k = 0; k < geometry.areas.size(); ++k) {
+    if (std::abs(glm::dot(geometry.normals[k], any.z)) > k_wall_sine) continue;
+    const std::complex<double> level(glm::dot(geometry.normals[k], any.x),
+                                     glm::dot(geometry.normals[k], any.y));
+    const std::complex<double> square = level * level;
+    sum += geometry.areas[k] * square * square;
+  }
+  const double turn = 0.25 * std::arg(sum);
+  MapFrame frame{.x = std::cos(turn) * any.x + std::sin(turn) * any.y, .y = {}, .z = any.z};
+  frame.y = glm::cross(frame.z, frame.x);
+  return frame;
+}
+
 }  // namespace
 
 ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
-    : part_(&part), frame_(map_frame(direction)) {
+    : part_(&part), frame_(frame_along_walls(part.geometry(), direction)) {
   const TriangleMesh& mesh = part.mesh();
   points_.resize(mesh.vertices.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), k_grain), [&](const auto& range) {
@@ -259,6 +280,10 @@ void ProjectedPart::find_visible(std::uint32_t number, Sense sense, std::vector<
     if (sense * (along * beyond.per_length * beyond.along.z - place.z) < -k_plane_margin) return;
     if (at > 0.0 && at < 1.0) cuts.push_back(at);
   });
+  if (cuts.size() > k_most_cuts) {
+    visible.push_back({0.0, 1.0});
+    return;
+  }
   std::sort(cuts.begin(), cuts.end());
   const double shortest = k_clip_slack * edge.per_length;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {

@@ -42,6 +42,22 @@ class ProjectionGrid {
   static constexpr int k_most_levels = 4;          // of grids in grids
 
   void reset(const Box& box, double cells);
+  /// As many cells as suit so many items of such an extent: narrow ones for items that lie along one line.
+  void shape(const Box& box, std::size_t count, const glm::dvec2& extent);
+  template <typename Corners>
+  [[nodiscard]] static glm::dvec2 mean_extent(std::span<const std::uint32_t> items, const Corners& corners) {
+    glm::dvec2 sum(0.0), at[3];
+    for (const std::uint32_t item : items) {
+      const std::size_t used = corners(item, at);
+      glm::dvec2 low = at[0], high = at[0];
+      for (std::size_t k = 1; k < used; ++k) {
+        low = glm::min(low, at[k]);
+        high = glm::max(high, at[k]);
+      }
+      sum += high - low;
+    }
+    return sum / static_cast<double>(items.size());
+  }
   template <typename Corners>
   void fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level);
   /// Calls visit(first cell, last cell) for each row of cells that the polygon reaches.
@@ -191,7 +207,7 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
     const glm::dvec2 corner(static_cast<double>(cell % columns_), static_cast<double>(cell / columns_));
     const glm::dvec2 low = box_.low + corner / per_cell_;
     ProjectionGrid& nested = nested_.emplace_back();
-    nested.reset({low, low + 1.0 / per_cell_}, static_cast<double>(in_cell.size()));
+    nested.shape({low, low + 1.0 / per_cell_}, in_cell.size(), mean_extent(in_cell, corners));
     nested.fill_level(in_cell, corners, level + 1);
     // Items as large as the cell are no fewer in a part of it.
     if (nested.items_.size() > k_most_growth * in_cell.size()) {
