@@ -3,6 +3,9 @@
 // The +d map holds, per texel, the facet that faces -d and lies furthest along +d; the -d map its mirror image. A point
 // is blocked along +d exactly if that facet lies further along +d, that is, if the point is on the outer side of the
 // facet's plane: the same test serves both maps, and planes are evaluated at the sample, not at the texel's centre.
+//
+// Here accessible_from(point, facet) gives the accessibility of a point on a facet: a sum of k_accessible_plus and
+// k_accessible_minus.
 #include "common/facets.glsl"
 #include "common/map_frame.glsl"
 
@@ -46,6 +49,8 @@ uint accessible_at(vec3 point, uint facet, vec2 shift) {
   }
   return bits;
 }
+
+uint accessible_from(vec3 point, uint facet) { return accessible_at(point, facet, vec2(0.0)); }
 #else
 uniform float u_lateral;  // lateral tolerance in the unit frame
 
@@ -97,15 +102,12 @@ uint accessible_past(Sight sight, uint plus, uint minus) {
   return bits & (sight.class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
 }
 
-uint accessible_at(vec3 point, uint facet, vec2 shift) {
+uint accessible_from(vec3 point, uint facet) {
   Sight sight = sight_of(point, facet);
-  ivec2 texel = ivec2(floor(sight.position + shift));
+  ivec2 texel = ivec2(floor(sight.position));
   // Software GL reads both maps whatever the class; one texel for all, where the answer is not used, stays cached.
   ivec2 plus_texel = sight.class_of_facet == k_down ? ivec2(0) : texel;
   ivec2 minus_texel = sight.class_of_facet == k_up ? ivec2(0) : texel;
   return accessible_past(sight, plus_entry(plus_texel), minus_entry(minus_texel));
 }
 #endif
-
-// Accessibility of `point` on `facet`: a sum of k_accessible_plus and k_accessible_minus.
-uint accessible_from(vec3 point, uint facet) { return accessible_at(point, facet, vec2(0.0)); }

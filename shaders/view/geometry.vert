@@ -6,6 +6,8 @@ layout(location = 1) in vec2 a_normal;
 uniform mat4 u_clip_from_unit;
 #ifdef BY_REGION
 uniform vec3 u_shift;
+#endif
+#ifdef LOOK_UP
 out vec3 v_position;
 #endif
 #ifdef SECTION
@@ -20,8 +22,10 @@ void main() {
 #ifdef SECTION
   gl_ClipDistance[0] = u_section_offset - dot(position, u_section_normal);
 #endif
-#ifdef BY_REGION
+#ifdef LOOK_UP
   v_position = position;
+#endif
+#ifdef BY_REGION
   position += u_shift;
 #endif
   gl_Position = u_clip_from_unit * vec4(position, 1.0);

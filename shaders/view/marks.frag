@@ -15,8 +15,7 @@ layout(location = 0) out vec4 o_colour;
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  uvec2 surface = texelFetch(t_surface, at, 0).rg;
-  uint number = surface.x & ~k_back_bit;
+  uint number = surface_number(texelFetch(t_surface, at, 0).rg);
   vec4 mark = vec4(0.0);
   if (u_glow > 0.0 && texelFetch(t_accessible, at, 0).r == 0u) mark = vec4(1.0, 0.85, 0.8, 0.45 * u_glow);
   if (u_any_chosen && texelFetch(t_chosen, int(number) - 1).r != 0u) mark = vec4(u_hover_colour, 0.28);

@@ -1,7 +1,8 @@
 #version 330 core
-// Regions, colour and light of the visible fragments, each classified once. OPENED: the geometry pass knows the
-// regions already. PLAIN: none are wanted. DETAIL: what is not always wanted, such as draft colours, facet edges, level
-// lines, the cut of a section and an opened mold.
+// Regions, colour and light of the visible fragments. KNOWN: the geometry pass knows the regions already. PLAIN: none
+// are wanted. LOOK_UP: the shadow maps are looked up, once a fragment. COMPARED: marks where exact regions and those of
+// the maps differ; one of the two is known, the other one looked up or part of the split surface. DETAIL: what is not
+// always wanted, such as draft colours, facet edges, level lines, the cut of a section and an opened mold.
 #include "view/light.glsl"
 #include "view/surface_bits.glsl"
 uniform usampler2D t_surface;
@@ -15,33 +16,42 @@ uniform vec2 u_hatch;         // pitch and strength; 0: none
 uniform float u_others_opacity;
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_accessible;  // bits
-#if defined(DETAIL) || !(defined(OPENED) || defined(PLAIN))
+#if defined(DETAIL) || defined(LOOK_UP)
 #include "common/facets.glsl"
 #include "view/sight.glsl"
 #endif
-#if !(defined(OPENED) || defined(PLAIN))
-#include "view/smoothed_region.glsl"
+#ifdef LOOK_UP
+#include "common/region.glsl"
+
+// `shift`: by which the surface has been moved.
+uint looked_up(vec2 pixel, uint facet, vec3 shift) {
+  vec4 plane = facet_plane(facet);
+  return accessible_from(on_plane(pixel, plane + vec4(0.0, 0.0, 0.0, dot(plane.xyz, shift))) - shift, facet);
+}
+#endif
+#ifdef COMPARED
+uniform vec3 u_difference_colour;
 #endif
 #ifdef DETAIL
 #include "view/detail.glsl"
 #endif
 
-// Slanting stripes, smooth over a pixel: 1 on a stripe.
-float stripes(vec2 at, float pitch) {
+// Slanting stripes that leave `gap` of the pitch free, smooth over a pixel: 1 on a stripe.
+float stripes(vec2 at, float pitch, float gap) {
   float across = abs(fract((at.x + at.y) * 0.70711 / pitch) - 0.5) * pitch;
-  return clamp(across - 0.29 * pitch + 0.5, 0.0, 1.0);
+  return clamp(across - 0.5 * gap * pitch + 0.5, 0.0, 1.0);
 }
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec2 surface = texelFetch(t_surface, at, 0).rg;
-#if defined(OPENED)
-  uint bits = surface_accessible(surface);
-#elif defined(PLAIN)
-  uint bits = 3u;
-#else
   uint facet = surface_facet(surface);
-  uint bits = smoothed_region(on_plane(gl_FragCoord.xy, facet_plane(facet)), facet);
+#if defined(PLAIN)
+  uint bits = 3u;
+#elif defined(KNOWN)
+  uint bits = surface_accessible(surface);
+#else
+  uint bits = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
 #endif
   o_accessible = bits;
   bool back = surface_shows_back(surface);
@@ -50,10 +60,24 @@ void main() {
   vec3 albedo = u_colours[bits];
   float hatch = 0.0;
 #ifndef PLAIN
-  if (bits == 0u) hatch = u_hatch.y * stripes(gl_FragCoord.xy - u_hatch_origin, u_hatch.x);
+  vec2 from_origin = gl_FragCoord.xy - u_hatch_origin;
+  if (bits == 0u) hatch = u_hatch.y * stripes(from_origin, u_hatch.x, 0.58);
 #endif
 #ifdef DETAIL
-  detail(gl_FragCoord.xy, surface_facet(surface), bits, back, n, albedo, hatch);
+  detail(gl_FragCoord.xy, facet, bits, back, n, albedo, hatch);
+#endif
+#ifdef COMPARED
+#if defined(KNOWN) && defined(LOOK_UP) && defined(DETAIL)
+  uint other = looked_up(gl_FragCoord.xy, facet, shift_of(bits));
+#elif defined(KNOWN) && defined(LOOK_UP)
+  uint other = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
+#else
+  uint other = surface_exact(surface);
+#endif
+  if (other != bits) {
+    albedo = mix(albedo, u_difference_colour, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.35));
+    hatch = 0.0;
+  }
 #endif
   n = back ? -n : n;
   vec3 seen = vec3(dot(n, u_eye_right), dot(n, u_eye_up), dot(n, u_eye_back));

@@ -1,16 +1,20 @@
-// A visible fragment in two words. First: facet + 1 (0: background), top bit set if its back is seen. Second: the
-// smooth normal in 15 + 15 bits, and the accessibility bits where the mold is opened.
+// A visible fragment in two words. First: facet + 1 (0: background); from bit 29 on the accessibility bits of the
+// split surface; top bit set if its back is seen. Second: the smooth normal in 15 + 15 bits, and the accessibility bits
+// by which the surface was drawn, where they were known then.
 #include "common/octahedral.glsl"
 
 const uint k_back_bit = 0x80000000u;
+const uint k_number_mask = 0x1FFFFFFFu;
 
-uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible) {
+uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible, uint exact) {
   uvec2 steps = uvec2((to_octahedral(normal) * 0.5 + 0.5) * 32767.0 + 0.5);
-  return uvec2((facet + 1u) | (front ? 0u : k_back_bit), steps.x | steps.y << 15 | accessible << 30);
+  return uvec2((facet + 1u) | exact << 29 | (front ? 0u : k_back_bit), steps.x | steps.y << 15 | accessible << 30);
 }
 
-uint surface_facet(uvec2 surface) { return (surface.x & ~k_back_bit) - 1u; }
+uint surface_number(uvec2 surface) { return surface.x & k_number_mask; }
+uint surface_facet(uvec2 surface) { return surface_number(surface) - 1u; }
 bool surface_shows_back(uvec2 surface) { return (surface.x & k_back_bit) != 0u; }
+uint surface_exact(uvec2 surface) { return surface.x >> 29 & 3u; }
 uint surface_accessible(uvec2 surface) { return surface.y >> 30; }
 
 vec3 surface_normal(uvec2 surface) {

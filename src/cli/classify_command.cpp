@@ -62,7 +62,8 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
                  .mesh = flags.mesh,
                  .split_folder = flags.split_folder},
                 *model, result, flags.still.palette);
-  if (!flags.image.empty()) write_png(flags.image, still_picture(*context, classifier, result, flags.still));
+  if (!flags.image.empty())
+    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress));
   console.result(json_to_stdout ? json_text(classify_json(*model, result))
                                 : classify_table(*model, result, console.colour()));
   return 0;

@@ -113,7 +113,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   write_outputs(flags, *model, result, console);
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    if (!write_sweep_pictures(flags.image_folder, classifier, result, flags.still, progress)) {
+    if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }
   }

@@ -44,7 +44,7 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
   }
   if (settings.view.contour_edges) find_contour_edges(inputs);
   drawn_ = true;
-  return view_.draw(target, maps_.buffers(), maps_.maps(), settings.camera, settings.view, settings.marks);
+  return view_.draw(target, maps_.subject(), settings.camera, settings.view, settings.marks);
 }
 
 void Scene::find_contour_edges(const MapInputs& inputs) {

@@ -10,9 +10,8 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::uint32_t k_facet_mask =
-    0x7FFFFFFFU;                   // without the bit that says "back", see surface_bits.glsl
-constexpr int k_taps_at_rest = 6;  // of ambient occlusion, a sample
+constexpr std::uint32_t k_facet_mask = 0x1FFFFFFFU;  // of a surface's first word, see surface_bits.glsl
+constexpr int k_taps_at_rest = 6;                    // of ambient occlusion, a sample
 constexpr int k_taps_moving = 12;
 
 }  // namespace
@@ -22,8 +21,8 @@ struct PartView::Shown {
   Camera camera;
   ViewSettings settings;
   glm::dvec3 direction{0, 0, 1};
-  std::uint64_t maps = 0;  // revision
-  int samples = 0;         // drawn so far
+  std::uint64_t maps = 0, split = 0;  // revisions; 0: none
+  int samples = 0;                    // drawn so far
 };
 
 PartView::PartView(const gl::Functions& gl, const ViewGeometry& geometry)
@@ -34,19 +33,24 @@ PartView::PartView(const gl::Functions& gl, const ViewGeometry& geometry)
 
 PartView::~PartView() = default;
 
-bool PartView::draw(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps,
-                    const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
+bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const Camera& camera,
+                    const ViewSettings& settings, const ViewMarks& marks) {
+  const ViewSubject subject = asked_for(of, settings);
   Shown& shown = *shown_;
   if (targets_->size != target.size) {
     *targets_ = {};
     *targets_ = ViewTargets(*gl_, target.size);
     shown.samples = 0;
   }
-  if (shown.camera != camera || shown.settings != settings || shown.maps != maps.revision()) {
+  const std::uint64_t maps = subject.maps != nullptr ? subject.maps->revision() : 0;
+  const std::uint64_t split = subject.split != nullptr ? subject.split->revision() : 0;
+  if (shown.camera != camera || shown.settings != settings || shown.direction != subject.direction ||
+      shown.maps != maps || shown.split != split) {
     shown = {.camera = camera,
              .settings = settings,
-             .direction = maps.frame().z,
-             .maps = maps.revision(),
+             .direction = subject.direction,
+             .maps = maps,
+             .split = split,
              .samples = 0};
   }
   gl_->Viewport(0, 0, target.size.x, target.size.y);
@@ -54,11 +58,11 @@ bool PartView::draw(const ViewTarget& target, const PartBuffers& part, const Sha
   gl_->Disable(GL_SCISSOR_TEST);
   gl_->Disable(GL_CULL_FACE);
   if (shown.samples == 0) {
-    draw_sample(part, maps);
+    draw_sample(subject);
   } else if (shown.samples < settings.samples) {
     targets_->make_sum(*gl_);
     if (shown.samples == 1) passes_->accumulate(*targets_, true);
-    draw_sample(part, maps);
+    draw_sample(subject);
     passes_->accumulate(*targets_, false);
   }
   passes_->present(*targets_, shown.samples, target.framebuffer);
@@ -70,29 +74,29 @@ bool PartView::draw(const ViewTarget& target, const PartBuffers& part, const Sha
   return shown.samples < settings.samples;
 }
 
-void PartView::draw_final(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps,
-                          const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
-  while (draw(target, part, maps, camera, settings, marks)) {
+void PartView::draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
+                          const ViewSettings& settings, const ViewMarks& marks) {
+  while (draw(target, subject, camera, settings, marks)) {
   }
 }
 
-void PartView::draw_sample(const PartBuffers& part, const ShadowMaps& maps) {
-  const ViewFrame frame(shown_->camera, targets_->size, shown_->settings, maps.frame().z, shown_->samples);
+void PartView::draw_sample(const ViewSubject& subject) {
+  const ViewFrame frame(shown_->camera, targets_->size, shown_->settings, subject.direction, shown_->samples);
   const ViewSettings& settings = frame.settings;
   ViewPasses& passes = *passes_;
   const bool moving = shown_->samples == 0;
   const int taps = !settings.ambient_occlusion ? 0 : moving ? k_taps_moving : k_taps_at_rest;
   const auto layer = [&](Layer which) {
-    passes.draw_surface(frame, *targets_, which, part, maps);
+    passes.draw_surface(frame, *targets_, which, subject);
     passes.draw_openness(frame, *targets_, taps);
     if (which == Layer::undercuts_alone || settings.others_opacity >= 1.0) {
       passes.draw_background(frame, *targets_);
     }
-    passes.shade(frame, *targets_, which, part, maps);
+    passes.shade(frame, *targets_, which, subject);
   };
   if (settings.others_opacity < 1.0) layer(Layer::undercuts_alone);
   layer(Layer::whole);
-  passes.draw_lines(frame, *targets_, part);
+  passes.draw_lines(frame, *targets_, subject.part);
   if (settings.parting_arrows) passes.draw_arrows(frame, *targets_);
   ++shown_->samples;
 }

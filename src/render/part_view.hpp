@@ -1,8 +1,9 @@
 // The picture of the part: one path for the window's viewport, still pictures and contact sheets.
 //
-// Deferred: the facet and the normal of each visible fragment are drawn first; then one pass classifies each
-// fragment once (shaders/common/region.glsl) and shades it. A picture at rest is refined: later calls average
-// it with copies shifted by parts of a pixel.
+// Deferred: the facet and the normal of each visible fragment are drawn first; then one pass shades each
+// fragment once. Regions come with the pieces of a split surface, or from look-ups in the shadow maps
+// (shaders/common/region.glsl), once a fragment. A picture at rest is refined: later calls average it with
+// copies shifted by parts of a pixel.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,9 @@
 #include "gl/objects.hpp"
 #include "mold/region.hpp"
 #include "render/camera.hpp"
-#include "render/part_buffers.hpp"
-#include "render/shadow_maps.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_settings.hpp"
+#include "render/view_subject.hpp"
 
 namespace moldlight {
 
@@ -47,14 +47,14 @@ class PartView {
   PartView(const gl::Functions& gl, const ViewGeometry& geometry);
   ~PartView();
 
-  /// Draws the part. `maps` must have been drawn from `part` for the parting direction. Returns true while
-  /// drawing the same again would refine the picture; false once it is final.
-  bool draw(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps, const Camera& camera,
+  /// Draws the part. Returns true while drawing the same again would refine the picture; false once it is
+  /// final.
+  bool draw(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
             const ViewSettings& settings, const ViewMarks& marks = {});
 
   /// The same until the picture is final.
-  void draw_final(const ViewTarget& target, const PartBuffers& part, const ShadowMaps& maps,
-                  const Camera& camera, const ViewSettings& settings, const ViewMarks& marks = {});
+  void draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
+                  const ViewSettings& settings, const ViewMarks& marks = {});
 
   /// Facets that are marked from the next call of draw() on.
   void choose_facets(std::span<const FacetIndex> facets);
@@ -75,7 +75,7 @@ class PartView {
  private:
   struct Shown;
 
-  void draw_sample(const PartBuffers& part, const ShadowMaps& maps);
+  void draw_sample(const ViewSubject& subject);
 
   const gl::Functions* gl_;
   std::unique_ptr<ViewPasses> passes_;

@@ -31,6 +31,7 @@ struct DraftScale {
 inline constexpr Colour k_plain_surface = {199, 203, 209};
 inline constexpr Colour k_cut_surface = {176, 170, 160};
 inline constexpr Colour k_hover_mark = {255, 255, 255};
+inline constexpr Colour k_difference_mark = {202, 60, 255};
 inline constexpr Colour k_block_mark = {255, 204, 102};
 
 }  // namespace moldlight

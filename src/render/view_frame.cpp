@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
+
 namespace moldlight {
 
 namespace {
@@ -13,28 +15,13 @@ double tent(double share) {
   return share < 0.5 ? std::sqrt(2.0 * share) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * share);
 }
 
-/// Member `sample` of the additive recurrence of the plastic numbers (Roberts 2018), which fills [0, 1)^4
-/// evenly however many of it are taken; sample 0 is the middle.
-glm::dvec4 spread(int sample) {
-  constexpr double k_root = 1.1673039782614187;  // of x^5 = x + 1
-  glm::dvec4 point(0.5);
-  double step = 1.0;
-  for (int i = 0; i < 4; ++i) {
-    step /= k_root;
-    point[i] += sample * step;
-    point[i] -= std::floor(point[i]);
-  }
-  return point;
-}
-
+/// Of sample k: member k of the additive recurrence of the plastic number (Roberts 2018), which fills the
+/// pixel evenly however many of it are taken; sample 0 is the middle.
 glm::dvec2 picture_shift(int sample) {
-  const glm::dvec4 point = spread(sample);
+  constexpr double k_root = 1.3247179572447460;  // of x^3 = x + 1
+  const glm::dvec2 point =
+      glm::fract(0.5 + static_cast<double>(sample) * glm::dvec2(1.0 / k_root, 1.0 / (k_root * k_root)));
   return k_tent_px * glm::dvec2(tent(point.x), tent(point.y));
-}
-
-glm::vec2 texel_shift(int sample) {
-  const glm::dvec4 point = spread(sample);
-  return glm::vec2(point.z - 0.5, point.w - 0.5);
 }
 
 }  // namespace
@@ -47,7 +34,6 @@ ViewFrame::ViewFrame(const Camera& from, const glm::ivec2& picture_size, const V
       direction(parting_direction),
       sample(sample_number),
       shift_px(picture_shift(sample_number)),
-      map_shift(texel_shift(sample_number)),
       eye_from_unit(view_matrix(from)),
       clip_from_eye(projection_matrix(from, picture_size, shift_px)),
       clip_from_unit(clip_from_eye * eye_from_unit) {}

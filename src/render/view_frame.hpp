@@ -26,7 +26,6 @@ struct ViewFrame {
   glm::dvec3 direction;  // parting direction, unit
   int sample;            // 0, 1, …
   glm::dvec2 shift_px;   // of the picture, y down; that of sample 0 is zero
-  glm::vec2 map_shift;   // of look-ups in the maps, texels, [-0.5, 0.5]; that of sample 0 is zero
   glm::dmat4 eye_from_unit, clip_from_eye;
   glm::mat4 clip_from_unit;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "mesh/creases.hpp"
 
@@ -46,18 +47,24 @@ std::vector<glm::vec3> extreme_vertices(const std::vector<ViewVertex>& vertices)
   return points;
 }
 
+/// The octahedron's lower half, folded out over the square's corners; its own inverse.
+glm::vec2 folded(const glm::vec2& place) {
+  return {std::copysign(1.0F - std::abs(place.y), place.x), std::copysign(1.0F - std::abs(place.x), place.y)};
+}
+
 }  // namespace
 
-std::array<std::int16_t, 2> octahedral(const glm::vec3& unit) {
-  const float sum = std::abs(unit.x) + std::abs(unit.y) + std::abs(unit.z);
-  float x = unit.x / sum, y = unit.y / sum;
-  if (unit.z < 0.0F) {
-    const float folded_x = std::copysign(1.0F - std::abs(y), x);
-    y = std::copysign(1.0F - std::abs(x), y);
-    x = folded_x;
-  }
+std::array<std::int16_t, 2> octahedral(const glm::vec3& vector) {
+  const glm::vec2 flat = glm::vec2(vector) / (std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z));
+  const glm::vec2 place = vector.z < 0.0F ? folded(flat) : flat;
   const auto step = [](float value) { return static_cast<std::int16_t>(std::lround(32767.0F * value)); };
-  return {step(x), step(y)};
+  return {step(place.x), step(place.y)};
+}
+
+glm::vec3 from_octahedral(const std::array<std::int16_t, 2>& steps) {
+  const glm::vec2 place = glm::vec2(steps[0], steps[1]) / 32767.0F;
+  const float z = 1.0F - std::abs(place.x) - std::abs(place.y);
+  return glm::normalize(glm::vec3(z < 0.0F ? folded(place) : place, z));
 }
 
 ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geometry,

@@ -46,7 +46,10 @@ struct ViewGeometry {
                                                      std::span<const FacetClass> classes,
                                                      const UnitFrame& frame);
 
-/// A unit vector on the octahedron, folded into a square (Cigolle et al. 2014), in steps of 1 / 32767.
-[[nodiscard]] std::array<std::int16_t, 2> octahedral(const glm::vec3& unit);
+/// A vector of any length but zero on the octahedron, folded into a square (Cigolle et al. 2014), in steps of
+/// 1 / 32767.
+[[nodiscard]] std::array<std::int16_t, 2> octahedral(const glm::vec3& vector);
+/// The unit vector back from it.
+[[nodiscard]] glm::vec3 from_octahedral(const std::array<std::int16_t, 2>& steps);
 
 }  // namespace moldlight

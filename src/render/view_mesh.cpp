@@ -1,6 +1,7 @@
 #include "render/view_mesh.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -35,31 +36,43 @@ void SegmentBuffer::draw(const gl::Functions& gl) const {
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count_), GL_UNSIGNED_INT, nullptr);
 }
 
-ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
-    : feature_edges(gl, geometry.feature_edges),
-      gl_(&gl),
-      facet_count_(geometry.facets.size()),
-      closed_(geometry.closed),
-      extremes_(geometry.extremes) {
+TriangleBuffer::TriangleBuffer(const gl::Functions& gl, std::span<const ViewVertex> vertices,
+                               std::span<const std::array<VertexIndex, 3>> triangles)
+    : count_(triangles.size()), triangles_(gl::make_vertex_array(gl)) {
   const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-  facets_ = gl::make_vertex_array(gl);
-  gl.BindVertexArray(facets_.name());
-  vertex_buffer_ = gl::make_buffer(gl, GL_ARRAY_BUFFER, std::span<const ViewVertex>(geometry.vertices));
+  gl.BindVertexArray(triangles_.name());
+  vertex_buffer_ = gl::make_buffer(gl, GL_ARRAY_BUFFER, vertices);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_.name());
   gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(ViewVertex),
                          offset(offsetof(ViewVertex, position)));
   gl.VertexAttribPointer(1, 2, GL_SHORT, GL_TRUE, sizeof(ViewVertex), offset(offsetof(ViewVertex, normal)));
   gl.EnableVertexAttribArray(0);
   gl.EnableVertexAttribArray(1);
-  corner_buffer_ = gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER,
-                                   std::span<const std::array<VertexIndex, 3>>(geometry.facets));
+  corner_buffer_ = gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, triangles);
   gl.BindVertexArray(0);
   gl::check_errors(gl, "uploading the picture's mesh");
 }
 
-void ViewMesh::draw_facets() const {
-  gl_->BindVertexArray(facets_.name());
-  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * facet_count_), GL_UNSIGNED_INT, nullptr);
+void TriangleBuffer::draw(const gl::Functions& gl) const {
+  gl.BindVertexArray(triangles_.name());
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count_), GL_UNSIGNED_INT, nullptr);
 }
+
+SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry)
+    : triangles_(gl, geometry.vertices, geometry.pieces),
+      source_buffer_(
+          gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const std::uint32_t>(geometry.sources))),
+      sources_(gl::make_buffer_texture(gl, GL_R32UI, source_buffer_)) {
+  // Views tell surfaces apart by it, wherever they lie in memory.
+  static std::atomic<std::uint64_t> surfaces = 0;
+  revision_ = ++surfaces;
+}
+
+ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
+    : feature_edges(gl, geometry.feature_edges),
+      facets_(gl, geometry.vertices, geometry.facets),
+      facet_count_(geometry.facets.size()),
+      closed_(geometry.closed),
+      extremes_(geometry.extremes) {}
 
 }  // namespace moldlight

@@ -1,10 +1,13 @@
 // The part on the GPU as pictures draw it: smooth normals, and lines.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "gl/objects.hpp"
+#include "render/split_geometry.hpp"
 #include "render/view_geometry.hpp"
 
 namespace moldlight {
@@ -27,14 +30,45 @@ class SegmentBuffer {
   gl::VertexArray corners_;
 };
 
-/// Valid for one context, which must be current for every call.
+/// Triangles as shaders/view/geometry.vert reads them. Valid for one context.
+class TriangleBuffer {
+ public:
+  TriangleBuffer(const gl::Functions& gl, std::span<const ViewVertex> vertices,
+                 std::span<const std::array<VertexIndex, 3>> triangles);
+
+  /// Position at attribute 0, octahedral normal at 1; gl_PrimitiveID is the triangle.
+  void draw(const gl::Functions& gl) const;
+
+ private:
+  std::size_t count_;
+  gl::Buffer vertex_buffer_, corner_buffer_;
+  gl::VertexArray triangles_;
+};
+
+/// A surface whose regions are known (see split_geometry()). Valid for one context.
+class SplitSurface {
+ public:
+  SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry);
+
+  [[nodiscard]] const TriangleBuffer& triangles() const { return triangles_; }
+  [[nodiscard]] const gl::Texture& sources() const { return sources_; }  // R32UI, one a piece
+  /// Another for every surface.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+ private:
+  TriangleBuffer triangles_;
+  gl::Buffer source_buffer_;
+  gl::Texture sources_;
+  std::uint64_t revision_;
+};
+
+/// Valid for one context.
 class ViewMesh {
  public:
   ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
 
-  /// Draws every facet once: position at attribute 0, octahedral normal at 1; gl_PrimitiveID is the facet.
-  void draw_facets() const;
-
+  /// Triangle k is facet k.
+  [[nodiscard]] const TriangleBuffer& facets() const { return facets_; }
   [[nodiscard]] std::size_t facet_count() const { return facet_count_; }
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] std::span<const glm::vec3> extremes() const { return extremes_; }
@@ -42,12 +76,10 @@ class ViewMesh {
   SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
 
  private:
-  const gl::Functions* gl_;
+  TriangleBuffer facets_;
   std::size_t facet_count_ = 0;
   bool closed_ = false;
   std::vector<glm::vec3> extremes_;
-  gl::Buffer vertex_buffer_, corner_buffer_;
-  gl::VertexArray facets_;
 };
 
 }  // namespace moldlight

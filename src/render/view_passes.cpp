@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/check.hpp"
 #include "render/parting_arrow.hpp"
 #include "render/view_colours.hpp"
 
@@ -38,8 +39,19 @@ bool needs_detail(const ViewSettings& settings) {
          settings.section || settings.open_mold > 0.0;
 }
 
-std::string_view symmetric(const ShadowMaps& maps) {
-  return maps.settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : "";
+bool shows_regions(const ViewSettings& settings) {
+  return settings.colour_mode != ColourMode::plain || needs_detail(settings) ||
+         settings.others_opacity < 1.0 || settings.mark_difference;
+}
+
+/// True if the split surface's own regions are shown.
+bool exact(const ViewFrame& frame, const ViewSubject& subject) {
+  return subject.split != nullptr &&
+         (subject.maps == nullptr || frame.settings.regions_by == RegionsBy::exact);
+}
+
+std::string_view symmetric(const ViewSubject& subject) {
+  return subject.maps != nullptr && subject.maps->settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : "";
 }
 
 std::string element(const char* name, std::size_t index) {
@@ -47,6 +59,23 @@ std::string element(const char* name, std::size_t index) {
 }
 
 }  // namespace
+
+ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) {
+  ViewSubject asked = subject;
+  if (!shows_regions(settings)) {
+    asked.maps = nullptr;
+    asked.split = nullptr;
+    return asked;
+  }
+  CHECK(subject.maps != nullptr || subject.split != nullptr);
+  if (subject.maps == nullptr || subject.split == nullptr || settings.mark_difference) return asked;
+  if (settings.regions_by == RegionsBy::exact) {
+    asked.maps = nullptr;
+  } else {
+    asked.split = nullptr;
+  }
+  return asked;
+}
 
 ViewPasses::ViewPasses(const gl::Functions& gl, const ViewGeometry& geometry)
     : gl_(&gl), programs_(gl), mesh_(gl, geometry), fullscreen_(gl::make_vertex_array(gl)) {}
@@ -63,7 +92,7 @@ std::vector<ViewPasses::Piece> ViewPasses::pieces(const ViewFrame& frame, Layer 
 }
 
 void ViewPasses::draw_surface(const ViewFrame& frame, const ViewTargets& targets, Layer layer,
-                              const PartBuffers& part, const ShadowMaps& maps) {
+                              const ViewSubject& subject) {
   const GLuint nothing[4] = {0, 0, 0, 0};
   const GLfloat furthest = 1.0F;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_surface.name());
@@ -77,21 +106,24 @@ void ViewPasses::draw_surface(const ViewFrame& frame, const ViewTargets& targets
     gl_->Enable(GL_CULL_FACE);
     gl_->CullFace(GL_BACK);
   }
+  const bool split = subject.split != nullptr, look_up = separate && !exact(frame, subject);
+  const TriangleBuffer& triangles = split ? subject.split->triangles() : mesh_.facets();
   const gl::Program& program =
       programs_.use("view/geometry.vert", "view/geometry.frag",
-                    {separate ? "BY_REGION" : "", cut ? "SECTION" : "", separate ? symmetric(maps) : ""});
+                    {split ? "SPLIT" : "", separate ? "BY_REGION" : "", look_up ? "LOOK_UP" : "",
+                     look_up ? symmetric(subject) : "", cut ? "SECTION" : ""});
   program.set("u_clip_from_unit", frame.clip_from_unit);
+  if (split) program.set_texture("t_sources", 0, GL_TEXTURE_BUFFER, subject.split->sources());
   if (cut) begin_section(program, frame);
+  if (look_up) subject.maps->bind(program, subject.part, 1);
   if (separate) {
-    maps.bind(program, part, 0);
-    program.set("u_map_shift", frame.map_shift);
     for (const Piece& piece : pieces(frame, layer)) {
       program.set("u_shift", piece.shift);
       program.set("u_regions", piece.regions);
-      mesh_.draw_facets();
+      triangles.draw(*gl_);
     }
   } else {
-    mesh_.draw_facets();
+    triangles.draw(*gl_);
   }
   gl_->Disable(GL_CULL_FACE);
   if (cut) {
@@ -169,27 +201,27 @@ void ViewPasses::draw_background(const ViewFrame& frame, const ViewTargets& targ
 }
 
 void ViewPasses::shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer,
-                       const PartBuffers& part, const ShadowMaps& maps) {
+                       const ViewSubject& subject) {
   const ViewSettings& settings = frame.settings;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_shaded.name());
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthMask(GL_FALSE);
   gl_->DepthFunc(GL_GREATER);
-  const bool detail = needs_detail(settings);
-  const bool known = by_region(frame, layer);
-  const bool plain =
-      !known && settings.colour_mode == ColourMode::plain && !detail && settings.others_opacity >= 1.0;
-  const bool classified = !known && !plain;
-  const gl::Program& program = programs_.use("common/at_infinity.vert", "view/shade.frag",
-                                             {known ? "OPENED" : "", plain ? "PLAIN" : "",
-                                              classified ? symmetric(maps) : "", detail ? "DETAIL" : ""});
+  const bool detail = needs_detail(settings), plain = !shows_regions(settings);
+  const bool known = exact(frame, subject) || by_region(frame, layer);
+  const bool compared = subject.maps != nullptr && subject.split != nullptr;
+  const bool look_up = !plain && (!known || (compared && exact(frame, subject)));
+  const gl::Program& program =
+      programs_.use("common/at_infinity.vert", "view/shade.frag",
+                    {plain ? "PLAIN" : "", known ? "KNOWN" : "", look_up ? "LOOK_UP" : "",
+                     compared ? "COMPARED" : "", look_up ? symmetric(subject) : "", detail ? "DETAIL" : ""});
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, targets.surface);
   program.set_texture("t_openness", 1, GL_TEXTURE_2D, targets.openness);
-  if (classified) {
-    maps.bind(program, part, k_first_map_unit);
-    program.set("u_map_shift", frame.map_shift);
+  if (look_up) {
+    subject.maps->bind(program, subject.part, k_first_map_unit);
     frame.set_sight(program);
   }
+  if (compared) program.set("u_difference_colour", light_value(k_difference_mark));
   const bool regions = settings.colour_mode == ColourMode::regions;
   for (unsigned bits = 0; bits < 4; ++bits) {
     const Region region = region_of((bits & 1U) != 0, (bits & 2U) != 0);
@@ -206,7 +238,7 @@ void ViewPasses::shade(const ViewFrame& frame, const ViewTargets& targets, Layer
   }
   const bool ghost = settings.others_opacity < 1.0 && layer == Layer::whole;
   program.set("u_others_opacity", ghost ? static_cast<float>(settings.others_opacity) : 1.0F);
-  if (detail) set_detail(program, frame, part);
+  if (detail) set_detail(program, frame, subject.part);
   if (ghost) {
     gl_->Enable(GL_BLEND);
     gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <span>
 
-#include "render/part_buffers.hpp"
-#include "render/shadow_maps.hpp"
 #include "render/view_frame.hpp"
 #include "render/view_mesh.hpp"
 #include "render/view_programs.hpp"
+#include "render/view_subject.hpp"
 #include "render/view_targets.hpp"
 
 namespace moldlight {
@@ -16,19 +15,22 @@ namespace moldlight {
 /// Which surface a pass draws: a picture that looks through all but the undercuts has two layers.
 enum class Layer : std::uint8_t { whole, undercuts_alone };
 
-/// Needs its context current.
+/// The subject without what pictures of these settings do not ask for: maps and a split surface are both left
+/// where their difference is marked, neither in a plain picture.
+[[nodiscard]] ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings);
+
+/// Subjects are those that are asked for. Needs its context current.
 class ViewPasses {
  public:
   ViewPasses(const gl::Functions& gl, const ViewGeometry& geometry);
 
   /// Facet, normal and depth of each visible fragment.
-  void draw_surface(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part,
-                    const ShadowMaps& maps);
+  void draw_surface(const ViewFrame& frame, const ViewTargets& targets, Layer layer,
+                    const ViewSubject& subject);
   void draw_openness(const ViewFrame& frame, const ViewTargets& targets, int taps);
   void draw_background(const ViewFrame& frame, const ViewTargets& targets);
-  /// Accessibility bits and colour of each. A plain picture of one layer knows no regions.
-  void shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const PartBuffers& part,
-             const ShadowMaps& maps);
+  /// Accessibility bits and colour of each. A plain picture knows no regions.
+  void shade(const ViewFrame& frame, const ViewTargets& targets, Layer layer, const ViewSubject& subject);
   void draw_lines(const ViewFrame& frame, const ViewTargets& targets, const PartBuffers& part);
   void draw_arrows(const ViewFrame& frame, const ViewTargets& targets);
 

@@ -14,12 +14,18 @@ enum class ColourMode : std::uint8_t { regions, draft_angle, plain };
 /// What lies behind the part: the theme's gradient, one colour, or nothing (alpha 0).
 enum class Backdrop : std::uint8_t { gradient, flat, none };
 
+/// What tells the regions: the computed ones of the split surface, or look-ups in the shadow maps. Where a
+/// subject has but one of them, it is that.
+enum class RegionsBy : std::uint8_t { exact, maps };
+
 /// Lengths are in the unit frame. What is changed here restarts the refinement of a picture at rest.
 struct ViewSettings {
   Theme theme = Theme::dark;
   Backdrop backdrop = Backdrop::gradient;
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
+  RegionsBy regions_by = RegionsBy::exact;
+  bool mark_difference = false;  // where shadow maps and exact regions differ
   bool hatch_undercut = true;
   bool feature_edges = true;  // edges sharper than the crease angle, and open ones
   bool facet_edges = false;

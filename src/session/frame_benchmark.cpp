@@ -1,21 +1,32 @@
 #include "session/frame_benchmark.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/latest_job.hpp"
 #include "base/median.hpp"
 #include "gl/colour_target.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "mold/map_frame.hpp"
 #include "render/part_view.hpp"
+#include "session/classifier.hpp"
+#include "session/figure_pace.hpp"
 #include "session/picture_maps.hpp"
 
 namespace moldlight {
 
 namespace {
 
-constexpr int k_turns = 25, k_warm_up = 2;
+constexpr int k_rounds = 5, k_turns = 8, k_warm_up = 2;
+using Clock = std::chrono::steady_clock;
+
+double elapsed_ms(Clock::time_point since) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
 
 }  // namespace
 
@@ -23,58 +34,83 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
                           const MethodSettings& method, const glm::ivec2& size, const Progress& progress) {
   const gl::Functions& gl = context.functions();
   const gl::ColourTarget picture(gl, size);
+  const ViewGeometry geometry =
+      view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame);
   PictureMaps resting(context, model), changing(context, model);
-  PartView view(gl, view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame));
+  PartView view(gl, geometry);
   Camera start;
   start.orientation = standard_orientation(StandardView::isometric);
-  start = fitted(start, unit_positions(model->part.mesh, model->frame), size);
-  resting.draw_resting(method);
+  start = fitted(start, geometry.extremes, size);
+  const ExactPart part(model->part.mesh, model->geometry, model->frame, progress);
+  const ExactQuery query{.direction = unit_direction(method.direction),
+                         .tau_deg = method.tau_deg,
+                         .lateral = map_settings(method, model->frame.diagonal).lateral};
+  resting.take_split(exact_split(part, query, progress).mesh, geometry, method);
 
-  const auto timed = [&](const auto& draw) {
-    const auto begin = std::chrono::steady_clock::now();
+  const auto frame_ms = [&](const auto& draw) {
+    const auto begin = Clock::now();
     draw();
     static_cast<void>(view.pick(size / 2));  // waits for the GL, as a cursor on the part does
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return elapsed_ms(begin);
   };
   std::vector<double> plain_ms, rest_ms, changing_ms, rest_ratio, changing_ratio;
-  for (int turn = -k_warm_up; turn < k_turns; ++turn) {
-    progress.report("drawing frames", std::max(0.0, static_cast<double>(turn) / k_turns));
-    const Camera camera = orbited(start, 0.05 * turn, 0.01 * turn, {0, 0, 1}, glm::dvec3(0.0));
-    ViewSettings settings;
-    const auto draw = [&](const PictureMaps& maps) {
-      view.draw({picture.framebuffer(), size}, maps.buffers(), maps.maps(), camera, settings);
+  double figures_s = 0.0;
+  std::atomic<int> figures = 0;
+  const auto measure = [&](const glm::dvec3& direction, const Progress& measuring) {
+    ExactAreas areas = exact_areas(
+        part, {.direction = direction, .tau_deg = query.tau_deg, .lateral = query.lateral}, measuring);
+    ++figures;
+    return areas;
+  };
+  for (int round = 0; round < k_rounds; ++round) {
+    progress.report("drawing frames", static_cast<double>(round) / k_rounds);
+    std::vector<double> plain_of_round;
+    const auto draw = [&](const PictureMaps& maps, int turn, ColourMode mode) {
+      const Camera camera =
+          orbited(start, 0.05 * (k_turns * round + turn), 0.01 * turn, {0, 0, 1}, glm::dvec3(0.0));
+      view.draw({picture.framebuffer(), size}, maps.subject(), camera, {.colour_mode = mode});
     };
-    settings.colour_mode = ColourMode::plain;
-    const double plain = timed([&] { draw(resting); });
-    settings.colour_mode = ColourMode::regions;
-    const double rest = timed([&] { draw(resting); });
-    MethodSettings moved = method;
-    moved.direction = glm::dvec3(0.02 * turn, 0.1, 1.0);
-    const double change = timed([&] {
-      changing.draw_moving(moved);
-      draw(changing);
-    });
-    if (turn < 0) continue;
-    plain_ms.push_back(plain);
-    rest_ms.push_back(rest);
-    changing_ms.push_back(change);
-    rest_ratio.push_back(plain / rest);
-    changing_ratio.push_back(plain / change);
+    for (int turn = -k_warm_up; turn < k_turns; ++turn) {
+      const double plain = frame_ms([&] { draw(resting, turn, ColourMode::plain); });
+      const double rest = frame_ms([&] { draw(resting, turn, ColourMode::regions); });
+      if (turn < 0) continue;
+      plain_of_round.push_back(plain);
+      rest_ms.push_back(rest);
+      rest_ratio.push_back(plain / rest);
+    }
+    LatestJob<glm::dvec3, ExactAreas> beside({.work = measure, .pause_s = figure_pause_s});
+    const auto begin = Clock::now();
+    for (int turn = -k_warm_up; turn < k_turns; ++turn) {
+      MethodSettings moved = method;
+      moved.direction = glm::dvec3(0.02 * (k_turns * round + turn), 0.1, 1.0);
+      beside.request(unit_direction(moved.direction));
+      const double change = frame_ms([&] {
+        changing.draw_moving(moved);
+        draw(changing, turn, ColourMode::regions);
+      });
+      if (turn < 0) continue;
+      changing_ms.push_back(change);
+      changing_ratio.push_back(median(plain_of_round) / change);
+    }
+    figures_s += elapsed_ms(begin) / 1000.0;
+    plain_ms.insert(plain_ms.end(), plain_of_round.begin(), plain_of_round.end());
   }
   return {.facets = model->part.mesh.facets.size(),
           .plain_ms = median(plain_ms),
           .rest_ms = median(rest_ms),
           .changing_ms = median(changing_ms),
           .rest_ratio = median(rest_ratio),
-          .changing_ratio = median(changing_ratio)};
+          .changing_ratio = median(changing_ratio),
+          .figures_per_s = figures / figures_s};
 }
 
 std::string frame_times_text(const FrameTimes& times) {
   return fmt::format(
-      "live_plain facets={0} ms={1:.2f}\nlive_rest facets={0} ms={2:.2f} ratio={3:.3f}\nlive_changing "
-      "facets={0} "
-      "ms={4:.2f} ratio={5:.3f}\n",
-      times.facets, times.plain_ms, times.rest_ms, times.rest_ratio, times.changing_ms, times.changing_ratio);
+      "live_plain facets={0} ms={1:.2f}\n"
+      "live_rest facets={0} ms={2:.2f} ratio={3:.3f}\n"
+      "live_changing facets={0} ms={4:.2f} ratio={5:.3f} figures_per_s={6:.1f}\n",
+      times.facets, times.plain_ms, times.rest_ms, times.rest_ratio, times.changing_ms, times.changing_ratio,
+      times.figures_per_s);
 }
 
 }  // namespace moldlight

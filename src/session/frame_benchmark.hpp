@@ -1,5 +1,5 @@
-// Frame times of the live view: the same camera path with plain shading, with regions while the direction
-// rests, and with a direction that changes every frame.
+// Frame times of the live view: the same camera path with plain shading, with exact regions while the
+// direction rests, and with a direction that changes every frame while figures are measured beside it.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,14 @@
 
 namespace moldlight {
 
-/// Medians over the path. The three kinds take turns frame by frame, and ratios are medians of the turns' own
-/// ratios, so that what else the machine does falls on all alike.
+/// Medians over the path. Plain frames and those at rest take turns, and ratios are medians of the turns' own
+/// ratios; those that change take turns with these in rounds. So what else the machine does falls on all
+/// alike.
 struct FrameTimes {
   std::size_t facets = 0;
   double plain_ms = 0.0, rest_ms = 0.0, changing_ms = 0.0;
   double rest_ratio = 0.0, changing_ratio = 0.0;  // of frame rates to plain shading
+  double figures_per_s = 0.0;                     // areas of the regions, beside frames that change
 };
 
 /// Pictures as the window draws them while the camera moves, without its panels. `context` must be current.

@@ -9,17 +9,19 @@ namespace moldlight {
 namespace {
 
 constexpr int k_moving_resolution = 1024;
+/// Half a texel's diagonal: the middle of the texel that is looked up beside a wall is then beside it, too.
+constexpr double k_least_lateral_texels = 0.71;
 
 }  // namespace
 
 MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
   MethodSettings moving = settings;
   moving.resolution = std::min(settings.resolution, k_moving_resolution);
-  if (moving.resolution == settings.resolution) return moving;
-  // A symmetric kernel is made of whole texels of its maps.
-  if (!settings.tolerance && settings.kernel_shape == KernelShape::one_sided && settings.kernel > 1)
-    moving.tolerance = 0.5 * (settings.kernel - 1) * diagonal / settings.resolution;
   moving.edge_thickness = settings.edge_thickness * moving.resolution / settings.resolution;
+  // A symmetric kernel is made of whole texels of its maps.
+  if (settings.kernel_shape == KernelShape::symmetric) return moving;
+  const double lateral = map_settings(settings, diagonal).lateral;
+  moving.tolerance = diagonal * std::max(lateral, k_least_lateral_texels / moving.resolution);
   return moving;
 }
 
@@ -41,9 +43,26 @@ void PictureMaps::draw_moving(const MethodSettings& settings) {
 
 void PictureMaps::draw_resting(const MethodSettings& settings) {
   const MapFrame frame = map_frame(settings.direction);
+  direction_ = frame.z;
   buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, settings.tau_deg));
   maps_.draw(buffers_, frame, map_settings(settings, model_->frame.diagonal));
   lacks_depths_ = false;
+}
+
+void PictureMaps::take_split(const SplitMesh& split, const ViewGeometry& view,
+                             const MethodSettings& settings) {
+  direction_ = split_direction_ = unit_direction(settings.direction);
+  buffers_.set_facet_classes(facet_classes(model_->geometry, direction_, settings.tau_deg));
+  split_.emplace(context_->functions(), split_geometry(split, model_->part.mesh, view, model_->frame));
+}
+
+ViewSubject PictureMaps::subject() const {
+  const bool maps = maps_.revision() != 0 && maps_.frame().z == direction_;
+  const bool split = split_ && split_direction_ == direction_;
+  return {.part = buffers_,
+          .direction = direction_,
+          .maps = maps ? &maps_ : nullptr,
+          .split = split ? &*split_ : nullptr};
 }
 
 void PictureMaps::scan(const MethodSettings& settings) {
@@ -53,6 +72,7 @@ void PictureMaps::scan(const MethodSettings& settings) {
   }
   if (!scan_maps_ || scan_maps_->resolution() != settings.resolution) scan_maps_.emplace(settings.resolution);
   const MapFrame frame = map_frame(settings.direction);
+  direction_ = frame.z;
   const MapSettings map = map_settings(settings, model_->frame.diagonal);
   scan_maps_->draw_second_depth(*scan_part_, frame,
                                 {.tau_deg = settings.tau_deg, .edge_thickness = map.edge_thickness});

@@ -1,5 +1,5 @@
-// The shadow maps behind pictures in a window: coarse and quick while the direction moves, fine once it
-// rests.
+// What tells the regions in a window's pictures: shadow maps, coarse and quick, while the direction moves;
+// the split mesh, or maps as the settings want them, once it rests.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,24 @@
 #include <vector>
 
 #include "gl/context.hpp"
+#include "mold/exact/split_mesh.hpp"
 #include "mold/scan/scan_maps.hpp"
-#include "render/part_buffers.hpp"
-#include "render/shadow_maps.hpp"
+#include "render/view_geometry.hpp"
+#include "render/view_subject.hpp"
 #include "session/part_model.hpp"
 #include "session/settings.hpp"
 
 namespace moldlight {
 
-/// The settings with maps of 1024 texels at most. Lateral tolerance and edge thickness stay the lengths that
-/// they are for the settings' own maps. `diagonal` of the part, model units.
+/// The settings with maps of 1024 texels at most. The edge thickness stays the length that it is for the
+/// settings' own maps, and the lateral tolerance too where the maps are fine enough for it. `diagonal` of the
+/// part, model units.
 [[nodiscard]] MethodSettings moving_method(const MethodSettings& settings, double diagonal);
 
-/// Keeps one part's buffers and maps. `context` must be current at every call and outlive it.
+/// Keeps one part's buffers, maps and split surface. `context` must be current at every call and outlive it.
 ///
 /// Where the GL draws on the processor, our own scan converter makes the maps of a moving direction, which
-/// takes a fraction of the time, and for a resting one whole facets are told apart once, so that pictures
-/// from any side look up few of their fragments.
+/// takes a fraction of the time.
 class PictureMaps {
  public:
   PictureMaps(const gl::Context& context, std::shared_ptr<const PartModel> model);
@@ -33,6 +34,13 @@ class PictureMaps {
   /// where the GL fails.
   void draw_moving(const MethodSettings& settings);
   void draw_resting(const MethodSettings& settings);
+
+  /// Takes the exact regions for the settings, for pictures of a direction at rest; `view` is the part's.
+  void take_split(const SplitMesh& split, const ViewGeometry& view, const MethodSettings& settings);
+  void drop_split() { split_.reset(); }
+
+  /// What there is of the direction that was given last. Valid until the next call.
+  [[nodiscard]] ViewSubject subject() const;
 
   /// Makes sure that the maps have depths, which pictures of the part do not need.
   void complete_depths();
@@ -47,6 +55,8 @@ class PictureMaps {
   std::shared_ptr<const PartModel> model_;
   PartBuffers buffers_;
   ShadowMaps maps_;
+  glm::dvec3 direction_{0.0, 0.0, 1.0}, split_direction_{0.0};
+  std::optional<SplitSurface> split_;
   std::unique_ptr<const ScanPart> scan_part_;
   std::optional<ScanMaps> scan_maps_;
   std::vector<std::uint32_t> plus_, minus_;  // facet + 1 a texel

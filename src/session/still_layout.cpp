@@ -83,7 +83,7 @@ StillLayout still_layout(const glm::ivec2& size, const LegendContent* content) {
   return layout;
 }
 
-Camera composed(const gl::Functions& gl, PartView& view, const Classifier& classifier, const Camera& camera,
+Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part, const Camera& camera,
                 const Composition& composition) {
   std::vector<glm::vec3> points(composition.extremes.begin(), composition.extremes.end());
   points.insert(points.end(), composition.beyond.begin(), composition.beyond.end());
@@ -91,6 +91,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const Classifier& class
   const glm::ivec2 small_size = glm::max(composition.size / k_reduction, glm::ivec2(1));
   const OffscreenPicture small(gl, small_size);
   ViewSettings plain;
+  plain.colour_mode = ColourMode::plain;
   plain.ambient_occlusion = plain.feature_edges = false;
   plain.samples = 1;
   for (const Box& box : boxes) {
@@ -103,7 +104,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const Classifier& class
       collides = collides || (pixel && holds(forbidden, *pixel));
     }
     if (collides) continue;
-    view.draw_final(small.target(), classifier.buffers(), classifier.maps(), candidate, plain);
+    view.draw_final(small.target(), {.part = part}, candidate, plain);
     if (!part_covers(view, small_size, forbidden)) return candidate;
   }
   return camera;

@@ -10,7 +10,6 @@
 #include "picture/legend.hpp"
 #include "render/camera.hpp"
 #include "render/part_view.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight {
 
@@ -29,8 +28,8 @@ struct Composition {
   std::span<const glm::vec3> beyond;    // points off the part that are to be seen too
 };
 /// The camera moved and zoomed so that the part is as large as it can be without running into the legend.
-/// Draws small pictures with `view` to find out; the classifier's maps must have been drawn.
-[[nodiscard]] Camera composed(const gl::Functions& gl, PartView& view, const Classifier& classifier,
+/// Draws small pictures with `view` to find out.
+[[nodiscard]] Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part,
                               const Camera& camera, const Composition& composition);
 
 }  // namespace moldlight

@@ -21,6 +21,12 @@ std::span<const Option<StillSettings>> still_options() {
       {"palette", "--palette", "Palette", "",
        "The paper's colours, or a set that colour-blind eyes tell apart.",
        choice<&S::palette>({"paper", "safe"})},
+      {"regions", "--regions", "Regions by", "",
+       "What the picture's regions are: exact, or as the shadow maps of these settings show them.",
+       choice<&S::regions_by>({"exact", "maps"})},
+      {"mark_difference", "--mark-difference", "Mark difference", "",
+       "Hatch the surface on which the shadow maps and the exact regions differ.",
+       SwitchKind<S>{&S::mark_difference}},
   };
   return k_options;
 }

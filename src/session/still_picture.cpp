@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "mold/exact/exact_regions.hpp"
 #include "picture/legend.hpp"
 #include "render/offscreen_picture.hpp"
-#include "render/part_view.hpp"
 #include "render/parting_arrow.hpp"
 #include "session/figures.hpp"
 #include "session/still_layout.hpp"
@@ -23,12 +23,12 @@ namespace moldlight {
 namespace {
 
 constexpr int k_samples = 32;
-constexpr int k_texels_per_pixel = 2, k_most_texels = 4096;  // of the maps, along their sides
 
-glm::dquat orientation(const PartModel& model, const Classification& result, PictureView view) {
+glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction,
+                       PictureView view) {
   switch (view) {
     case PictureView::automatic:
-      return revealing_orientation(model, result);
+      return revealing_orientation(model, split, direction);
     case PictureView::isometric:
       return standard_orientation(StandardView::isometric);
     case PictureView::front:
@@ -47,14 +47,13 @@ glm::dquat orientation(const PartModel& model, const Classification& result, Pic
   return standard_orientation(StandardView::bottom);
 }
 
-/// The classification's own settings, but for maps so fine that their texels do not show.
-MethodSettings picture_settings(const Classification& result, const glm::ivec2& size) {
-  MethodSettings settings = result.settings;
-  if (settings.kernel_shape == KernelShape::symmetric || result.lateral_tolerance <= 0.0) return settings;
-  settings.tolerance = result.lateral_tolerance;
-  settings.resolution =
-      std::max(settings.resolution, std::min(k_most_texels, k_texels_per_pixel * std::max(size.x, size.y)));
-  return settings;
+std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
+                                               const Progress& progress) {
+  const ExactPart part(model.part.mesh, model.geometry, model.frame, progress);
+  const ExactQuery query{.direction = result.direction,
+                         .tau_deg = result.settings.tau_deg,
+                         .lateral = result.lateral_tolerance / model.frame.diagonal};
+  return std::make_shared<const SplitMesh>(exact_split(part, query, progress).mesh);
 }
 
 LegendContent legend_content(const PartModel& model, const Classification& result) {
@@ -101,21 +100,27 @@ void validate(const StillSettings& settings) {
   }
 }
 
-Image still_picture(const gl::Context& context, Classifier& classifier, const Classification& result,
-                    const StillSettings& settings) {
+StillPainter::StillPainter(const gl::Context& context, std::shared_ptr<const PartModel> model)
+    : context_(&context),
+      model_(std::move(model)),
+      geometry_(view_geometry(model_->part.mesh, model_->geometry, model_->adjacency, model_->frame)),
+      maps_(context, model_),
+      view_(context.functions(), geometry_) {}
+
+Image StillPainter::draw(const Classification& result, const StillSettings& settings,
+                         const Progress& progress) {
   validate(settings);
-  const PartModel& model = classifier.model();
   const glm::ivec2& size = settings.size;
-  classifier.draw_maps(picture_settings(result, size));
+  const auto split = exact_regions(*model_, result, progress);
+  if (settings.regions_by == RegionsBy::maps || settings.mark_difference) maps_.draw_resting(result.settings);
+  maps_.take_split(*split, geometry_, result.settings);
 
-  const LegendContent content = legend_content(model, result);
+  const LegendContent content = legend_content(*model_, result);
   const StillLayout places = still_layout(size, settings.legend ? &content : nullptr);
-
-  const ViewGeometry geometry = view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame);
-  const std::array<PartingArrow, 2> arrows = {parting_arrow(geometry.extremes, result.direction, 0.0),
-                                              parting_arrow(geometry.extremes, -result.direction, 0.0)};
+  const std::array<PartingArrow, 2> arrows = {parting_arrow(geometry_.extremes, result.direction, 0.0),
+                                              parting_arrow(geometry_.extremes, -result.direction, 0.0)};
   Camera camera;
-  camera.orientation = orientation(model, result, settings.view);
+  camera.orientation = orientation(*model_, *split, result.direction, settings.view);
   camera.projection = settings.view == PictureView::automatic || settings.view == PictureView::isometric
                           ? Projection::perspective
                           : Projection::orthographic;
@@ -124,23 +129,24 @@ Image still_picture(const gl::Context& context, Classifier& classifier, const Cl
   ViewSettings view_settings;
   view_settings.theme = settings.theme;
   view_settings.palette = settings.palette;
+  view_settings.regions_by = settings.regions_by;
+  view_settings.mark_difference = settings.mark_difference;
   view_settings.parting_arrows = settings.arrows;
   view_settings.pixel_scale = std::max(1.0, 1.15 * places.scale);
   view_settings.samples = k_samples;
-  PartView view(context.functions(), geometry);
   std::vector<glm::vec3> beyond;
   if (settings.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
-  camera = composed(context.functions(), view, classifier, camera,
-                    {size, places.legend, geometry.extremes, beyond});
-  const OffscreenPicture picture(context.functions(), size);
-  view.draw_final(picture.target(), classifier.buffers(), classifier.maps(), camera, view_settings);
+  camera = composed(context_->functions(), view_, maps_.buffers(), camera,
+                    {size, places.legend, geometry_.extremes, beyond});
+  const OffscreenPicture picture(context_->functions(), size);
+  view_.draw_final(picture.target(), maps_.subject(), camera, view_settings);
 
   Canvas canvas(picture.read());
   const LegendStyle style{
       .dark = settings.theme == Theme::dark, .palette = settings.palette, .scale = places.scale};
   if (settings.arrows && places.legend) {
-    label_arrow(canvas, view, camera, size, arrows[0], "core", style);
-    label_arrow(canvas, view, camera, size, arrows[1], "cavity", style);
+    label_arrow(canvas, view_, camera, size, arrows[0], "core", style);
+    label_arrow(canvas, view_, camera, size, arrows[1], "cavity", style);
   }
   if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
   return canvas.image();

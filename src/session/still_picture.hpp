@@ -1,14 +1,17 @@
-// The still picture of a classified part: what the window's viewport shows, with a legend.
+// Still pictures of a classified part: what the window's viewport shows, with a legend.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include <glm/vec2.hpp>
 
 #include "base/image.hpp"
+#include "base/progress.hpp"
 #include "gl/context.hpp"
-#include "render/view_settings.hpp"
-#include "session/classifier.hpp"
+#include "render/part_view.hpp"
+#include "session/classification.hpp"
+#include "session/picture_maps.hpp"
 
 namespace moldlight {
 
@@ -23,16 +26,31 @@ struct StillSettings {
   PictureView view = PictureView::automatic;
   Theme theme = Theme::light;
   Palette palette = Palette::paper;
-  bool legend = true;  // left out where a picture is too small for it
+  RegionsBy regions_by = RegionsBy::exact;
+  bool mark_difference = false;  // where shadow maps and exact regions differ
+  bool legend = true;            // left out where a picture is too small for it
   bool arrows = true;
 };
 
 /// Throws UsageError for a size out of range.
 void validate(const StillSettings& settings);
 
-/// Draws the maps for the classification's settings again, then the picture. `context` is the classifier's
-/// and current.
-[[nodiscard]] Image still_picture(const gl::Context& context, Classifier& classifier,
-                                  const Classification& result, const StillSettings& settings);
+/// Draws still pictures of one part. `context` must be current at every call and outlive it.
+class StillPainter {
+ public:
+  StillPainter(const gl::Context& context, std::shared_ptr<const PartModel> model);
+
+  /// The part's exact regions for the classification's settings, or those of the shadow maps. Throws
+  /// UsageError, Error, Cancelled.
+  [[nodiscard]] Image draw(const Classification& result, const StillSettings& settings,
+                           const Progress& progress);
+
+ private:
+  const gl::Context* context_;
+  std::shared_ptr<const PartModel> model_;
+  ViewGeometry geometry_;
+  PictureMaps maps_;
+  PartView view_;
+};
 
 }  // namespace moldlight

@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
-#include "mold/accessibility.hpp"
 #include "render/camera.hpp"
 
 namespace moldlight {
@@ -27,13 +26,24 @@ struct Spot {
   glm::vec3 normal;
 };
 
-/// Spots spread evenly over the facets' weights, one weight a facet.
-std::vector<Spot> spread_spots(const PartModel& model, const std::vector<double>& weights, double total) {
+double area(const SplitMesh& split, const SplitPiece& piece) {
+  const glm::dvec3& a = split.vertices[piece.corners[0]];
+  return 0.5 *
+         glm::length(glm::cross(split.vertices[piece.corners[1]] - a, split.vertices[piece.corners[2]] - a));
+}
+
+/// Spots spread evenly over the undercuts, or over everything where there are none.
+std::vector<Spot> spread_spots(const PartModel& model, const SplitMesh& split) {
+  double total = 0.0;
+  for (const SplitPiece& piece : split.pieces)
+    total += piece.region == Region::undercut ? area(split, piece) : 0.0;
+  const bool any = total > k_least_share * model.geometry.total_area;
+  const double step = (any ? total : model.geometry.total_area) / static_cast<double>(k_samples);
   std::vector<Spot> spots;
-  const double step = total / static_cast<double>(k_samples);
   double sum = 0.0, next = 0.5 * step;
-  for (FacetIndex facet = 0; facet < weights.size(); ++facet) {
-    sum += weights[facet];
+  for (const SplitPiece& piece : split.pieces) {
+    if (any && piece.region != Region::undercut) continue;
+    sum += area(split, piece);
     for (; next < sum; next += step) {
       // The additive recurrence of the plastic number, folded into the triangle.
       const double k = static_cast<double>(spots.size());
@@ -43,35 +53,12 @@ std::vector<Spot> spread_spots(const PartModel& model, const std::vector<double>
         u = 1.0 - u;
         v = 1.0 - v;
       }
-      const glm::dvec3& a = model.part.mesh.corner(facet, 0);
+      const glm::dvec3& a = split.vertices[piece.corners[0]];
       const glm::dvec3 point =
-          a + u * (model.part.mesh.corner(facet, 1) - a) + v * (model.part.mesh.corner(facet, 2) - a);
-      spots.push_back({model.frame.to_unit(point), glm::vec3(model.geometry.normals[facet])});
+          a + u * (split.vertices[piece.corners[1]] - a) + v * (split.vertices[piece.corners[2]] - a);
+      spots.push_back({model.frame.to_unit(point), glm::vec3(model.geometry.normals[piece.facet])});
     }
   }
-  return spots;
-}
-
-std::vector<Spot> undercut_spots(const PartModel& model, const Classification& result) {
-  std::vector<double> weights(model.geometry.areas.size());
-  double total = 0.0;
-  for (FacetIndex facet = 0; facet < weights.size(); ++facet) {
-    weights[facet] = model.geometry.areas[facet] *
-                     result.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)];
-    total += weights[facet];
-  }
-  if (total <= k_least_share * result.total_area) return {};
-  std::vector<Spot> spots = spread_spots(model, weights, total);
-  // A facet may be undercut in part: rays tell where.
-  const AccessibilityQuery query{.direction = result.direction,
-                                 .lateral = result.lateral_tolerance / model.frame.diagonal};
-  std::erase_if(spots, [&](const Spot& spot) {
-    const FacetClass facet_class_here =
-        facet_class(glm::dvec3(spot.normal), query.direction, result.settings.tau_deg);
-    const Accessibility found =
-        exact_accessibility(*model.rays, spot.position, glm::dvec3(spot.normal), facet_class_here, query);
-    return found.plus || found.minus;
-  });
   return spots;
 }
 
@@ -88,11 +75,10 @@ double visible_amount(const PartModel& model, const std::vector<Spot>& spots, co
 
 }  // namespace
 
-glm::dquat revealing_orientation(const PartModel& model, const Classification& result) {
-  std::vector<Spot> spots = undercut_spots(model, result);
-  if (spots.empty()) spots = spread_spots(model, model.geometry.areas, result.total_area);
-
-  const glm::dvec3& up = result.direction;
+glm::dquat revealing_orientation(const PartModel& model, const SplitMesh& split,
+                                 const glm::dvec3& direction) {
+  const std::vector<Spot> spots = spread_spots(model, split);
+  const glm::dvec3& up = direction;
   const glm::dvec3 ahead = std::abs(up.x) > 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(ahead - glm::dot(ahead, up) * up), y = glm::cross(up, x);
   std::vector<glm::dvec3> views;

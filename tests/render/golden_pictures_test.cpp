@@ -76,7 +76,7 @@ TEST(GoldenPictures, FacetEdgesLevelLinesAndContourEdges) {
   settings.colour_mode = ColourMode::plain;
   const Shape shape = cup(ShapeSettings{});
   ShapePicture picture(test::shared_context(), shape);
-  const PartModel& model = picture.classifier.model();
+  const PartModel& model = *picture.model;
   const auto classes = facet_classes(model.geometry, shape.direction, picture.method.tau_deg);
   picture.view.set_contour_edges(contour_edges(model.part.mesh, model.edges.convex, classes, model.frame),
                                  contour_edges(model.part.mesh, model.edges.concave, classes, model.frame));
@@ -86,12 +86,29 @@ TEST(GoldenPictures, FacetEdgesLevelLinesAndContourEdges) {
 TEST(GoldenPictures, PerspectiveAndSymmetricKernel) {
   ShapePicture picture(test::shared_context(), plate_with_side_pocket(ShapeSettings{}));
   picture.method.kernel_shape = KernelShape::symmetric;
-  picture.classifier.draw_maps(picture.method);
+  picture.find_regions();
   Camera camera = picture.camera();
   camera.projection = Projection::perspective;
   camera.fov_deg = 45.0;
   camera.height *= 1.3;
-  EXPECT_TRUE(matches_golden(picture.draw(camera, flat_backdrop()), "side_pocket_symmetric"));
+  ViewSettings settings = flat_backdrop();
+  settings.regions_by = RegionsBy::maps;
+  EXPECT_TRUE(matches_golden(picture.draw(camera, settings), "side_pocket_symmetric"));
+}
+
+TEST(GoldenPictures, DifferenceOfCoarseMapsFromExactRegions) {
+  ViewSettings settings = flat_backdrop();
+  settings.mark_difference = true;
+  ShapePicture picture(test::shared_context(), oblique_l_bracket(ShapeSettings{}));
+  picture.method.resolution = 64;
+  picture.find_regions();
+  Camera camera = panned(picture.camera(), {0.0, -30.0}, picture.picture.target().size);
+  camera.height *= 0.25;
+  EXPECT_TRUE(matches_golden(picture.draw(camera, settings), "difference_exact"));
+  settings.regions_by = RegionsBy::maps;
+  settings.theme = Theme::light;
+  settings.palette = Palette::colour_blind_safe;
+  EXPECT_TRUE(matches_golden(picture.draw(camera, settings), "difference_maps_light_safe"));
 }
 
 TEST(GoldenPictures, TheComparisonSeesADifference) {

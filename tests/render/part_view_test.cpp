@@ -31,14 +31,16 @@ struct PixelErrors {
   double facet = 0.0, region = 0.0;
 };
 
-PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera) {
-  static_cast<void>(picture.draw(camera, one_sample()));
-  const PartModel& model = picture.classifier.model();
+PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy by) {
+  ViewSettings settings = one_sample();
+  settings.regions_by = by;
+  static_cast<void>(picture.draw(camera, settings));
+  const PartModel& model = *picture.model;
   const glm::ivec2 size = picture.picture.target().size;
   const auto facets = picture.view.read_facets();
   const auto regions = picture.view.read_regions();
-  const glm::dvec3 direction = picture.classifier.maps().frame().z;
-  const AccessibilityQuery query{direction, picture.classifier.maps().settings().lateral};
+  const glm::dvec3 direction = picture.maps.maps().frame().z;
+  const AccessibilityQuery query{direction, picture.maps.maps().settings().lateral};
   PixelErrors errors;
   for (int row = 0; row < size.y; ++row) {
     for (int x = 0; x < size.x; ++x) {
@@ -77,10 +79,13 @@ TEST(PartView, ShowsTheFacetAndTheRegionThatRaysFind) {
       ShapePicture picture(test::shared_context(), shape);
       Camera camera = picture.camera();
       camera.projection = projection;
-      const PixelErrors errors = pixel_errors(picture, camera);
-      EXPECT_GT(errors.pixels, 5000U) << shape.name;
-      EXPECT_LT(errors.facet, 0.002) << shape.name;
-      EXPECT_LT(errors.region, 0.006) << shape.name;
+      const PixelErrors exact = pixel_errors(picture, camera, RegionsBy::exact);
+      EXPECT_GT(exact.pixels, 5000U) << shape.name;
+      EXPECT_LT(exact.facet, 0.002) << shape.name;
+      EXPECT_LT(exact.region, 0.0002) << shape.name;
+      const PixelErrors maps = pixel_errors(picture, camera, RegionsBy::maps);
+      EXPECT_LT(maps.facet, 0.002) << shape.name;
+      EXPECT_LT(maps.region, 0.006) << shape.name;
     }
   }
 }
@@ -89,7 +94,7 @@ TEST(PartView, PicksWhatIsSeen) {
   const Shape shape = cup_with_side_hole(ShapeSettings{});
   ShapePicture picture(test::shared_context(), shape);
   const Camera camera = picture.camera();
-  const PartModel& model = picture.classifier.model();
+  const PartModel& model = *picture.model;
   for (const double opened : {0.0, 0.2}) {
     ViewSettings settings = one_sample();
     settings.open_mold = opened;
@@ -128,7 +133,7 @@ Drawn draw_on(gl::HeadlessBackend backend, const Shape& shape, std::string& rend
   Drawn drawn;
   ViewSettings settings;
   settings.samples = 4;
-  settings.parting_arrows = true;
+  settings.parting_arrows = settings.mark_difference = true;
   drawn.picture = picture.draw(picture.camera(), settings);
   static_cast<void>(picture.draw(picture.camera(), one_sample()));
   drawn.facets = picture.view.read_facets();
@@ -154,8 +159,7 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   settings.samples = 5;
   const ViewTarget target = picture.picture.target();
   const auto draw = [&](const Camera& camera) {
-    return picture.view.draw(target, picture.classifier.buffers(), picture.classifier.maps(), camera,
-                             settings);
+    return picture.view.draw(target, picture.maps.subject(), camera, settings);
   };
   const Camera camera = picture.camera();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << sample;
@@ -167,7 +171,7 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   const Camera other = panned(camera, {3.0, 0.0}, target.size);
   EXPECT_TRUE(draw(other));
   EXPECT_TRUE(draw(camera));
-  picture.classifier.draw_maps(picture.method);
+  picture.find_regions();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << "after new maps";
   EXPECT_FALSE(draw(camera));
   EXPECT_EQ(picture.picture.read().rgba, done.rgba) << "the same picture again, to the bit";
@@ -188,6 +192,64 @@ TEST(PartView, MarksLieOnTop) {
   EXPECT_NE(picture.draw(camera, settings).rgba, bare.rgba);
   picture.view.choose_facets({});
   EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
+}
+
+TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
+  ShapePicture picture(test::shared_context(), oblique_l_bracket(ShapeSettings{}));
+  picture.method.resolution = 64;
+  picture.find_regions();
+  const Camera camera = picture.camera();
+  ViewSettings settings = one_sample();
+  settings.hatch_undercut = settings.feature_edges = false;
+  for (const double opened : {0.0, 0.2}) {
+    for (const double opacity : {1.0, 0.4}) {
+      settings.open_mold = opened;
+      settings.others_opacity = opacity;
+      for (const RegionsBy by : {RegionsBy::exact, RegionsBy::maps}) {
+        settings.regions_by = by;
+        settings.mark_difference = false;
+        const Image bare = picture.draw(camera, settings);
+        const auto shown = picture.view.read_regions();
+        settings.mark_difference = true;
+        const Image marked = picture.draw(camera, settings);
+        EXPECT_EQ(picture.view.read_regions(), shown) << "marks change no region";
+        EXPECT_NE(marked.rgba, bare.rgba);
+        if (opened > 0.0 || opacity < 1.0) continue;
+        settings.mark_difference = false;
+        settings.regions_by = by == RegionsBy::exact ? RegionsBy::maps : RegionsBy::exact;
+        static_cast<void>(picture.draw(camera, settings));
+        const auto other = picture.view.read_regions();
+        std::size_t differing = 0, seen = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+          const std::size_t x = i % 200, y = 149 - i / 200, at = 4 * (y * 200 + x);
+          const bool changed = !std::equal(&bare.rgba[at], &bare.rgba[at] + 4, &marked.rgba[at]);
+          EXPECT_TRUE(!changed || shown[i] != other[i]) << x << ", " << y;
+          differing += shown[i] != other[i] ? 1 : 0;
+          seen += changed ? 1 : 0;
+        }
+        EXPECT_GT(differing, 20U);
+        EXPECT_GT(seen, differing / 2) << "a hatch leaves gaps";
+      }
+    }
+  }
+}
+
+TEST(PartView, ASplitSurfaceHasTheLightOfAWholeOne) {
+  for (const Shape& shape : {spool(ShapeSettings{}), hollow_sphere(ShapeSettings{}),
+                             test::turned(ring(ShapeSettings{}), glm::dquat(0.8, 0.2, -0.3, 0.1))}) {
+    ShapePicture picture(test::shared_context(), shape);
+    picture.method.direction = glm::dvec3(0.4, 0.3, 0.8);
+    picture.find_regions();
+    ViewSettings settings = one_sample();
+    settings.colour_mode = ColourMode::draft_angle;
+    const Image split = picture.draw(picture.camera(), settings);
+    settings.regions_by = RegionsBy::maps;
+    const Image whole = picture.draw(picture.camera(), settings);
+    int worst = 0;
+    for (std::size_t i = 0; i < split.rgba.size(); ++i)
+      worst = std::max(worst, std::abs(int{split.rgba[i]} - int{whole.rgba[i]}));
+    EXPECT_LE(worst, 4) << shape.name;
+  }
 }
 
 TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
@@ -211,6 +273,16 @@ TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
   }
   EXPECT_GT(before, 50U);
   EXPECT_GT(kept, before * 9 / 10) << "what moved away must not hide them more than a little";
+}
+
+TEST(PartView, APlainPictureNeedsNoRegions) {
+  ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
+  ViewSettings settings = one_sample();
+  settings.colour_mode = ColourMode::plain;
+  const Image known = picture.draw(picture.camera(), settings);
+  picture.view.draw_final(picture.picture.target(), {.part = picture.maps.buffers()}, picture.camera(),
+                          settings);
+  EXPECT_EQ(picture.picture.read().rgba, known.rgba);
 }
 
 TEST(PartView, NoBackdropIsTransparent) {

@@ -9,6 +9,7 @@
 #include "session/view_choice.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
+#include "support/shape_picture.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight {
@@ -26,7 +27,7 @@ struct Classified {
     result = classifier.classify(settings, Progress{});
   }
   [[nodiscard]] Image picture(const StillSettings& settings) {
-    return still_picture(test::shared_context(), classifier, result, settings);
+    return StillPainter(test::shared_context(), classifier.shared_model()).draw(result, settings, {});
   }
   Classifier classifier;
   Classification result;
@@ -59,7 +60,10 @@ TEST(StillPicture, LooksWhereTheUndercutsAre) {
 TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
   Classified part(shape);
-  const Camera camera{.orientation = revealing_orientation(part.classifier.model(), part.result)};
+  const Camera camera{
+      .orientation = revealing_orientation(part.classifier.model(),
+                                           test::exact_regions(part.classifier.model(), part.result.settings),
+                                           part.result.direction)};
   EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
   const StillSettings settings{.size = {300, 200}};

@@ -1,14 +1,12 @@
 #include "support/shape_picture.hpp"
 
+#include "mold/exact/exact_regions.hpp"
+#include "session/classifier.hpp"
 #include "support/classify_mesh.hpp"
 
 namespace moldlight::test {
 
 namespace {
-
-ViewGeometry geometry_of(const PartModel& model) {
-  return view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame);
-}
 
 MethodSettings method_of(const Shape& shape) {
   MethodSettings method;
@@ -21,23 +19,37 @@ MethodSettings method_of(const Shape& shape) {
 }  // namespace
 
 ShapePicture::ShapePicture(const gl::Context& context, const Shape& shape, const glm::ivec2& size)
-    : classifier(context, model_of(shape.mesh)),
+    : model(model_of(shape.mesh)),
       method(method_of(shape)),
-      view(context.functions(), geometry_of(classifier.model())),
-      picture(context.functions(), size),
-      geometry_(geometry_of(classifier.model())) {
-  classifier.draw_maps(method);
+      geometry(view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame)),
+      maps(context, model),
+      view(context.functions(), geometry),
+      picture(context.functions(), size) {
+  find_regions();
 }
 
 Camera ShapePicture::camera() const {
   Camera camera;
   camera.orientation = looking_along({-0.55, 0.75, -0.6}, {0, 0, 1});
-  return fitted(camera, geometry_.extremes, picture.target().size, 0.85);
+  return fitted(camera, geometry.extremes, picture.target().size, 0.85);
+}
+
+void ShapePicture::find_regions() {
+  maps.draw_resting(method);
+  maps.take_split(exact_regions(*model, method), geometry, method);
 }
 
 Image ShapePicture::draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
-  view.draw_final(picture.target(), classifier.buffers(), classifier.maps(), camera, settings, marks);
+  view.draw_final(picture.target(), maps.subject(), camera, settings, marks);
   return picture.read();
+}
+
+SplitMesh exact_regions(const PartModel& model, const MethodSettings& method) {
+  const ExactPart part(model.part.mesh, model.geometry, model.frame, Progress{});
+  const ExactQuery query{.direction = unit_direction(method.direction),
+                         .tau_deg = method.tau_deg,
+                         .lateral = map_settings(method, model.frame.diagonal).lateral};
+  return exact_split(part, query, Progress{}).mesh;
 }
 
 }  // namespace moldlight::test

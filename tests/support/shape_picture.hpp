@@ -1,11 +1,11 @@
-// Small pictures of meshes through the whole path: maps, regions, light, lines.
+// Small pictures of meshes through the whole path: regions, light, lines.
 #pragma once
 
 #include <memory>
 
 #include "render/offscreen_picture.hpp"
 #include "render/part_view.hpp"
-#include "session/classifier.hpp"
+#include "session/picture_maps.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight::test {
@@ -17,15 +17,19 @@ class ShapePicture {
 
   /// A camera from the front, the right and above that has the whole shape in view.
   [[nodiscard]] Camera camera() const;
+  /// The regions of `method`, maps and split mesh; the constructor finds them once.
+  void find_regions();
   [[nodiscard]] Image draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks = {});
 
-  Classifier classifier;
+  std::shared_ptr<const PartModel> model;
   MethodSettings method;
+  ViewGeometry geometry;
+  PictureMaps maps;
   PartView view;
   OffscreenPicture picture;
-
- private:
-  ViewGeometry geometry_;
 };
+
+/// The exact regions of a part for these settings.
+[[nodiscard]] SplitMesh exact_regions(const PartModel& model, const MethodSettings& method);
 
 }  // namespace moldlight::test

@@ -20,8 +20,6 @@ namespace {
 constexpr std::size_t k_most_tiles = 12;
 /// More labels would hide the map.
 constexpr std::size_t k_most_labels = 30;
-/// Samples by which a tile's view is chosen; its figures are the sweep's.
-constexpr int k_view_samples = 40'000;
 constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
 
 // The map's field: as fine as a picture shows it, but the work of it is bounded.
@@ -126,45 +124,44 @@ Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, co
                                   settings.theme == Theme::dark);
 }
 
-Image sweep_contact_sheet(Classifier& classifier, const SweepResult& result, const StillSettings& settings,
+Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const PartModel> model,
+                          const SweepResult& result, const StillSettings& settings,
                           const Progress& progress) {
-  const PartModel& model = classifier.model();
   const double scale = scale_of(settings);
   StillSettings still = settings;
   still.legend = false;
   still.size = glm::max(glm::ivec2(glm::round(scale * glm::dvec2(k_tile_width, k_tile_height))), 16);
   const std::size_t shown = std::min(result.candidates.size(), k_most_tiles);
   ContactSheet sheet{
-      .title = part_name(model.part), .dark = settings.theme == Theme::dark, .palette = settings.palette};
+      .title = part_name(model->part), .dark = settings.theme == Theme::dark, .palette = settings.palette};
   sheet.line = shown == 0
                    ? "No direction was measured to the end."
                    : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",
                                  counted(shown, "parting direction"), result.evaluated.size(),
                                  result.complete ? "" : ", not complete");
   const std::vector<std::string> ties = tie_marks(result.candidates);
+  StillPainter painter(context, model);
   for (std::size_t k = 0; k < shown; ++k) {
     const SweepCandidate& candidate = result.candidates[k];
-    MethodSettings method = candidate.classification.settings;
-    method.samples = std::min(method.samples, k_view_samples);
-    const Classification regions = classifier.classify(method, silent(progress));
-    ContactTile tile = contact_tile(model, candidate, ties[k]);
-    tile.picture = still_picture(classifier.context(), classifier, regions, still);
+    ContactTile tile = contact_tile(*model, candidate, ties[k]);
+    tile.picture = painter.draw(candidate.classification, still, silent(progress));
     sheet.tiles.push_back(std::move(tile));
   }
   return contact_sheet_picture(sheet, scale);
 }
 
-bool write_sweep_pictures(const std::string& folder, Classifier& classifier, const SweepResult& result,
+bool write_sweep_pictures(const std::string& folder, const gl::Context& context,
+                          std::shared_ptr<const PartModel> model, const SweepResult& result,
                           const StillSettings& settings, const Progress& progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
   const std::filesystem::path there(folder);
-  write_png((there / k_sphere_picture).string(), sweep_sphere_picture(classifier.model(), result, settings));
+  write_png((there / k_sphere_picture).string(), sweep_sphere_picture(*model, result, settings));
   try {
     if (progress.cancelled()) return false;
     write_png((there / k_contact_sheet).string(),
-              sweep_contact_sheet(classifier, result, settings, progress));
+              sweep_contact_sheet(context, std::move(model), result, settings, progress));
   } catch (const Cancelled&) {
     return false;
   }

@@ -14,24 +14,15 @@
 namespace moldlight {
 namespace {
 
-glm::vec3 decoded(const std::array<std::int16_t, 2>& packed) {
-  glm::vec2 v(static_cast<float>(packed[0]) / 32767.0F, static_cast<float>(packed[1]) / 32767.0F);
-  const float z = 1.0F - std::abs(v.x) - std::abs(v.y);
-  if (z < 0.0F) {
-    v = glm::vec2(std::copysign(1.0F - std::abs(v.y), v.x), std::copysign(1.0F - std::abs(v.x), v.y));
-  }
-  return glm::normalize(glm::vec3(v, z));
-}
-
 TEST(Octahedral, KeepsDirectionsToAHundredthOfADegree) {
   for (int k = 0; k < 2000; ++k) {
     const float z = 1.0F - 2.0F * (static_cast<float>(k) + 0.5F) / 2000.0F;
     const float angle = 2.4F * static_cast<float>(k), radius = std::sqrt(1.0F - z * z);
     const glm::vec3 unit(radius * std::cos(angle), radius * std::sin(angle), z);
-    EXPECT_LT(glm::distance(decoded(octahedral(unit)), unit), 1.5e-4F);
+    EXPECT_LT(glm::distance(from_octahedral(octahedral(unit)), unit), 1.5e-4F);
   }
   for (const glm::vec3& axis : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(-1, 0, 0)}) {
-    EXPECT_LT(glm::distance(decoded(octahedral(axis)), axis), 1e-4F);
+    EXPECT_LT(glm::distance(from_octahedral(octahedral(axis)), axis), 1e-4F);
   }
 }
 
