@@ -75,7 +75,8 @@ void main() {
   uint other = surface_exact(surface);
 #endif
   if (other != bits) {
-    albedo = mix(albedo, u_difference_colour, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.35));
+    // Between the stripes too, so that slivers narrower than the stripes show.
+    albedo = mix(albedo, u_difference_colour, mix(0.45, 1.0, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.5)));
     hatch = 0.0;
   }
 #endif
