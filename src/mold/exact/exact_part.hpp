@@ -45,6 +45,9 @@ class ExactPart {
   /// Crossings of facet k: [first_crossing[k], first_crossing[k + 1]).
   [[nodiscard]] const std::vector<FacetCrossing>& crossings() const { return crossings_; }
   [[nodiscard]] const std::vector<std::uint32_t>& first_crossing() const { return first_crossing_; }
+  [[nodiscard]] bool crossed(FacetIndex facet) const {
+    return first_crossing_[facet + 1] > first_crossing_[facet];
+  }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }
   /// Facets run through each edge as often in the one sense as in the other, so that there is an inside.

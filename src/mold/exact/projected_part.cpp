@@ -17,7 +17,7 @@ namespace moldlight {
 namespace {
 
 /// |n . d| up to which a facet is seen from neither side. Far above the rounding of a normal in double.
-constexpr double k_edge_on = 1e-9;
+constexpr double k_edge_on = 1e-12;
 /// Curtains narrower than this hide nothing that has an area.
 constexpr double k_narrowest = 1e-11;
 /// Distances of a facet from a point, in the unit frame, up to which they touch.
@@ -138,7 +138,9 @@ void ProjectedPart::find_contour() {
     contour_extents_.push_back({.low = static_cast<float>(low) - k_single_rounding,
                                 .high = static_cast<float>(high) + k_single_rounding,
                                 .for_below = ends,
-                                .for_above = ends});
+                                .for_above = ends,
+                                .pierces = edge.kind == EdgeKind::irregular || part_->crossed(edge.left) ||
+                                           part_->crossed(edge.right)});
   }
 }
 
@@ -260,6 +262,10 @@ void ProjectedPart::find_visible(std::uint32_t number, Sense sense, std::vector<
   const ContourEdge& edge = contour_[number];
   const ContourExtent& extent = contour_extents_[number];
   if ((sense > 0 ? extent.for_below : extent.for_above) == 0) return;
+  if (extent.pierces) {
+    visible.push_back({0.0, 1.0});
+    return;
+  }
   const std::uint8_t facings = blockers(sense, false);
   const glm::dvec3 end = edge.start + edge.along;
   std::vector<double> cuts = {0.0, 1.0};

@@ -55,6 +55,7 @@ class ProjectedPart {
   struct ContourExtent {
     float low, high;
     std::uint8_t for_below, for_above;
+    bool pierces;  // it may run into a facet or out of one, as where bodies overlap
   };
   [[nodiscard]] const ContourExtent& contour_extent(std::size_t edge) const { return contour_extents_[edge]; }
   [[nodiscard]] const ProjectionGrid& contour_grid() const { return contour_grid_; }
