@@ -26,6 +26,9 @@ constexpr double k_plane_margin = 1e-7;
 constexpr double k_clip_slack = 1e-9;
 /// A curtain that enters a facet by less than this only touches it.
 constexpr double k_touch = 1e-13;
+/// |n . d| of walls whose projection is left out of the shadow: subdivided walls, tilted this way and that by
+/// the rounding of a file in single precision, hide each other in thousands of slivers.
+constexpr double k_hardly_tilted = 1e-5;
 constexpr std::size_t k_grain = 256;  // facets a task
 
 /// A plane's own coordinates: the first axis is level, the second rises as steeply as the plane does.
@@ -61,7 +64,8 @@ class FacetSplitter {
   struct Outcome {
     std::array<double, k_region_count> areas{};  // unit frame squared
     FacetClass facet_class = FacetClass::near_vertical;
-    double projected_core = 0.0, projected_cavity = 0.0;
+    double projected_core = 0.0, projected_cavity = 0.0;  // unit frame squared
+    double projected_doubt = 0.0;                         // model units squared
   };
   /// Cuts the facet; the cells are those of cells() if they are kept.
   Outcome split(FacetIndex facet, bool keep_cells);
@@ -106,7 +110,9 @@ FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
     run(facet, {.plus = up, .minus = !up}, keep_cells);
     seen_from_above(cells_.areas());
   } else {
-    if (faces != 0) {
+    if (std::abs(sine) < k_hardly_tilted) {
+      outcome.projected_doubt = std::abs(sine) * part.geometry().areas[facet];
+    } else {
       run(facet, {.plus = faces == facing::k_up, .minus = faces == facing::k_down}, false);
       seen_from_above(cells_.areas());
     }
@@ -284,6 +290,7 @@ ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcom
     if (outcome.facet_class == FacetClass::near_vertical) result.near_vertical_area += area;
     result.projected_core += outcome.projected_core * square;
     result.projected_cavity += outcome.projected_cavity * square;
+    result.projected_doubt += outcome.projected_doubt;
   }
   return result;
 }

@@ -32,6 +32,8 @@ struct ExactAreas {
   /// Projected area of the surface that faces along +d (up) and is accessible along +d, and the same for -d;
   /// at tau = 0, whatever the query's tau. Each is the area of the part's shadow if the mesh is closed.
   double projected_core = 0.0, projected_cavity = 0.0;
+  double projected_doubt =
+      0.0;  // at most so much is missing from each: projected area of what is all but edge-on
 };
 
 struct ExactSplit {
