@@ -184,12 +184,14 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   }
   if (test.beside && shift_ != glm::dvec3(0.0)) {
     const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
-    projected_.facet_grid().for_each_item(footprint, [&](std::uint32_t other) {
-      if (seen_facets_[other] == round_) return;
-      seen_facets_[other] = round_;
-      const ProjectedPart::Extent& extent = projected_.extent(other);
-      if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
-    });
+    for (const ProjectionGrid& facets : projected_.facet_grids()) {
+      facets.for_each_item(footprint, [&](std::uint32_t other) {
+        if (seen_facets_[other] == round_) return;
+        seen_facets_[other] = round_;
+        const ProjectedPart::Extent& extent = projected_.extent(other);
+        if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
+      });
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -93,26 +94,40 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
         leave_out_covered_edges();
         fill_contour_grid();
       },
-      [&] {
-        const double cells = k_facet_cells * static_cast<double>(mesh.facets.size());
-        facet_grid_.fill(box_, cells, mesh.facets.size(), [&](std::size_t k, glm::dvec2* corners) {
-          if (extents_[k].facing == 0) return std::size_t{0};
-          for (int c = 0; c < 3; ++c)
-            corners[c] = glm::dvec2(points_[mesh.facets[k][static_cast<std::size_t>(c)]]);
-          return std::size_t{3};
-        });
-      });
+      [&] { fill_facet_grid(facing::k_up); }, [&] { fill_facet_grid(facing::k_down); });
   leave_out_hidden_edges();
   fill_contour_grid();
 }
 
 void ProjectedPart::fill_contour_grid() {
   const double cells = k_contour_cells * static_cast<double>(contour_.size());
-  contour_grid_.fill(box_, cells, contour_.size(), [&](std::size_t k, glm::dvec2* corners) {
+  std::vector<std::uint32_t> all(contour_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  contour_grid_.fill(box_, cells, all, [&](std::size_t k, glm::dvec2* corners) {
     corners[0] = glm::dvec2(contour_[k].start);
     corners[1] = glm::dvec2(contour_[k].start + contour_[k].along);
     return std::size_t{2};
   });
+}
+
+void ProjectedPart::fill_facet_grid(std::uint8_t facing) {
+  std::vector<std::uint32_t> facets;
+  for (std::uint32_t k = 0; k < extents_.size(); ++k) {
+    if (extents_[k].facing == facing) facets.push_back(k);
+  }
+  std::sort(facets.begin(), facets.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const float at_a = facing == facing::k_up ? -extents_[a].high : extents_[a].low;
+    const float at_b = facing == facing::k_up ? -extents_[b].high : extents_[b].low;
+    return at_a != at_b ? at_a < at_b : a < b;
+  });
+  const TriangleMesh& mesh = part_->mesh();
+  const double cells = k_facet_cells * static_cast<double>(facets.size());
+  facet_grids_[facing == facing::k_up ? 0 : 1].fill(box_, cells, facets,
+                                                    [&](std::size_t k, glm::dvec2* corners) {
+                                                      for (std::size_t c = 0; c < 3; ++c)
+                                                        corners[c] = glm::dvec2(points_[mesh.facets[k][c]]);
+                                                      return std::size_t{3};
+                                                    });
 }
 
 void ProjectedPart::find_contour() {
@@ -307,42 +322,50 @@ void ProjectedPart::find_visible(std::uint32_t number, Sense sense, std::vector<
 }
 
 bool ProjectedPart::blocked(const Ray& ray) const {
-  const TriangleMesh& mesh = part_->mesh();
   const std::uint8_t facings = blockers(ray.sense, ray.beside);
-  const double per_area = 2.0 / (part_->frame().diagonal * part_->frame().diagonal);
+  for (const std::uint8_t facing : {facing::k_up, facing::k_down}) {
+    if ((facings & facing) == 0) continue;
+    // The outermost come first: where one does not reach beyond the point, no other does.
+    const bool ordered = (ray.sense > 0) == (facing == facing::k_up);
+    for (const std::uint32_t facet :
+         facet_grids_[facing == facing::k_up ? 0 : 1].items_at(glm::dvec2(ray.point))) {
+      const Extent& extent = extents_[facet];
+      if (ray.sense > 0 ? extent.high < ray.point.z : extent.low > ray.point.z) {
+        if (ordered) break;
+        continue;
+      }
+      if (facet != ray.own && blocks(facet, ray)) return true;
+    }
+  }
+  return false;
+}
+
+bool ProjectedPart::blocks(FacetIndex facet, const Ray& ray) const {
+  const auto& corners = part_->mesh().facets[facet];
+  const std::array<const glm::dvec3*, 3> at = {&points_[corners[0]], &points_[corners[1]],
+                                               &points_[corners[2]]};
+  // Twice the areas that the point spans with the sides, seen along the direction. Each side is taken from
+  // its lower vertex to its higher one, so that two facets agree about their common side.
+  const double turn = extents_[facet].facing == facing::k_up ? 1.0 : -1.0;
+  std::array<double, 3> spans{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t from = k, to = (k + 1) % 3;
+    const bool swapped = corners[from] > corners[to];
+    if (swapped) std::swap(from, to);
+    const glm::dvec3& a = *at[from];
+    const glm::dvec3& b = *at[to];
+    const double span = (b.x - a.x) * (ray.point.y - a.y) - (b.y - a.y) * (ray.point.x - a.x);
+    spans[(k + 2) % 3] = swapped ? -span : span;
+    if (spans[(k + 2) % 3] * turn < 0.0) return false;
+  }
+  const double rise = spans[0] * (at[0]->z - ray.point.z) + spans[1] * (at[1]->z - ray.point.z) +
+                      spans[2] * (at[2]->z - ray.point.z);
+  const double twice_area =
+      2.0 * part_->geometry().areas[facet] / (part_->frame().diagonal * part_->frame().diagonal);
   // Where the blockers face the ray, one that touches the point hides it; else it may be the same surface
   // twice.
   const double distance = ray.clearly ? k_plane_margin : part_->closed() ? k_touch : -k_touch;
-  const double smallest = ray.clearly ? k_clear_area / per_area : 0.0;
-  for (const std::uint32_t facet : facet_grid_.items_at(glm::dvec2(ray.point))) {
-    const Extent& extent = extents_[facet];
-    if ((extent.facing & facings) == 0 || facet == ray.own) continue;
-    if (ray.sense > 0 ? extent.high < ray.point.z : extent.low > ray.point.z) continue;
-    const auto& corners = mesh.facets[facet];
-    const std::array<const glm::dvec3*, 3> at = {&points_[corners[0]], &points_[corners[1]],
-                                                 &points_[corners[2]]};
-    // Twice the areas that the point spans with the sides, seen along the direction. Each side is taken from
-    // its lower vertex to its higher one, so that two facets agree about their common side.
-    const double turn = extent.facing == facing::k_up ? 1.0 : -1.0;
-    std::array<double, 3> spans{};
-    bool inside = true;
-    for (std::size_t k = 0; k < 3 && inside; ++k) {
-      std::size_t from = k, to = (k + 1) % 3;
-      const bool swapped = corners[from] > corners[to];
-      if (swapped) std::swap(from, to);
-      const glm::dvec3& a = *at[from];
-      const glm::dvec3& b = *at[to];
-      const double span = (b.x - a.x) * (ray.point.y - a.y) - (b.y - a.y) * (ray.point.x - a.x);
-      spans[(k + 2) % 3] = swapped ? -span : span;
-      inside = spans[(k + 2) % 3] * turn >= 0.0;
-    }
-    if (!inside) continue;
-    const double rise = spans[0] * (at[0]->z - ray.point.z) + spans[1] * (at[1]->z - ray.point.z) +
-                        spans[2] * (at[2]->z - ray.point.z);
-    const double area = part_->geometry().areas[facet];
-    if (area >= smallest && rise * turn * ray.sense > distance * per_area * area) return true;
-  }
-  return false;
+  return rise * turn * ray.sense > distance * twice_area && (!ray.clearly || twice_area >= k_clear_area);
 }
 
 }  // namespace moldlight

@@ -1,6 +1,7 @@
 // A part seen along a parting direction: what may hide surface, and the edges under which that changes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,7 +60,8 @@ class ProjectedPart {
   };
   [[nodiscard]] const ContourExtent& contour_extent(std::size_t edge) const { return contour_extents_[edge]; }
   [[nodiscard]] const ProjectionGrid& contour_grid() const { return contour_grid_; }
-  [[nodiscard]] const ProjectionGrid& facet_grid() const { return facet_grid_; }
+  /// Facets that face up, and down.
+  [[nodiscard]] const std::array<ProjectionGrid, 2>& facet_grids() const { return facet_grids_; }
 
   /// Facets that hide surface which looks the way `sense` says; `beside`: from points beside it. In a closed
   /// mesh what is nearest to the light faces it, whether bodies overlap or touch; an open one has no inside:
@@ -82,11 +84,13 @@ class ProjectedPart {
  private:
   void find_contour();
   void fill_contour_grid();
+  void fill_facet_grid(std::uint8_t facing);
   void leave_out_covered_edges();
   void leave_out_hidden_edges();
   struct Stretch {
     double from, to;  // shares of an edge's length
   };
+  [[nodiscard]] bool blocks(FacetIndex facet, const Ray& ray) const;
   void find_visible(std::uint32_t edge, Sense sense, std::vector<Stretch>& visible) const;
 
   const ExactPart* part_;
@@ -96,7 +100,8 @@ class ProjectedPart {
   std::vector<ContourEdge> contour_;
   std::vector<ContourExtent> contour_extents_;
   ProjectionGrid::Box box_;
-  ProjectionGrid contour_grid_, facet_grid_;
+  ProjectionGrid contour_grid_;
+  std::array<ProjectionGrid, 2> facet_grids_;  // cells list the outermost facets first
 };
 
 }  // namespace moldlight

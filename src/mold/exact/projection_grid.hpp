@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -25,7 +24,7 @@ class ProjectionGrid {
     glm::dvec2 low{0.0}, high{1.0};
   };
   template <typename Corners>
-  void fill(const Box& box, double cells, std::size_t count, const Corners& corners);
+  void fill(const Box& box, double cells, std::span<const std::uint32_t> items, const Corners& corners);
 
   /// Calls visit(item) for the items of every cell that the convex polygon (2 or 3 corners) reaches, a little
   /// generously; one may come several times.
@@ -164,11 +163,10 @@ void ProjectionGrid::for_each_item(std::span<const glm::dvec2> corners, const Vi
 }
 
 template <typename Corners>
-void ProjectionGrid::fill(const Box& box, double cells, std::size_t count, const Corners& corners) {
+void ProjectionGrid::fill(const Box& box, double cells, std::span<const std::uint32_t> items,
+                          const Corners& corners) {
   reset(box, cells);
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0U);
-  fill_level(all, corners, 1);
+  fill_level(items, corners, 1);
 }
 
 template <typename Corners>
@@ -184,7 +182,6 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
   glm::dvec2 at[3];
   for (const std::uint32_t item : items) {
     const std::size_t used = corners(item, at);
-    if (used == 0) continue;
     for_each_span({at, used}, [&](std::size_t first, std::size_t last) {
       spans.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), item});
       for (std::size_t cell = first; cell <= last; ++cell) ++first_[cell + 2];
