@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <random>
 #include <span>
 
@@ -93,6 +94,11 @@ TriangleMesh rotated(TriangleMesh mesh, const glm::dquat& rotation) {
   return mesh;
 }
 
+TriangleMesh rounded_to_float(TriangleMesh mesh) {
+  for (glm::dvec3& vertex : mesh.vertices) vertex = glm::dvec3(glm::vec3(vertex));
+  return mesh;
+}
+
 glm::dquat random_rotation(std::uint32_t seed) {
   std::mt19937 random(seed);
   // Points of a ball, cast out to the sphere of unit quaternions. The engine alone: distributions differ by
@@ -150,6 +156,27 @@ TriangleMesh subdivided(TriangleMesh mesh, std::size_t target_facets) {
     mesh.facets = std::move(facets);
   }
   return mesh;
+}
+
+TriangleMesh cut_in_four(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  result.vertices = mesh.vertices;
+  std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> middles;
+  for (const auto& facet : mesh.facets) {
+    std::array<VertexIndex, 3> middle{};
+    for (std::size_t side = 0; side < 3; ++side) {
+      const VertexIndex a = facet[side], b = facet[(side + 1) % 3];
+      const auto [place, is_new] =
+          middles.emplace(std::minmax(a, b), static_cast<VertexIndex>(result.vertices.size()));
+      if (is_new) result.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+      middle[side] = place->second;
+    }
+    result.facets.push_back({facet[0], middle[0], middle[2]});
+    result.facets.push_back({middle[0], facet[1], middle[1]});
+    result.facets.push_back({middle[2], middle[1], facet[2]});
+    result.facets.push_back({middle[0], middle[1], middle[2]});
+  }
+  return result;
 }
 
 }  // namespace moldlight::test

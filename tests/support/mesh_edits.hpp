@@ -1,4 +1,4 @@
-// Copies of meshes: moved, turned, scaled, with facets in another order, with more facets.
+// Copies of meshes: moved, turned, scaled, rounded, with facets in another order, with more facets.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@ namespace moldlight::test {
 [[nodiscard]] TriangleMesh translated(TriangleMesh mesh, const glm::dvec3& offset);
 [[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, double factor);  // about the origin; factor > 0
 [[nodiscard]] TriangleMesh rotated(TriangleMesh mesh, const glm::dquat& rotation);
+[[nodiscard]] TriangleMesh rounded_to_float(TriangleMesh mesh);  // as a binary STL file holds it
 
 /// A rotation that depends on the seed only, uniform over all rotations.
 [[nodiscard]] glm::dquat random_rotation(std::uint32_t seed);
@@ -25,5 +26,8 @@ namespace moldlight::test {
 /// that facets become irregular but no needles. Closed meshes stay closed. A mesh that has as many facets
 /// already stays.
 [[nodiscard]] TriangleMesh subdivided(TriangleMesh mesh, std::size_t target_facets);
+
+/// Every facet cut into four at the middles of its edges: facet k becomes facets 4 k to 4 k + 3.
+[[nodiscard]] TriangleMesh cut_in_four(const TriangleMesh& mesh);
 
 }  // namespace moldlight::test
