@@ -15,8 +15,8 @@ constexpr double k_too_close = 1e-9;  // of the diagonal
 }  // namespace
 
 ParallelRays::ParallelRays(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                           const glm::dvec3& direction)
-    : mesh_(mesh), geometry_(geometry), direction_(direction) {
+                           const glm::dvec3& direction, bool closed)
+    : mesh_(mesh), geometry_(geometry), direction_(direction), closed_(closed) {
   const Bounds box = bounds(mesh);
   const glm::dvec3 helper = std::abs(direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   center_ = 0.5 * (box.min + box.max);
@@ -87,7 +87,7 @@ std::optional<Region> ParallelRays::region(const glm::dvec3& point, FacetIndex f
   const FacetClass kind = facet_class(normal, direction_, settings.tau_deg);
   if (kind != FacetClass::near_vertical) {
     const bool up = kind == FacetClass::up;
-    const Answer answer = ray(point, up ? 1.0 : -1.0, facet, true);
+    const Answer answer = ray(point, up ? 1.0 : -1.0, facet, !closed_);
     if (answer == Answer::unclear) return std::nullopt;
     return region_of(up && answer == Answer::free, !up && answer == Answer::free);
   }

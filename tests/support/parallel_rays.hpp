@@ -15,11 +15,12 @@ namespace moldlight::test {
 
 class ParallelRays {
  public:
-  /// References must outlive it; `direction` is a unit vector.
-  ParallelRays(const TriangleMesh& mesh, const FacetGeometry& geometry, const glm::dvec3& direction);
+  /// References must outlive it; `direction` is a unit vector. `closed`: whether the mesh has an inside.
+  ParallelRays(const TriangleMesh& mesh, const FacetGeometry& geometry, const glm::dvec3& direction,
+               bool closed);
 
-  /// Region of a point on a facet by the truth of accessibility; the facet itself never hides it. From up and
-  /// down facets only facets that face the ray count, as on an open part. None where a ray passes or starts
+  /// Region of a point on a facet by the truth of accessibility; the facet itself never hides it. On an open
+  /// part only facets that face the ray hide up and down facets. None where a ray passes or starts
   /// within 1e-9 of the diagonal of an edge or facet, too close to call.
   [[nodiscard]] std::optional<Region> region(const glm::dvec3& point, FacetIndex facet,
                                              const ShapeSettings& settings) const;
@@ -36,6 +37,7 @@ class ParallelRays {
   const TriangleMesh& mesh_;
   const FacetGeometry& geometry_;
   glm::dvec3 center_, x_, y_, direction_;
+  bool closed_;
   double margin_, low_x_, low_y_, cell_size_;
   std::size_t cells_;  // along each side
   std::vector<Flat> points_;

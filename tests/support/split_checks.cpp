@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "mesh/health.hpp"
 #include "support/parallel_rays.hpp"
 #include "support/random.hpp"
 
@@ -271,7 +272,8 @@ RayVerdicts ray_verdicts(const ExactModel& model, const SplitMesh& mesh, const g
     area_up_to.push_back((area_up_to.empty() ? 0.0 : area_up_to.back()) + twice_area);
   }
   if (sound.empty()) return verdicts;
-  const ParallelRays rays(model.mesh(), model.geometry(), direction);
+  const bool closed = health_report(model.mesh(), model.geometry()).closed;
+  const ParallelRays rays(model.mesh(), model.geometry(), direction, closed);
   for (std::size_t i = 0; i < pieces; ++i) {
     std::size_t chosen = random.below(sound.size());
     if (i % 2 == 0) {

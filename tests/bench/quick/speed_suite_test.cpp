@@ -43,13 +43,18 @@ TEST(SpeedSuite, QuickRunPrintsEveryRow) {
     }
     EXPECT_GT(figures[0], 0.0) << engine;
   }
-  for (const char* section : {"load ", "classify ", "sweep ", "choice ", "summary "})
+  for (const char* section :
+       {"load ", "classify ", "exact ", "exact summary ", "sweep ", "choice ", "summary "})
     EXPECT_NE(run.out.find(std::string("\n") + section), std::string::npos) << section << " in\n" << run.out;
   const std::size_t summary = run.out.find("\nsummary ");
   ASSERT_NE(summary, std::string::npos);
   const std::vector<double> ratios = figures_after(run.out.substr(summary), "cable_clip");
   ASSERT_EQ(ratios.size(), 10u) << run.out;
   for (std::size_t i = 0; i < ratios.size(); ++i) EXPECT_GT(ratios[i], 0.0) << "column " << i << run.out;
+  const std::vector<double> exact =
+      figures_after(run.out.substr(run.out.find("\nexact summary ")), "cable_clip");
+  ASSERT_EQ(exact.size(), 5u) << run.out;
+  for (const double figure : exact) EXPECT_GT(figure, 0.0) << run.out;
   // Errors against exact rays stay small even with the few texels and rays of a quick run.
   EXPECT_LT(ratios[3], 1.0) << "per cent";
 }

@@ -9,8 +9,9 @@
 namespace moldlight::bench {
 
 struct BenchSettings {
-  bool quick = false;    // one small part, little of everything: shows that the suite works, not how fast
-  int resolution = 512;  // of the maps
+  bool quick = false;        // one small part, little of everything: shows that the suite works, not how fast
+  bool exact_alone = false;  // the exact regions' rows and no others
+  int resolution = 512;      // of the maps
   std::vector<std::size_t> facets;
   std::size_t uniform_directions = 9;
   std::uint64_t reference_samples = 2'000'000;

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "bench/speed/bench_settings.hpp"
 #include "bench/speed/contenders.hpp"
+#include "bench/speed/exact_rows.hpp"
 #include "bench/speed/parts.hpp"
 #include "bench/speed/process_rows.hpp"
 #include "bench/speed/sweep_rows.hpp"
@@ -70,6 +71,17 @@ void print_summary(const std::vector<SweepFigures>& sweeps, const std::vector<Lo
   }
 }
 
+void print_exact_summary(const std::vector<ExactFigures>& all) {
+  std::printf("\nexact summary  five directions on all cores\n");
+  std::printf("  %-22s %9s %9s %9s %9s %9s\n", "part", "facets", "worst ms", "mean ms", "x samples",
+              "on cores");
+  for (const ExactFigures& f : all) {
+    std::printf("  %-22s %9zu %9.2f %9.2f %9.2f %9.2f\n", f.part.c_str(), f.facets, f.worst_ms, f.mean_ms,
+                f.over_samples, f.over_samples_on_cores);
+  }
+  std::fflush(stdout);
+}
+
 void run(const BenchSettings& settings) {
   const test::ScratchFolder folder;
   std::printf("machine: %u cores, %s\n", std::thread::hardware_concurrency(), processor().c_str());
@@ -77,6 +89,13 @@ void run(const BenchSettings& settings) {
   std::vector<PartFile> files = made;
   if (!settings.quick) {
     for (const PartFile& part : real_parts()) files.push_back(part);
+  }
+  if (settings.exact_alone) {
+    const auto context = create_context(Backend::automatic);
+    std::vector<ExactFigures> exact;
+    for (const PartFile& file : files) exact.push_back(print_exact_rows(file, *context, settings));
+    print_exact_summary(exact);
+    return;
   }
   const std::vector<LoadFigures> loads = print_load_rows(files, settings);
   print_classify_rows(files, settings);
@@ -92,6 +111,9 @@ void run(const BenchSettings& settings) {
   }
   const auto context = create_context(Backend::automatic);
   std::printf("\nGL: %s, %s\n", context->backend().c_str(), context->renderer().c_str());
+  std::vector<ExactFigures> exact;
+  for (const PartFile& file : files) exact.push_back(print_exact_rows(file, *context, settings));
+  print_exact_summary(exact);
   std::vector<SweepFigures> sweeps;
   for (std::size_t i = 0; i < files.size(); ++i) {
     Contenders contenders(files[i].path, settings);
@@ -106,10 +128,12 @@ BenchSettings settings_of(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
     if (argument == "--quick") {
       settings.quick = true;
+    } else if (argument == "--exact") {
+      settings.exact_alone = true;
     } else if (!argument.empty() && argument.find_first_not_of("0123456789") == std::string::npos) {
       settings.facets.push_back(std::stoul(argument));
     } else {
-      throw UsageError("usage: bench_speed [--quick] [FACETS ...]");
+      throw UsageError("usage: bench_speed [--quick] [--exact] [FACETS ...]");
     }
   }
   if (settings.quick) {

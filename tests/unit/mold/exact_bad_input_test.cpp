@@ -1,0 +1,452 @@
+// Exact regions of meshes that are no proper solids, and of directions and tolerances at their limits.
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <thread>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "support/box_pile.hpp"
+#include "support/boxes.hpp"
+#include "support/convex_shadows.hpp"
+#include "support/exact_model.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/random.hpp"
+#include "support/shapes.hpp"
+#include "support/split_checks.hpp"
+
+namespace moldlight {
+namespace {
+
+constexpr test::ShapeSettings k_settings{.tau_deg = 1.0, .lateral_tolerance = 0.02};
+
+std::vector<glm::dvec3> directions() {
+  std::vector<glm::dvec3> all = test::five_directions();
+  all.push_back(glm::normalize(glm::dvec3(1, 1, 0)));  // along diagonals of boxes
+  all.push_back(glm::normalize(glm::dvec3(1, 1, 1)));
+  all.push_back(glm::normalize(glm::dvec3(1e-9, 0, 1)));
+  all.push_back(glm::normalize(glm::dvec3(1e-4, -1e-5, -1)));
+  return all;
+}
+
+/// Whatever the mesh: areas that make up the whole, and a sound split with the same areas.
+void expect_sane(const TriangleMesh& mesh, const test::ShapeSettings& settings, const std::string& name) {
+  const test::ExactModel model(mesh);
+  const double total = model.geometry().total_area;
+  std::size_t number = 0;
+  for (const glm::dvec3& direction : directions()) {
+    const std::string of = name + ", direction " + std::to_string(number++);
+    const ExactAreas areas = model.areas(direction, settings);
+    ASSERT_EQ(areas.facet_fractions.size(), mesh.facets.size()) << of;
+    for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
+      double sum = 0.0;
+      for (const double share : areas.facet_fractions[facet]) {
+        EXPECT_TRUE(share >= 0.0 && share <= 1.0 + 1e-12) << of << ", facet " << facet;
+        sum += share;
+      }
+      if (model.geometry().areas[facet] == 0.0) {
+        EXPECT_EQ(sum, 0.0) << of;
+      } else {
+        EXPECT_TRUE(std::abs(sum - 1.0) < 1e-12 || model.geometry().areas[facet] < 1e-12 * total)
+            << of << ", facet " << facet << " of area " << model.geometry().areas[facet];
+      }
+    }
+    EXPECT_NEAR(areas.areas.total(), total, 1e-10 * total) << of;
+    for (const double projected : {areas.projected_core, areas.projected_cavity, areas.near_vertical_area})
+      EXPECT_TRUE(projected >= 0.0 && projected <= total * (1.0 + 1e-12)) << of << ": " << projected;
+    const ExactSplit split = model.split(direction, settings);
+    EXPECT_EQ(split.areas.areas.values, areas.areas.values) << of;
+    test::expect_sound_split(model, split, of);
+    test::expect_whole_borders(split.mesh, of);
+  }
+}
+
+TriangleMesh small_box() { return test::box_mesh({0, 0, 0}, {3, 2, 1}); }
+
+test::ConvexBody box_body(const glm::dvec3& low, const glm::dvec3& high) {
+  return test::box_mesh(low, high).vertices;
+}
+
+std::vector<test::PlanarFace> box_faces(const glm::dvec3& low, const glm::dvec3& high) {
+  std::vector<test::PlanarFace> faces;
+  for (int face = 0; face < 6; ++face) {
+    glm::dvec3 normal(0.0);
+    normal[face / 2] = face % 2 == 0 ? -1.0 : 1.0;
+    faces.push_back({test::box_face(low, high, face), normal});
+  }
+  return faces;
+}
+
+struct TwoBoxes {
+  const char* name;
+  glm::dvec3 low_a, high_a, low_b, high_b;
+};
+
+/// Boxes that touch, overlap, lie in each other and share planes.
+const TwoBoxes k_pairs[] = {
+    {"apart", {0, 0, 0}, {2, 2, 1}, {0.5, 0.5, 2}, {1.5, 1.2, 3}},
+    {"on each other", {0, 0, 0}, {3, 3, 1}, {1, 1, 1}, {2, 2.5, 2}},
+    {"on each other, in line on one side", {0, 0, 0}, {3, 3, 1}, {1, 1, 1}, {3, 2, 2}},
+    {"alike on each other", {0, 0, 0}, {3, 3, 1}, {0, 0, 1}, {3, 3, 2}},
+    {"side by side", {0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {4, 2, 2}},
+    {"side by side, one higher", {0, 0, 0}, {2, 2, 2}, {2, 0.5, -1}, {4, 1.5, 3}},
+    {"touching along an edge", {0, 0, 0}, {2, 2, 2}, {2, 0, 2}, {4, 2, 4}},
+    {"touching in a corner", {0, 0, 0}, {2, 2, 2}, {2, 2, 2}, {3, 3, 3}},
+    {"overlapping", {0, 0, 0}, {3, 3, 3}, {1.3, 1.1, 1.7}, {4.2, 2.3, 4.4}},
+    {"crossing", {0, 0, 0}, {5, 1, 1}, {1.7, -2, -0.5}, {2.9, 3, 0.6}},
+    {"one in the other", {0, 0, 0}, {5, 5, 5}, {1, 2, 1}, {2, 3, 4}},
+};
+
+TEST(ExactBadInput, BoxesThatTouchOrOverlapHideEachOther) {
+  for (const TwoBoxes& pair : k_pairs) {
+    const TriangleMesh mesh =
+        test::joined(test::box_mesh(pair.low_a, pair.high_a), test::box_mesh(pair.low_b, pair.high_b));
+    std::vector<test::PlanarFace> faces = box_faces(pair.low_a, pair.high_a);
+    for (const test::PlanarFace& face : box_faces(pair.low_b, pair.high_b)) faces.push_back(face);
+    const std::vector<test::ConvexBody> bodies = {box_body(pair.low_a, pair.high_a),
+                                                  box_body(pair.low_b, pair.high_b)};
+    const test::ExactModel model(mesh);
+    for (const glm::dvec3& direction : test::five_directions()) {
+      const RegionValues expected = test::face_areas(faces, bodies, direction, k_settings);
+      const ExactAreas found = model.areas(direction, k_settings);
+      EXPECT_LE(test::largest_difference(found.areas, expected), 1e-9 * expected.total())
+          << pair.name << " along " << direction.x << ' ' << direction.y << ' ' << direction.z << ": core "
+          << found.areas[Region::core] << " for " << expected[Region::core] << ", cavity "
+          << found.areas[Region::cavity] << " for " << expected[Region::cavity] << ", both "
+          << found.areas[Region::both] << " for " << expected[Region::both];
+    }
+    expect_sane(mesh, k_settings, pair.name);
+  }
+}
+
+TEST(ExactBadInput, ManyBoxesThatCrossHaveTheAreasOfTheirShadows) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    test::Random random(seed);
+    TriangleMesh mesh;
+    std::vector<test::PlanarFace> faces;
+    std::vector<test::ConvexBody> bodies;
+    for (std::size_t i = 0; i < 2 + seed % 5; ++i) {
+      const glm::dvec3 a = random.in_cube(2.0), b = a + glm::dvec3(0.3) + glm::abs(random.in_cube(3.0));
+      mesh = test::joined(mesh, test::box_mesh(a, b));
+      bodies.push_back(box_body(a, b));
+      for (const test::PlanarFace& face : box_faces(a, b)) faces.push_back(face);
+    }
+    const glm::dquat rotation = test::random_rotation(seed);
+    const glm::dvec3 direction =
+        seed % 2 == 0 ? test::five_directions()[seed % 3] : glm::normalize(random.in_cube(1.0));
+    const RegionValues expected = test::face_areas(faces, bodies, direction, k_settings);
+    const test::ExactModel model(test::rotated(mesh, rotation));
+    const ExactAreas found = model.areas(rotation * direction, k_settings);
+    EXPECT_LE(test::largest_difference(found.areas, expected), 1e-9 * expected.total()) << seed;
+    const double shadow = test::shadow_area(bodies, direction);
+    EXPECT_NEAR(found.projected_core, shadow, 1e-9 * expected.total()) << seed;
+    EXPECT_NEAR(found.projected_cavity, shadow, 1e-9 * expected.total()) << seed;
+    test::expect_sound_split(model, model.split(rotation * direction, k_settings), "crossing boxes");
+  }
+}
+
+TEST(ExactBadInput, FacetsWithoutAreaChangeNothing) {
+  const TriangleMesh box = small_box();
+  TriangleMesh mesh = box;
+  mesh.facets.push_back({0, 0, 1});
+  mesh.facets.push_back({2, 2, 2});
+  // A vertex in the middle of an edge of two facets: one of them is cut there, a facet without area closes
+  // the seam to the other.
+  const auto [a, b, c] = mesh.facets[0];
+  const auto middle = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+  mesh.facets[0] = {a, middle, c};
+  mesh.facets.push_back({middle, b, c});
+  mesh.facets.push_back({a, b, middle});
+  expect_sane(mesh, k_settings, "facets without area");
+  for (const glm::dvec3& direction : directions()) {
+    const ExactAreas with = test::exact_areas_of(mesh, direction, k_settings);
+    const ExactAreas without = test::exact_areas_of(box, direction, k_settings);
+    EXPECT_LE(test::largest_difference(with.areas, without.areas), 1e-12 * without.areas.total());
+    EXPECT_NEAR(with.projected_core, without.projected_core, 1e-12);
+  }
+}
+
+TEST(ExactBadInput, NeedlesChangeNothing) {
+  // The same seam with the vertex off the edge by roundings of single precision.
+  const TriangleMesh box = small_box();
+  for (const double off : {1e-15, 1e-12, 1e-9, 1e-7}) {
+    TriangleMesh mesh = box;
+    const auto [a, b, c] = mesh.facets[0];
+    const auto middle = static_cast<VertexIndex>(mesh.vertices.size());
+    mesh.vertices.push_back(0.43 * mesh.vertices[a] + 0.57 * mesh.vertices[b] + glm::dvec3(off, -off, off));
+    mesh.facets[0] = {a, middle, c};
+    mesh.facets.push_back({middle, b, c});
+    mesh.facets.push_back({a, b, middle});
+    expect_sane(mesh, k_settings, "needle");
+    for (const glm::dvec3& direction : test::five_directions()) {
+      const ExactAreas with = test::exact_areas_of(mesh, direction, k_settings);
+      const ExactAreas without = test::exact_areas_of(box, direction, k_settings);
+      EXPECT_LE(test::largest_difference(with.areas, without.areas), 10.0 * off + 1e-12) << off;
+    }
+  }
+}
+
+TEST(ExactBadInput, DuplicateFacetsCountTwice) {
+  const TriangleMesh box = test::subdivided(small_box(), 40);
+  const test::ExactModel model(box);
+  for (FacetIndex facet = 0; facet < 40; facet += 7) {
+    TriangleMesh twice = box;
+    twice.facets.push_back(box.facets[facet]);
+    expect_sane(twice, k_settings, "duplicate");
+    for (const glm::dvec3& direction : test::five_directions()) {
+      RegionValues expected = model.areas(direction, k_settings).areas;
+      for (const Region region : k_regions) {
+        expected[region] +=
+            model.areas(direction, k_settings).facet_fractions[facet][static_cast<std::size_t>(region)] *
+            model.geometry().areas[facet];
+      }
+      EXPECT_LE(test::largest_difference(test::exact_areas_of(twice, direction, k_settings).areas, expected),
+                1e-10 * expected.total());
+    }
+  }
+}
+
+TEST(ExactBadInput, VerticesInTheMiddleOfEdgesChangeNothing) {
+  // Facets cut on one side of their edges only: closed to the eye, open edges by number.
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const test::BoxPile pile = test::random_pile(seed);
+    const TriangleMesh mesh = test::pile_mesh(pile, seed);
+    test::Random random(seed);
+    TriangleMesh cut;
+    cut.vertices = mesh.vertices;
+    for (const auto& facet : mesh.facets) {
+      if (random.chance(0.5)) {
+        cut.facets.push_back(facet);
+        continue;
+      }
+      const std::size_t side = random.below(3);
+      const VertexIndex a = facet[side], b = facet[(side + 1) % 3], c = facet[(side + 2) % 3];
+      const auto middle = static_cast<VertexIndex>(cut.vertices.size());
+      cut.vertices.push_back(mesh.vertices[a] +
+                             random.between(0.2, 0.8) * (mesh.vertices[b] - mesh.vertices[a]));
+      cut.facets.push_back({a, middle, c});
+      cut.facets.push_back({middle, b, c});
+    }
+    const test::ShapeSettings settings{.tau_deg = 1.0,
+                                       .lateral_tolerance = test::clear_lateral_tolerance(pile, seed)};
+    const test::ExactModel closed(mesh), seams(cut);
+    for (const glm::dvec3& direction : test::five_directions()) {
+      const ExactAreas expected = closed.areas(direction, settings), found = seams.areas(direction, settings);
+      EXPECT_LE(test::largest_difference(found.areas, expected.areas), 1e-9 * expected.areas.total()) << seed;
+      test::expect_sound_split(seams, seams.split(direction, settings), "seams");
+    }
+  }
+}
+
+TEST(ExactBadInput, OpenAndTurnedMeshesAreSane) {
+  test::Random random(5);
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    TriangleMesh mesh = test::pile_mesh(test::random_pile(seed), seed);
+    if (seed % 3 != 1) {
+      for (std::size_t i = 0; i < 1 + mesh.facets.size() / 10; ++i)
+        mesh.facets.erase(mesh.facets.begin() +
+                          static_cast<std::ptrdiff_t>(random.below(mesh.facets.size())));
+    }
+    if (seed % 3 != 0) {
+      for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+        if (random.chance(0.5)) test::reverse_facet(mesh, facet);
+      }
+    }
+    expect_sane(mesh, {.tau_deg = 1.0, .lateral_tolerance = 0.1}, "open or turned " + std::to_string(seed));
+  }
+}
+
+TEST(ExactBadInput, FacetsThrownTogetherAreSane) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    test::Random random(seed);
+    TriangleMesh mesh;
+    for (int vertex = 0; vertex < 40; ++vertex) {
+      glm::dvec3 point = random.in_cube(1.0);
+      if (seed % 2 == 1) point = glm::round(3.0 * point);  // many in one plane, line or place
+      mesh.vertices.push_back(point);
+    }
+    for (int facet = 0; facet < 36; ++facet) {
+      mesh.facets.push_back({static_cast<VertexIndex>(random.below(40)),
+                             static_cast<VertexIndex>(random.below(40)),
+                             static_cast<VertexIndex>(random.below(40))});
+    }
+    expect_sane(mesh, k_settings, "thrown together " + std::to_string(seed));
+  }
+}
+
+TEST(ExactBadInput, ASingleFacetIsSeenFromItsSide) {
+  const TriangleMesh mesh = {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
+  expect_sane(mesh, k_settings, "one facet");
+  const test::ExactModel model(mesh);
+  EXPECT_DOUBLE_EQ(model.areas({0, 0, 1}, k_settings).areas[Region::core], 2.0);
+  EXPECT_DOUBLE_EQ(model.areas({0, 0, -1}, k_settings).areas[Region::cavity], 2.0);
+  EXPECT_DOUBLE_EQ(model.areas({1, 0, 0}, k_settings).areas[Region::both], 2.0);
+}
+
+TEST(ExactBadInput, ThinPartsHaveTheirAreas) {
+  struct Thin {
+    glm::dvec3 size;
+    double lateral;
+  };
+  for (const Thin& thin :
+       {Thin{{1e4, 1, 1}, 0.3}, Thin{{1, 1e4, 1}, 2.0}, Thin{{1e4, 1e4, 1}, 0.01}, Thin{{1, 1, 1e4}, 5.0}}) {
+    const TriangleMesh mesh = test::subdivided(test::box_mesh({0, 0, 0}, thin.size), 60);
+    const test::ShapeSettings settings{.tau_deg = 1.0, .lateral_tolerance = thin.lateral};
+    expect_sane(mesh, settings, "thin");
+    const test::ExactModel model(mesh);
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 direction(0.0);
+      direction[axis] = 1.0;
+      const double face = thin.size[(axis + 1) % 3] * thin.size[(axis + 2) % 3];
+      const ExactAreas found = model.areas(direction, settings);
+      const double total = model.geometry().total_area;
+      EXPECT_NEAR(found.areas[Region::core], face, 1e-9 * total);
+      EXPECT_NEAR(found.areas[Region::cavity], face, 1e-9 * total);
+      EXPECT_NEAR(found.areas[Region::both], total - 2.0 * face, 1e-9 * total);
+      EXPECT_NEAR(found.projected_core, face, 1e-9 * total);
+    }
+  }
+}
+
+TEST(ExactBadInput, TolerancesOfZeroAreSane) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    const TriangleMesh mesh = test::pile_mesh(test::random_pile(seed), seed);
+    expect_sane(mesh, {.tau_deg = 0.0, .lateral_tolerance = 0.1}, "tau 0");
+    expect_sane(mesh, {.tau_deg = 1.0, .lateral_tolerance = 0.0}, "lateral 0");
+    expect_sane(mesh, {.tau_deg = 0.0, .lateral_tolerance = 0.0}, "both 0");
+    expect_sane(mesh, {.tau_deg = 89.9, .lateral_tolerance = 0.1}, "tau 89.9");
+    expect_sane(mesh, {.tau_deg = 1.0, .lateral_tolerance = 100.0}, "lateral past the part");
+  }
+}
+
+TEST(ExactBadInput, LateralToleranceOfAGapIsSane) {
+  // The points tested lie in the opposite wall.
+  TriangleMesh mesh =
+      test::joined(test::box_mesh({0, 0, 0}, {1, 2, 2}), test::box_mesh({1.5, 0, -1}, {3, 2, 3}));
+  mesh = test::joined(mesh, test::box_mesh({0, 2.5, 0}, {1, 3, 2}));
+  expect_sane(mesh, {.tau_deg = 1.0, .lateral_tolerance = 0.5}, "gap");
+  expect_sane(mesh, {.tau_deg = 1.0, .lateral_tolerance = 1.5}, "box");
+}
+
+TEST(ExactBadInput, DirectionsAlongDiagonalsHaveTheirAreas) {
+  const test::ExactModel cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const ExactAreas edge_on = cube.areas(glm::normalize(glm::dvec3(1, 1, 0)), k_settings);
+  EXPECT_NEAR(edge_on.areas[Region::core], 2.0, 1e-12);
+  EXPECT_NEAR(edge_on.areas[Region::cavity], 2.0, 1e-12);
+  EXPECT_NEAR(edge_on.areas[Region::both], 2.0, 1e-12);
+  EXPECT_NEAR(edge_on.projected_core, std::sqrt(2.0), 1e-12);
+  const ExactAreas corner_on = cube.areas(glm::normalize(glm::dvec3(1, 1, 1)), k_settings);
+  EXPECT_NEAR(corner_on.areas[Region::core], 3.0, 1e-12);
+  EXPECT_NEAR(corner_on.areas[Region::cavity], 3.0, 1e-12);
+  EXPECT_NEAR(corner_on.projected_cavity, std::sqrt(3.0), 1e-12);
+}
+
+TEST(ExactBadInput, FarFromTheOriginAreasStay) {
+  const test::Shape shape = test::cup_with_side_hole({});
+  const ExactAreas there =
+      test::exact_areas_of(test::translated(shape.mesh, {1e6, -2e6, 5e5}), shape.direction, shape.settings);
+  EXPECT_LE(test::largest_difference(there.areas, shape.expected), 1e-9 * shape.expected.total());
+}
+
+TEST(ExactBadInput, AMeshWithoutFacetsHasNoRegions) {
+  for (const TriangleMesh& mesh : {TriangleMesh{}, TriangleMesh{{{0, 0, 0}, {1, 2, 3}}, {}}}) {
+    const test::ExactModel model(mesh);
+    const ExactSplit split = model.split({0, 0, 1}, k_settings);
+    EXPECT_TRUE(split.areas.facet_fractions.empty());
+    EXPECT_EQ(split.areas.areas.total(), 0.0);
+    EXPECT_EQ(split.areas.projected_core, 0.0);
+    EXPECT_TRUE(split.mesh.pieces.empty());
+    EXPECT_EQ(split.mesh.vertices.size(), mesh.vertices.size());
+    EXPECT_TRUE(region_borders(split.mesh).empty());
+  }
+}
+
+TEST(ExactBadInput, OnlyFacetsWithoutAreaHaveNoRegions) {
+  const TriangleMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 0, 1}, {2, 1, 0}}};
+  const test::ExactModel model(mesh);
+  const ExactSplit split = model.split({0, 0, 1}, k_settings);
+  EXPECT_EQ(split.areas.areas.total(), 0.0);
+  const TriangleMesh point = {{{1, 1, 1}}, {{0, 0, 0}}};
+  EXPECT_EQ(test::exact_areas_of(point, {0, 0, 1}, k_settings).areas.total(), 0.0);
+}
+
+TriangleMesh large_pile() { return test::subdivided(test::pile_mesh(test::random_pile(3), 3), 200'000); }
+
+TEST(ExactCancelling, AtAnyReportThrows) {
+  const TriangleMesh mesh = test::subdivided(test::pile_mesh(test::random_pile(3), 3), 20'000);
+  const test::ExactModel model(mesh);
+  const FacetGeometry geometry = facet_geometry(mesh);
+  const UnitFrame frame = unit_frame(bounds(mesh));
+  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_settings);
+  // Reports of a whole run, and whether the run ends when it is cancelled at each but the last.
+  const auto expect_cancelled = [](const auto& work) {
+    int reports = 0;
+    work(Progress([&](std::string_view, double) { ++reports; }));
+    EXPECT_GE(reports, 2);
+    for (int last = 1; last < reports; ++last) {
+      int seen = 0;
+      Progress* own = nullptr;
+      Progress progress([&](std::string_view, double) {
+        if (++seen == last) own->cancel();
+      });
+      own = &progress;
+      EXPECT_THROW(work(progress), Cancelled) << last << " of " << reports;
+    }
+  };
+  expect_cancelled([&](const Progress& progress) { (void)exact_areas(model.part(), query, progress); });
+  expect_cancelled([&](const Progress& progress) { (void)exact_split(model.part(), query, progress); });
+  expect_cancelled([&](const Progress& progress) { ExactPart(mesh, geometry, frame, progress); });
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW((void)exact_areas(model.part(), query, cancelled), Cancelled);
+  EXPECT_THROW((void)exact_split(model.part(), query, cancelled), Cancelled);
+  EXPECT_THROW(ExactPart(mesh, geometry, frame, cancelled), Cancelled);
+}
+
+TEST(ExactCancelling, InTheMiddleThrowsSoon) {
+  const test::ExactModel model(large_pile());
+  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_settings);
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  (void)exact_split(model.part(), query, Progress{});
+  const auto whole = Clock::now() - began;
+  Progress progress;
+  std::jthread other([&] {
+    std::this_thread::sleep_for(whole / 4);
+    progress.cancel();
+  });
+  const auto again = Clock::now();
+  EXPECT_THROW((void)exact_split(model.part(), query, progress), Cancelled);
+  // Somewhat over a quarter: machines that others use too are slow at times.
+  EXPECT_LT(Clock::now() - again, whole + std::chrono::seconds(1));
+}
+
+TEST(ExactAreasWithin, IsExactAreasToTheBitOrNothing) {
+  for (const test::Shape& shape : {test::cup_with_side_hole({}), test::t_slot({}), test::v_notch({})}) {
+    const test::ExactModel model(test::subdivided(shape.mesh, 500));
+    const ExactQuery query = model.query(shape.direction, shape.settings);
+    const ExactAreas whole = exact_areas(model.part(), query, Progress{});
+    std::vector<FacetIndex> reversed(model.mesh().facets.size());
+    for (FacetIndex facet = 0; facet < reversed.size(); ++facet)
+      reversed[facet] = static_cast<FacetIndex>(reversed.size()) - 1 - facet;
+    const double undercut = whole.areas[Region::undercut];
+    for (const double limit : {undercut * (1.0 + 1e-9), 1e9}) {
+      const auto found = exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed});
+      ASSERT_TRUE(found) << shape.name;
+      EXPECT_EQ(found->areas.values, whole.areas.values);
+      EXPECT_EQ(found->facet_fractions, whole.facet_fractions);
+      EXPECT_EQ(found->projected_core, whole.projected_core);
+    }
+    for (const double limit : {0.0, undercut * 0.5, undercut * (1.0 - 1e-6)}) {
+      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = {}})) << shape.name;
+      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed}))
+          << shape.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
