@@ -35,22 +35,23 @@ void check_outputs(const ClassifyFlags& flags) {
 }
 
 void log_result(const Classification& result, Console& console) {
-  console.log(fmt::format("{} ({})", result.backend, result.renderer));
-  console.log(fmt::format(
-      "{} samples: {} in doubt, {} of them settled by exact rays; of {} others audited {} were wrong",
-      result.samples, result.doubtful_samples, result.settled_samples, result.audited_samples,
-      result.audited_wrong));
-  console.log(fmt::format("load {:.0f} ms, maps {:.0f} ms, measuring {:.0f} ms", result.timings.load_ms,
-                          result.timings.maps_ms, result.timings.measure_ms));
+  if (!result.backend.empty()) console.log(fmt::format("{} ({})", result.backend, result.renderer));
+  console.log(fmt::format("load {:.0f} ms, regions {:.0f} ms, readout {:.0f} ms", result.timings.load_ms,
+                          result.timings.regions_ms, result.timings.readout_ms));
 }
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
   check_outputs(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  const auto context = create_context(flags.method.backend);
-  Classifier classifier(*context, model);
-  const Classification result = classifier.classify(flags.method, progress);
+  // Exact regions need no GL, other readouts and pictures do.
+  const bool is_exact = flags.method.readout == Readout::exact;
+  std::unique_ptr<gl::Context> context;
+  if (!is_exact || !flags.image.empty()) context = create_context(flags.method.backend);
+  const bool with_split = !(flags.image + flags.mesh + flags.split_folder).empty();
+  const Classification result =
+      is_exact ? classify_exact(*model, flags.method, progress, with_split)
+               : Classifier(*context, model).classify(flags.method, progress, with_split);
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
 

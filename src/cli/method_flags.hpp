@@ -35,9 +35,13 @@ template <typename S>
   std::string range;
   if (const auto* real = std::get_if<RealKind<S>>(&option.kind)) {
     range = fmt::format("{:g} to {:g}", real->min, real->max);
-  } else if (const auto* integer = std::get_if<IntegerKind<S>>(&option.kind)) {
-    range = fmt::format("{} to {}{}", integer->min, integer->max, integer->odd ? ", odd" : "");
   }
+  const auto integer_range = [&](const auto* integer) {
+    if (integer != nullptr)
+      range = fmt::format("{} to {}{}", integer->min, integer->max, integer->odd ? ", odd" : "");
+  };
+  integer_range(std::get_if<IntegerKind<S>>(&option.kind));
+  integer_range(std::get_if<OptionalIntegerKind<S>>(&option.kind));
   const std::string value = option_text(option, defaults);
   const std::string standard = value.empty() ? "" : "default " + value;
   if (range.empty() && standard.empty()) return std::string(option.help);

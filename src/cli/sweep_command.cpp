@@ -92,7 +92,7 @@ bool meets(const UndercutLimit& limit, const PartModel& model, const SweepResult
   if (undercut <= allowed) return true;
   console.warning(fmt::format(
       "criterion failed: the best direction leaves an undercut of {} ± {} {}, more than {}", figure(undercut),
-      figure(best.uncertainty.total), powered_unit(model.part, 2), figure(allowed)));
+      figure(best.uncertainty.total()), powered_unit(model.part, 2), figure(allowed)));
   return false;
 }
 

@@ -168,7 +168,7 @@ void App::watch_undercut() {
   const auto& shown = state_.figures.shown;
   if (!shown || state_.figures.stale) return;
   const bool has =
-      shown->areas[Region::undercut] > std::max(shown->uncertainty.total, 1e-4 * shown->total_area);
+      shown->areas[Region::undercut] > std::max(shown->uncertainty.total(), 1e-4 * shown->total_area);
   if (has && !had_undercut_ && state_.window.motion) glow_start_s_ = now_s_;
   had_undercut_ = has;
 }

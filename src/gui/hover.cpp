@@ -22,7 +22,7 @@ Hover describe(const PartModel& model, const MethodSettings& method, const Picke
           : point.position;
   for (const bool above : {true, false}) {
     if (hover.facet_class == (above ? FacetClass::down : FacetClass::up)) continue;
-    const auto hit = model.rays->first_hit(origin, glm::vec3(above ? direction : -direction), true);
+    const auto hit = model.rays().first_hit(origin, glm::vec3(above ? direction : -direction), true);
     if (!hit) continue;
     const Blocker blocker{hit->facet, hit->distance * model.frame.diagonal, above};
     if (!hover.blocker || blocker.distance < hover.blocker->distance) hover.blocker = blocker;

@@ -38,9 +38,7 @@ void write_face_csv(const std::string& path, std::span<const SourceAreas> faces)
     row.clear();
     fmt::format_to(std::back_inserter(row), "{},{}", face.source, area);
     for (const Region region : k_regions) {
-      // Seven digits are what the shares of the facets have.
-      fmt::format_to(std::back_inserter(row), ",{}",
-                     static_cast<float>(area > 0.0 ? face.areas[region] / area : 0.0));
+      fmt::format_to(std::back_inserter(row), ",{}", area > 0.0 ? face.areas[region] / area : 0.0);
     }
     file.write(row += '\n');
   }

@@ -1,7 +1,6 @@
 // The tables of facets and of CAD faces: area and share of each region.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -13,8 +12,8 @@ namespace moldlight {
 
 /// One entry a facet in each span.
 struct FacetTable {
-  std::span<const double> areas;                                 // model units squared
-  std::span<const std::array<float, k_region_count>> fractions;  // in the order of Region
+  std::span<const double> areas;  // model units squared
+  const FacetFractions& fractions;
   std::span<const std::uint32_t> numbers = {};  // in the file, k_no_facet for added ones; empty: facet k
 };
 

@@ -9,13 +9,6 @@ glm::vec3 lateral_point(const glm::vec3& point, const glm::dvec3& normal, const 
   return glm::vec3(glm::dvec3(point) + query.lateral * glm::normalize(level));
 }
 
-bool lateral_point_may_be_inside(const ExactRays& rays, const glm::vec3& point, const glm::dvec3& normal,
-                                 const AccessibilityQuery& query) {
-  if (query.lateral <= 0.0) return false;
-  const glm::vec3 aside = lateral_point(point, normal, query) - point;
-  return rays.surface_point_blocked(point, glm::vec3(normal), aside, 1.0F);
-}
-
 Accessibility exact_accessibility(const ExactRays& rays, const glm::vec3& point, const glm::dvec3& normal,
                                   FacetClass facet_class, const AccessibilityQuery& query) {
   const glm::vec3 up(query.direction);

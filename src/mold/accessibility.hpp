@@ -24,11 +24,6 @@ struct AccessibilityQuery {
 [[nodiscard]] glm::vec3 lateral_point(const glm::vec3& point, const glm::dvec3& normal,
                                       const AccessibilityQuery& query);
 
-/// True if something lies between a near-vertical facet's point and its lateral point, which is then perhaps
-/// inside the solid: the second-depth maps cannot tell where several walls lie behind one another.
-[[nodiscard]] bool lateral_point_may_be_inside(const ExactRays& rays, const glm::vec3& point,
-                                               const glm::dvec3& normal, const AccessibilityQuery& query);
-
 /// Up and down facets are tested along the side that they face, near-vertical ones along both from
 /// lateral_point().
 [[nodiscard]] Accessibility exact_accessibility(const ExactRays& rays, const glm::vec3& point,

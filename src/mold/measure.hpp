@@ -1,10 +1,8 @@
-// From what is known of the surface samples to fractions, areas and their errors.
+// From what is known of surface samples to fractions and areas.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "mesh/facet_geometry.hpp"
 #include "mold/region.hpp"
@@ -28,21 +26,11 @@ inline constexpr std::uint8_t k_undercut_in_doubt = 8;  // nor whether it is acc
 /// part's area: within 0.1 % at 1024 texels and 0.35 % at 256 on real parts, falling with the texel's size.
 [[nodiscard]] double shadow_error_share(int resolution);
 
-/// Areas in model units squared.
-struct Measurement {
-  std::vector<std::array<float, k_region_count>> facet_fractions;  // a row a facet, sum 1; 0 without area
-  RegionValues areas;
-  double undercut_error = 0.0;            // standard error of the undercut area from sampling
-  double projected_undercut = 0.0;        // area, projected along d, of surface hidden from both sides
-  double projected_undercut_error = 0.0;  // its standard error
-  double doubtful_area = 0.0;             // of samples still marked doubtful
-};
+/// Shares of the samples, one verdict each in the order of `samples`.
+[[nodiscard]] FacetFractions sampled_fractions(const SurfaceSamples& samples,
+                                               std::span<const std::uint8_t> verdicts);
 
-/// One verdict a sample, in the order of `samples`. Standard errors are those of independent samples within
-/// each facet (the samples are spread more evenly than that, so they are upper estimates); a facet on which
-/// some sample was doubtful counts as if one more sample of either kind had been seen.
-[[nodiscard]] Measurement measure(const SurfaceSamples& samples, std::span<const std::uint8_t> verdicts,
-                                  const FacetGeometry& geometry, const glm::dvec3& direction,
-                                  std::span<const std::uint8_t> was_doubtful);
+/// Model units squared.
+[[nodiscard]] RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry);
 
 }  // namespace moldlight

@@ -7,9 +7,9 @@
 
 namespace moldlight {
 
-std::vector<SourceAreas> region_areas_by_source(
-    std::span<const std::uint32_t> facet_sources, std::span<const double> facet_areas,
-    std::span<const std::array<float, k_region_count>> fractions) {
+std::vector<SourceAreas> region_areas_by_source(std::span<const std::uint32_t> facet_sources,
+                                                std::span<const double> facet_areas,
+                                                const FacetFractions& fractions) {
   CHECK(facet_sources.size() == facet_areas.size() && facet_areas.size() == fractions.size());
   // Facets of one source stand together in most files, but not in all.
   std::vector<std::uint32_t> order(facet_sources.size());
@@ -21,8 +21,7 @@ std::vector<SourceAreas> region_areas_by_source(
     if (sums.empty() || sums.back().source != facet_sources[facet])
       sums.push_back({facet_sources[facet], {}});
     for (const Region region : k_regions) {
-      sums.back().areas[region] +=
-          facet_areas[facet] * static_cast<double>(fractions[facet][static_cast<std::size_t>(region)]);
+      sums.back().areas[region] += facet_areas[facet] * fractions[facet][static_cast<std::size_t>(region)];
     }
   }
   return sums;

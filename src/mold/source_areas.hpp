@@ -1,7 +1,6 @@
 // Region areas of what the file's facets belong to: CAD faces of a STEP file, polygons of other formats.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,8 +16,8 @@ struct SourceAreas {
 
 /// Sums facet areas by source; one entry a facet in each span. Sources in ascending order, those that no
 /// facet has left out.
-[[nodiscard]] std::vector<SourceAreas> region_areas_by_source(
-    std::span<const std::uint32_t> facet_sources, std::span<const double> facet_areas,
-    std::span<const std::array<float, k_region_count>> fractions);
+[[nodiscard]] std::vector<SourceAreas> region_areas_by_source(std::span<const std::uint32_t> facet_sources,
+                                                              std::span<const double> facet_areas,
+                                                              const FacetFractions& fractions);
 
 }  // namespace moldlight

@@ -1,14 +1,95 @@
 #include "session/classification.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "base/stopwatch.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "mold/map_frame.hpp"
+#include "session/method_options.hpp"
+
 namespace moldlight {
 
-Region dominant_region(const std::array<float, k_region_count>& fractions) {
+namespace {
+
+/// Of a part whose shadow has two areas, or whose facets cross: what the figures mean then.
+void add_warnings(const PartModel& model, const ExactPart& part, Classification& result) {
+  std::size_t crossed = 0;
+  for (FacetIndex facet = 0; facet < part.mesh().facets.size(); ++facet) {
+    crossed += part.first_crossing()[facet] != part.first_crossing()[facet + 1] ? 1 : 0;
+  }
+  if (crossed > 0) {
+    result.warnings.push_back(fmt::format(
+        "{} facets cross others: bodies of the part overlap, and surface inside the material counts "
+        "as undercut.",
+        crossed));
+  }
+  if (model.health.closed && !result.identity.agrees()) {
+    result.warnings.emplace_back(
+        "The part's shadow has another area from the other side: a body of the part is inside out.");
+  }
+}
+
+}  // namespace
+
+Region dominant_region(const std::array<double, k_region_count>& fractions) {
   Region best = Region::undercut;
   for (const Region region : {Region::both, Region::cavity, Region::core}) {
     if (fractions[static_cast<std::size_t>(region)] > fractions[static_cast<std::size_t>(best)])
       best = region;
   }
   return best;
+}
+
+Classification classify_exact(const PartModel& model, const MethodSettings& settings,
+                              const Progress& progress, bool with_split) {
+  const Stopwatch stopwatch;
+  const double diagonal = model.frame.diagonal;
+  Classification result;
+  result.settings = settings;
+  result.direction = unit_direction(settings.direction);
+  result.texel = diagonal / settings.resolution;
+  result.lateral_tolerance = lateral_tolerance(settings, diagonal);
+  result.total_area = model.geometry.total_area;
+  result.warnings = model.warnings;
+
+  const ExactPart& part = model.exact(progress);
+  const ExactQuery query{.direction = result.direction,
+                         .tau_deg = settings.tau_deg,
+                         .lateral = result.lateral_tolerance / diagonal};
+  progress.report("finding regions", 0.0);
+  ExactAreas found;
+  if (with_split) {
+    ExactSplit split = exact_split(part, query, progress);
+    found = std::move(split.areas);
+    result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
+  } else {
+    found = exact_areas(part, query, progress);
+  }
+  result.areas = found.areas;
+  result.near_vertical_area = found.near_vertical_area;
+  result.identity = {.core = found.projected_core,
+                     .cavity = found.projected_cavity,
+                     .gap = found.projected_core - found.projected_cavity,
+                     .gap_limit = model.errors.shadow_gap};
+  result.shadow_area = std::max(found.projected_core, found.projected_cavity);
+  double projected_total = 0.0;
+  for (FacetIndex facet = 0; facet < model.geometry.areas.size(); ++facet) {
+    projected_total +=
+        model.geometry.areas[facet] * std::abs(glm::dot(model.geometry.normals[facet], result.direction));
+  }
+  result.projected_undercut = std::max(0.0, projected_total - found.projected_core - found.projected_cavity);
+  result.uncertainty.rounding = rounding_bound(part, query, found, model.errors);
+  result.uncertainty.mesh = mesh_doubt(part, found, model.adjacency, model.errors);
+  result.facet_fractions = std::move(found.facet_fractions);
+  add_warnings(model, part, result);
+  result.timings.load_ms = model.load_ms;
+  result.timings.regions_ms = stopwatch.elapsed_ms();
+  result.timings.total_ms = result.timings.load_ms + result.timings.regions_ms;
+  return result;
 }
 
 }  // namespace moldlight

@@ -4,62 +4,69 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "mold/exact/split_mesh.hpp"
 #include "mold/region.hpp"
+#include "session/part_model.hpp"
 #include "session/settings.hpp"
 
 namespace moldlight {
 
-/// How far the undercut area may be off (95 % level), model units squared, and what that is made of.
+/// How far the undercut area may be off, model units squared, and what that is made of (mold/area_error.hpp).
 struct UndercutUncertainty {
-  double total = 0.0;
-  double sampling = 0.0;   // two standard errors of the stratified samples
-  double audit = 0.0;      // from samples of no doubt that exact rays checked all the same
-  double unsettled = 0.0;  // surface whose samples stayed doubtful (no rays, or the facet-id readout)
+  double rounding = 0.0;  // of exact regions
+  double mesh = 0.0;      // what an open or overlapping mesh leaves in doubt; 0 for one that is neither
+  double readout = 0.0;   // samples and facet-id: the undercut's difference from that of exact regions
+  [[nodiscard]] double total() const { return rounding + mesh + readout; }
 };
 
-/// Area, projected along the direction, of the surface hidden from both sides, found in two independent ways:
-/// `surface` from the classified samples, `identity` from the shadow's area alone (sum |n.d| A - 2 S).
-struct ProjectedUndercut {
-  double surface = 0.0;
-  double identity = 0.0;
-  double gap = 0.0;        // surface - identity
+/// The area of the part's shadow along the direction, found in two independent ways: as the projected area
+/// of what is accessible along +d of the surface that faces it, and the same along -d. Model units squared.
+struct ShadowIdentity {
+  double core = 0.0, cavity = 0.0;
+  double gap = 0.0;        // core - cavity
   double gap_limit = 0.0;  // |gap| above this means an open or badly wound mesh, or a bug
   [[nodiscard]] bool agrees() const { return gap <= gap_limit && gap >= -gap_limit; }
 };
 
 struct Timings {
-  double load_ms = 0.0, maps_ms = 0.0, measure_ms = 0.0, total_ms = 0.0;
+  double load_ms = 0.0, regions_ms = 0.0, readout_ms = 0.0, total_ms = 0.0;
 };
 
 /// Lengths and areas are in the part's unit.
 struct Classification {
   MethodSettings settings;        // as given
   glm::dvec3 direction{0, 0, 1};  // unit
-  std::string backend;            // "EGL device", "EGL surfaceless", "OSMesa", "window"
+  std::string backend;            // "EGL device", "OSMesa", …; empty where no GL was needed
   std::string renderer;           // GL_RENDERER
   double texel = 0.0;             // edge length of a shadow-map texel
   double lateral_tolerance = 0.0;
-  std::vector<std::array<float, k_region_count>> facet_fractions;  // a row a facet: shares of each region,
-                                                                   // sum 1 (0 for a facet without area)
+  FacetFractions facet_fractions;
   RegionValues areas;
   double total_area = 0.0;
   double near_vertical_area = 0.0;
-  double shadow_area =
-      0.0;  // of the part along the direction: the projected area that the clamp force acts on
+  double shadow_area = 0.0;         // the projected area that the clamp force acts on
+  double projected_undercut = 0.0;  // area, projected along d, of the surface hidden from both sides
   UndercutUncertainty uncertainty;
-  ProjectedUndercut projected;
-  std::size_t samples = 0, doubtful_samples = 0, settled_samples = 0, audited_samples = 0, audited_wrong = 0;
+  ShadowIdentity identity;
   Timings timings;
   std::vector<std::string> warnings;
+  std::shared_ptr<const SplitMesh> split;  // exact regions, whatever the readout; none if not asked for
 };
 
 /// Region with the greatest share of a facet; ties go to the more troublesome one (undercut, both, cavity,
 /// core).
-[[nodiscard]] Region dominant_region(const std::array<float, k_region_count>& fractions);
+[[nodiscard]] Region dominant_region(const std::array<double, k_region_count>& fractions);
+
+/// Classifies by exact regions, whatever the readout; needs no GL. Uses all cores of the calling thread's
+/// TBB arena; the result is the same to the bit for any number of threads, timings apart. Throws UsageError
+/// for settings that make no sense, Cancelled.
+[[nodiscard]] Classification classify_exact(const PartModel& model, const MethodSettings& settings,
+                                            const Progress& progress, bool with_split = false);
 
 }  // namespace moldlight

@@ -1,4 +1,5 @@
-// Classifies one part for one parting direction after another, on one GL context.
+// Classifies one part for one parting direction after another: by exact regions, or by one of the paper's
+// readouts on one GL context.
 #pragma once
 
 #include <memory>
@@ -6,7 +7,6 @@
 
 #include "base/progress.hpp"
 #include "gl/context.hpp"
-#include "mold/settle.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/facet_id_pass.hpp"
 #include "render/part_buffers.hpp"
@@ -30,14 +30,11 @@ class Classifier {
  public:
   Classifier(const gl::Context& context, std::shared_ptr<const PartModel> model);
 
-  /// Throws UsageError for settings that make no sense, Error where the GL fails, Cancelled.
-  [[nodiscard]] Classification classify(const MethodSettings& settings, const Progress& progress);
-
-  /// The two halves of classify(). The first draws the maps and finds what needs no samples: the shadow's
-  /// area and with it the projected undercut, a lower bound of the undercut area. The second adds the rest;
-  /// nothing may be drawn in between.
-  [[nodiscard]] Classification start(const MethodSettings& settings, const Progress& progress);
-  void finish(Classification& result, const Progress& progress);
+  /// classify_exact(), and for another readout its areas in place of the exact ones; their difference is part
+  /// of the uncertainty. The split mesh is that of the exact regions. Throws UsageError for settings that
+  /// make no sense, Error where the GL fails, Cancelled.
+  [[nodiscard]] Classification classify(const MethodSettings& settings, const Progress& progress,
+                                        bool with_split = false);
 
   /// Draws the maps for the settings' direction, for pictures.
   void draw_maps(const MethodSettings& settings);
@@ -49,10 +46,8 @@ class Classifier {
   [[nodiscard]] const gl::Context& context() const { return *context_; }
 
  private:
-  void measure_samples(Classification& result, const Progress& progress);
-  [[nodiscard]] const SurfaceSamples& surface_samples(int wanted);
-  [[nodiscard]] ExactAnswers exact_answers(const Classification& result) const;
-  void read_facet_ids(Classification& result);
+  [[nodiscard]] FacetFractions fractions_by_samples(int wanted);
+  [[nodiscard]] FacetFractions fractions_by_facet_id(int resolution);
 
   const gl::Context* context_;
   std::shared_ptr<const PartModel> model_;
@@ -62,7 +57,6 @@ class Classifier {
   std::optional<FacetIdPass> facet_id_pass_;
   std::optional<SurfaceSamples> samples_;
   int sample_target_ = 0;
-  std::vector<FacetClass> classes_;
 };
 
 }  // namespace moldlight

@@ -23,8 +23,9 @@ double share(double value, double whole) { return whole > 0.0 ? value / whole : 
 Json settings_json(const Classification& result) {
   Json settings = options_json(method_options(), result.settings);
   settings.erase("direction");
-  settings["backend"] = result.backend;
-  settings["renderer"] = result.renderer;
+  const auto if_used = [](const std::string& name) { return name.empty() ? Json() : Json(name); };
+  settings["backend"] = if_used(result.backend);
+  settings["renderer"] = if_used(result.renderer);
   return settings;
 }
 
@@ -51,6 +52,14 @@ std::string_view terminal_colour(Region region) {
       return "\033[31m";
   }
   return "";
+}
+
+std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
+  std::string text = fmt::format("± {:.2g}", uncertainty.total());
+  if (uncertainty.readout > 0.0)
+    return text + fmt::format(", {:.2g} of it off exact regions", uncertainty.readout);
+  if (uncertainty.mesh > uncertainty.rounding) return text + ", for what is wrong with the mesh";
+  return text;
 }
 
 constexpr std::string_view k_plain = "\033[0m";
@@ -87,37 +96,32 @@ Json classify_json(const PartModel& model, const Classification& result) {
   areas["total"] = result.total_area;
   areas["near_vertical"] = result.near_vertical_area;
   const UndercutUncertainty& uncertainty = result.uncertainty;
-  const ProjectedUndercut& projected = result.projected;
-  Json json = {{"schema", "moldlight.classify/1"},
-               {"part", part_json(model, result.warnings)},
-               {"direction", point_json(result.direction)},
-               {"settings", settings_json(result)},
-               {"texel", result.texel},
-               {"lateral_tolerance", result.lateral_tolerance},
-               {"areas", areas},
-               {"fractions", fractions},
-               {"undercut_uncertainty", uncertainty.total},
-               {"uncertainty_parts",
-                {{"sampling", uncertainty.sampling},
-                 {"audit", uncertainty.audit},
-                 {"unsettled", uncertainty.unsettled}}},
-               {"projected_undercut",
-                {{"surface", projected.surface},
-                 {"identity", projected.identity},
-                 {"gap", projected.gap},
-                 {"gap_limit", projected.gap_limit},
-                 {"agrees", projected.agrees()}}},
-               {"samples",
-                {{"total", result.samples},
-                 {"doubtful", result.doubtful_samples},
-                 {"settled", result.settled_samples},
-                 {"audited", result.audited_samples},
-                 {"audited_wrong", result.audited_wrong}}},
-               {"timings_ms",
-                {{"load", result.timings.load_ms},
-                 {"maps", result.timings.maps_ms},
-                 {"measure", result.timings.measure_ms},
-                 {"total", result.timings.total_ms}}}};
+  const ShadowIdentity& identity = result.identity;
+  Json json = {
+      {"schema", "moldlight.classify/2"},
+      {"part", part_json(model, result.warnings)},
+      {"direction", point_json(result.direction)},
+      {"settings", settings_json(result)},
+      {"texel", result.texel},
+      {"lateral_tolerance", result.lateral_tolerance},
+      {"areas", areas},
+      {"fractions", fractions},
+      {"undercut_uncertainty", uncertainty.total()},
+      {"uncertainty_parts",
+       {{"rounding", uncertainty.rounding}, {"mesh", uncertainty.mesh}, {"readout", uncertainty.readout}}},
+      {"projected_area", result.shadow_area},
+      {"projected_undercut", result.projected_undercut},
+      {"identity",
+       {{"core", identity.core},
+        {"cavity", identity.cavity},
+        {"gap", identity.gap},
+        {"gap_limit", identity.gap_limit},
+        {"agrees", identity.agrees()}}},
+      {"timings_ms",
+       {{"load", result.timings.load_ms},
+        {"regions", result.timings.regions_ms},
+        {"readout", result.timings.readout_ms},
+        {"total", result.timings.total_ms}}}};
   if (model.part.format == format_name(FileFormat::step))
     json["faces"] = faces_json(face_areas(model, result));
   return json;
@@ -141,21 +145,20 @@ std::string classify_table(const PartModel& model, const Classification& result,
   fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
   for (const Region region : k_regions) {
     const std::string name = fmt::format("{:<9}", region_name(region));
-    fmt::format_to(
-        out, "{}{:>16}{:>8.2f} %{}\n",
-        colour ? fmt::format("{}{}{}", terminal_colour(region), name, k_plain) : name,
-        areas.text(result.areas[region]), 100.0 * share(result.areas[region], result.total_area),
-        region == Region::undercut ? fmt::format("   ± {}", areas.text(result.uncertainty.total)) : "");
+    fmt::format_to(out, "{}{:>16}{:>8.2f} %{}\n",
+                   colour ? fmt::format("{}{}{}", terminal_colour(region), name, k_plain) : name,
+                   areas.text(result.areas[region]), 100.0 * share(result.areas[region], result.total_area),
+                   region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
   }
   fmt::format_to(out, "{:<9}{:>16}{:>8.2f} %\n\n", "total", areas.text(result.total_area),
                  result.total_area > 0.0 ? 100.0 : 0.0);
+  const ShadowIdentity& identity = result.identity;
   fmt::format_to(
       out,
-      "check {}  hidden from both sides, projected along the direction: {} by samples, {} by shadow "
-      "area;\n         they are {} apart, {} {}\n",
-      result.projected.agrees() ? "✓" : "✗", areas.text(result.projected.surface),
-      areas.text(result.projected.identity), areas.text(std::abs(result.projected.gap)),
-      result.projected.agrees() ? "within" : "over the limit of", areas.text(result.projected.gap_limit));
+      "check {}  the part's shadow: {} {} by what +d sees, {} by what -d sees; they are {:.2g} apart,\n"
+      "         {} rounding, {:.2g}\n",
+      identity.agrees() ? "✓" : "✗", areas.text(identity.core), area_unit, areas.text(identity.cavity),
+      std::abs(identity.gap), identity.agrees() ? "within" : "more than", identity.gap_limit);
   return text;
 }
 

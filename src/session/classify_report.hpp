@@ -16,14 +16,14 @@ namespace moldlight {
 [[nodiscard]] nlohmann::ordered_json part_json(const PartModel& model,
                                                const std::vector<std::string>& warnings);
 
-/// Schema `moldlight.classify/1`. Lengths and areas are in the part's unit, fractions in [0, 1], times in
+/// Schema `moldlight.classify/2`. Lengths and areas are in the part's unit, fractions in [0, 1], times in
 /// milliseconds. For a STEP part `faces` lists the CAD faces.
 [[nodiscard]] nlohmann::ordered_json classify_json(const PartModel& model, const Classification& result);
 
 /// Region areas of each CAD face or polygon of the file; empty where each facet is its own.
 [[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
 
-/// Areas and shares with the uncertainty, and the check of the hidden area found in two ways. `colour`: the
+/// Areas and shares with the uncertainty, and the check of the shadow's area found in two ways. `colour`: the
 /// regions' names stand in the colours of a terminal.
 [[nodiscard]] std::string classify_table(const PartModel& model, const Classification& result, bool colour);
 

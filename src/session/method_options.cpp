@@ -12,10 +12,12 @@ std::span<const Option<MethodSettings>> method_options() {
        "sides.",
        RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},
       {"kernel", "--kernel", "Kernel", "texel",
-       "Width of the PCF kernel for near-vertical facets; its radius is the lateral tolerance in texels.",
-       IntegerKind<S>{&S::kernel, 1, 9, true}},
+       "Width of the PCF kernel for near-vertical facets; its radius in texels becomes the lateral "
+       "tolerance.",
+       OptionalIntegerKind<S>{&S::kernel, 1, 9, true, 3}},
       {"tolerance", "--tolerance", "Lateral tolerance", "part's unit",
-       "How far beside a near-vertical facet its accessibility is tested; replaces the kernel width.",
+       "How far beside a near-vertical facet its accessibility is tested; without it and --kernel 1/2048 of "
+       "the part's diagonal.",
        OptionalRealKind<S>{&S::tolerance}},
       {"kernel_shape", "--kernel-shape", "Kernel shape", "",
        "One-sided looks up on the outer side only; symmetric is the paper's neighbourhood, of which any lit "
@@ -27,17 +29,23 @@ std::span<const Option<MethodSettings>> method_options() {
       {"resolution", "--resolution", "Map resolution", "texel", "Width and height of each shadow map.",
        IntegerKind<S>{&S::resolution, 64, 8192}},
       {"readout", "--readout", "Readout", "",
-       "Samples measures fractions of facets; facet-id is the paper's two-pass readback, one region a facet.",
-       choice<&S::readout>({"samples", "facet-id"})},
+       "Exact computes the regions; samples looks surface samples up in the shadow maps; facet-id is the "
+       "paper's two-pass readback, one region a facet.",
+       choice<&S::readout>({"exact", "samples", "facet-id"})},
       {"samples", "--samples", "Samples", "",
-       "Surface samples over the whole part; a facet gets four at least.",
+       "Surface samples over the whole part for the samples readout; a facet gets four at least.",
        IntegerKind<S>{&S::samples, 1000, 100'000'000}},
-      {"exact_rays", "--exact-rays", "Exact rays", "",
-       "Settle the samples that the maps leave in doubt by exact rays.", SwitchKind<S>{&S::exact_rays}},
       {"backend", "--backend", "Backend", "", "How to get an OpenGL context without a window.",
        choice<&S::backend>({"auto", "egl", "osmesa"})},
   };
   return k_options;
+}
+
+double lateral_tolerance(const MethodSettings& settings, double diagonal) {
+  constexpr double k_standard_share = 1.0 / 2048.0;
+  if (settings.tolerance) return *settings.tolerance;
+  if (settings.kernel) return 0.5 * (*settings.kernel - 1) * diagonal / settings.resolution;
+  return k_standard_share * diagonal;
 }
 
 void validate(const MethodSettings& settings) {

@@ -30,6 +30,14 @@ struct IntegerKind {
   int min, max;
   bool odd = false;  // only odd values
 };
+/// The same, which may be left unset; a slider then stands at `standard`.
+template <typename S>
+struct OptionalIntegerKind {
+  std::optional<int> S::*member;
+  int min, max;
+  bool odd;
+  int standard;
+};
 template <typename S>
 struct SwitchKind {
   bool S::*member;
@@ -76,8 +84,8 @@ struct Option {
   std::string_view label;  // in the window
   std::string_view unit;   // "deg", "texel", "part's unit"; empty where there is none
   std::string_view help;   // one or two sentences
-  std::variant<RealKind<S>, OptionalRealKind<S>, IntegerKind<S>, SwitchKind<S>, ChoiceKind<S>,
-               DirectionKind<S>>
+  std::variant<RealKind<S>, OptionalRealKind<S>, IntegerKind<S>, OptionalIntegerKind<S>, SwitchKind<S>,
+               ChoiceKind<S>, DirectionKind<S>>
       kind;
 };
 

@@ -17,6 +17,17 @@ template <typename... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
+/// Throws UsageError for what `kind` refuses.
+template <typename Kind>
+[[nodiscard]] int integer_in_range(const Kind& kind, std::string_view text, std::string_view what) {
+  const int value = parse_integer(text, what);
+  if (value < kind.min || value > kind.max || (kind.odd && value % 2 == 0)) {
+    throw UsageError(fmt::format("{}: {} is out of range, {} to {}{}", what, text, kind.min, kind.max,
+                                 kind.odd ? ", odd" : ""));
+  }
+  return value;
+}
+
 }  // namespace detail
 
 /// The setting's value as the command line takes it; empty for an unset one.
@@ -29,6 +40,9 @@ template <typename S>
             return settings.*kind.member ? real_text(*(settings.*kind.member)) : std::string();
           },
           [&](const IntegerKind<S>& kind) { return fmt::format("{}", settings.*kind.member); },
+          [&](const OptionalIntegerKind<S>& kind) {
+            return settings.*kind.member ? fmt::format("{}", *(settings.*kind.member)) : std::string();
+          },
           [&](const SwitchKind<S>& kind) { return std::string(settings.*kind.member ? "on" : "off"); },
           [&](const ChoiceKind<S>& kind) {
             return std::string(kind.words[static_cast<std::size_t>(kind.get(settings))]);
@@ -66,12 +80,12 @@ void set_option(const Option<S>& option, S& settings, std::string_view text) {
                    settings.*kind.member = value;
                  },
                  [&](const IntegerKind<S>& kind) {
-                   const int value = parse_integer(text, what);
-                   if (value < kind.min || value > kind.max || (kind.odd && value % 2 == 0)) {
-                     throw UsageError(fmt::format("{}: {} is out of range, {} to {}{}", what, text, kind.min,
-                                                  kind.max, kind.odd ? ", odd" : ""));
-                   }
-                   settings.*kind.member = value;
+                   settings.*kind.member = detail::integer_in_range(kind, text, what);
+                 },
+                 [&](const OptionalIntegerKind<S>& kind) {
+                   settings.*kind.member = text.empty()
+                                               ? std::nullopt
+                                               : std::optional(detail::integer_in_range(kind, text, what));
                  },
                  [&](const SwitchKind<S>& kind) {
                    if (text != "on" && text != "off") {
@@ -104,6 +118,9 @@ template <typename S>
                      if (settings.*kind.member) value = *(settings.*kind.member);
                    },
                    [&](const IntegerKind<S>& kind) { value = settings.*kind.member; },
+                   [&](const OptionalIntegerKind<S>& kind) {
+                     if (settings.*kind.member) value = *(settings.*kind.member);
+                   },
                    [&](const SwitchKind<S>& kind) { value = settings.*kind.member; },
                    [&](const ChoiceKind<S>&) { value = option_text(option, settings); },
                    [&](const DirectionKind<S>& kind) {

@@ -1,22 +1,39 @@
 #include "session/part_model.hpp"
 
-#include <chrono>
 #include <utility>
 
+#include <tbb/task_arena.h>
+
+#include "base/stopwatch.hpp"
 #include "mesh/orient.hpp"
 
 namespace moldlight {
 
 namespace {
 
-double elapsed_ms(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since).count();
+/// Sets `made` once. Work of other tasks stays out of it, as one of them might ask for the same and wait for
+/// its own thread.
+template <typename T, typename Make>
+const T& made_once(std::once_flag& once, std::unique_ptr<const T>& made, const Make& make) {
+  std::call_once(once, [&] { tbb::this_task_arena::isolate([&] { made = make(); }); });
+  return *made;
 }
 
 }  // namespace
 
+const ExactPart& PartModel::exact(const Progress& progress) const {
+  return made_once(exact_once_, exact_,
+                   [&] { return std::make_unique<const ExactPart>(part.mesh, geometry, frame, progress); });
+}
+
+const ExactRays& PartModel::rays() const {
+  return made_once(rays_once_, rays_, [&] {
+    return std::make_unique<const ExactRays>(part.mesh, unit_positions(part.mesh, frame));
+  });
+}
+
 std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   auto model = std::make_shared<PartModel>();
   model->part = std::move(part);
   const TriangleMesh& mesh = model->part.mesh;
@@ -32,19 +49,18 @@ std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progres
   progress.report("checking health", 0.0);
   model->health = health_report(mesh, model->geometry);
   model->frame = unit_frame(model->health.bounds);
-  progress.report("building the ray tree", 0.0);
-  model->rays = std::make_unique<ExactRays>(mesh, unit_positions(mesh, model->frame));
+  model->errors = part_errors(mesh, model->geometry, model->health, model->frame);
   for (std::string& warning : health_warnings(model->health)) model->warnings.push_back(std::move(warning));
-  model->load_ms = elapsed_ms(start);
+  model->load_ms = stopwatch.elapsed_ms();
   return model;
 }
 
 std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
                                            const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   Part part = read_part(path, options, progress);
   auto model = std::const_pointer_cast<PartModel>(prepare_part(std::move(part), progress));
-  model->load_ms = elapsed_ms(start);
+  model->load_ms = stopwatch.elapsed_ms();
   return model;
 }
 

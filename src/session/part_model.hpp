@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@
 #include "mesh/health.hpp"
 #include "mesh/part.hpp"
 #include "mesh/unit_frame.hpp"
+#include "mold/area_error.hpp"
+#include "mold/exact/exact_part.hpp"
 #include "mold/exact_rays.hpp"
 
 namespace moldlight {
 
-/// Immutable once loaded, so that runners and window share one from any thread.
+/// Immutable once loaded, so that runners and window share one from any thread. It does not move.
 struct PartModel {
   Part part;
   FacetGeometry geometry;
@@ -25,9 +28,19 @@ struct PartModel {
   BentEdges edges;
   HealthReport health;
   UnitFrame frame;
+  PartErrors errors;
   std::vector<std::string> warnings;  // of the reader and of the health report
   double load_ms = 0.0;
-  std::unique_ptr<const ExactRays> rays;
+
+  /// What exact regions and exact rays need of the part, made at the first use; other threads that ask
+  /// meanwhile wait. The first throws Cancelled, and is made anew when asked again.
+  [[nodiscard]] const ExactPart& exact(const Progress& progress) const;
+  [[nodiscard]] const ExactRays& rays() const;
+
+ private:
+  mutable std::once_flag exact_once_, rays_once_;
+  mutable std::unique_ptr<const ExactPart> exact_;
+  mutable std::unique_ptr<const ExactRays> rays_;
 };
 
 /// Reads and prepares a part. Throws FileError for what cannot be read and Cancelled.

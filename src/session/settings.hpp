@@ -13,9 +13,9 @@ namespace moldlight {
 /// tolerance. Symmetric: the paper's N x N neighbourhood, of which any lit sample suffices (section 2.2).
 enum class KernelShape : std::uint8_t { one_sided, symmetric };
 
-/// How regions become figures. Samples: stratified surface samples looked up in the maps, doubtful ones
-/// settled by exact rays. Facet-id: the paper's two-pass readback (section 2.4), one region a facet.
-enum class Readout : std::uint8_t { samples, facet_id };
+/// How regions become figures. Exact: computed, without maps. Samples: stratified surface samples looked up
+/// in the maps. Facet-id: the paper's two-pass readback (section 2.4), one region a facet.
+enum class Readout : std::uint8_t { exact, samples, facet_id };
 
 enum class Backend : std::uint8_t { automatic, egl, osmesa };
 
@@ -23,17 +23,20 @@ enum class Backend : std::uint8_t { automatic, egl, osmesa };
 struct MethodSettings {
   glm::dvec3 direction{0.0, 0.0, 1.0};  // any length but zero
   double tau_deg = 1.0;                 // [0, 10]
-  int kernel = 3;  // PCF kernel width in texels, odd, [1, 9]; its radius sets the lateral tolerance
+  std::optional<int> kernel;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance
   std::optional<double> tolerance;  // lateral tolerance in model units, > 0; replaces the kernel width
   KernelShape kernel_shape = KernelShape::one_sided;
   double edge_thickness = 2.0;  // width of the thick concave contour edges in texels, [0, 8]
   int resolution = 2048;        // shadow maps are resolution x resolution texels, [64, 8192]
-  Readout readout = Readout::samples;
+  Readout readout = Readout::exact;
   int samples = 1'000'000;  // surface samples over the whole part (at least four a facet), [1000, 100000000]
-  bool exact_rays = true;   // settle doubtful samples by exact rays
   Backend backend = Backend::automatic;
 
   bool operator==(const MethodSettings&) const = default;
 };
+
+/// The lateral tolerance that the settings mean for a part of this diagonal, both in model units: where they
+/// say nothing, 1/2048 of the diagonal, whatever the resolution.
+[[nodiscard]] double lateral_tolerance(const MethodSettings& settings, double diagonal);
 
 }  // namespace moldlight

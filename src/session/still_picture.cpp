@@ -49,11 +49,11 @@ glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm
 
 std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
                                                const Progress& progress) {
-  const ExactPart part(model.part.mesh, model.geometry, model.frame, progress);
+  if (result.split) return result.split;
   const ExactQuery query{.direction = result.direction,
                          .tau_deg = result.settings.tau_deg,
                          .lateral = result.lateral_tolerance / model.frame.diagonal};
-  return std::make_shared<const SplitMesh>(exact_split(part, query, progress).mesh);
+  return std::make_shared<const SplitMesh>(exact_split(model.exact(progress), query, progress).mesh);
 }
 
 LegendContent legend_content(const PartModel& model, const Classification& result) {
@@ -71,8 +71,8 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
     content.areas[index] = areas.text(result.areas[region]);
   }
   content.unit = powered_unit(model.part, 2);
-  content.note = fmt::format("undercut ± {} {}  ·  two checks {}", areas.text(result.uncertainty.total),
-                             content.unit, result.projected.agrees() ? "agree" : "disagree");
+  content.note = fmt::format("undercut ± {:.2g} {}  ·  two checks {}", result.uncertainty.total(),
+                             content.unit, result.identity.agrees() ? "agree" : "disagree");
   return content;
 }
 

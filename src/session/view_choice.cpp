@@ -67,7 +67,8 @@ double visible_amount(const PartModel& model, const std::vector<Spot>& spots, co
   double sum = 0.0;
   for (const Spot& spot : spots) {
     const float frontal = glm::dot(spot.normal, to_viewer);
-    if (frontal < 0.05F || model.rays->surface_point_blocked(spot.position, spot.normal, to_viewer)) continue;
+    if (frontal < 0.05F || model.rays().surface_point_blocked(spot.position, spot.normal, to_viewer))
+      continue;
     sum += std::sqrt(static_cast<double>(frontal));
   }
   return sum;

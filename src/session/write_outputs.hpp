@@ -10,7 +10,7 @@ namespace moldlight {
 
 /// Each is written if its path is not empty.
 struct OutputPaths {
-  std::string json;    // schema moldlight.classify/1
+  std::string json;    // schema moldlight.classify/2
   std::string facets;  // CSV
   std::string faces;   // CSV, one row a CAD face or polygon of the file
   std::string mesh;    // .ply, .obj or .stl, coloured by region

@@ -50,7 +50,7 @@ bool compare(const gl::Context& context, const std::string& file) {
       })->classification;
   const test::GridBest grid = test::best_of_grid(classifier, k_directions);
   const double found = best.areas[Region::undercut], share = 100.0 / model->geometry.total_area;
-  const double slack = best.uncertainty.total + grid.uncertainty;
+  const double slack = best.uncertainty.total() + grid.uncertainty;
   const bool holds = found <= grid.undercut + slack;
   std::printf("%-36s %10.4f %% %10.4f %% %+10.4f %% ± %.4f %% %7.2f°  %s\n",
               model->part.file.substr(model->part.file.find_last_of('/') + 1).c_str(), share * grid.undercut,

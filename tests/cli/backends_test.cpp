@@ -46,7 +46,7 @@ void expect_same(const SmallPart& part, const std::vector<std::string>& argument
 
 /// OSMesa is software; an EGL on a graphics card rounds in ways of its own.
 bool egl_is_software(const SmallPart& part) {
-  auto arguments = part.classify({"--json", "-"});
+  auto arguments = part.classify({"--json", "-", "--readout", "samples"});
   arguments[9] = "egl";
   const auto run = run_moldlight(arguments);
   return run.exit_code == 0 && test::json_of(run.out)["settings"]["renderer"].get<std::string>().find(
@@ -57,10 +57,12 @@ TEST(Backends, GiveTheSameToTheByte) {
   const SmallPart part;
   if (!egl_is_software(part)) GTEST_SKIP() << "EGL is not software here";
   for (const std::string direction : {"0,0,1", "0.3,-0.5,0.7"}) {
-    expect_same(part, {"classify", part.file(), "--direction", direction, "--samples", "100000"});
+    expect_same(part, {"classify", part.file(), "--direction", direction, "--readout", "samples", "--samples",
+                       "100000"});
   }
   expect_same(part, {"classify", part.file(), "--direction", "0,0,1", "--readout", "facet-id"});
-  expect_same(part, {"classify", part.file(), "--direction", "0.1,0,1", "--kernel-shape", "symmetric"});
+  expect_same(part, {"classify", part.file(), "--direction", "0.1,0,1", "--readout", "samples",
+                     "--kernel-shape", "symmetric"});
 }
 
 TEST(Backends, GiveTheSameToTheByteForARealPart) {
@@ -68,8 +70,8 @@ TEST(Backends, GiveTheSameToTheByteForARealPart) {
   if (!shared) GTEST_SKIP() << "no shared parts";
   const SmallPart part;
   if (!egl_is_software(part)) GTEST_SKIP() << "EGL is not software here";
-  expect_same(part,
-              {"classify", (*shared / "parts" / "so101_trigger.stl").string(), "--direction", "0.2,0.1,1"});
+  expect_same(part, {"classify", (*shared / "parts" / "so101_trigger.stl").string(), "--direction",
+                     "0.2,0.1,1", "--readout", "samples"});
 }
 
 }  // namespace

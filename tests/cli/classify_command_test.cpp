@@ -1,4 +1,5 @@
 // What `moldlight classify` puts out.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -39,17 +40,18 @@ TEST(Classify, JsonHasTheKeysOfTheSchema) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = json_of(run.out);
   using Names = std::vector<std::string>;
-  EXPECT_EQ(json["schema"], "moldlight.classify/1");
+  EXPECT_EQ(json["schema"], "moldlight.classify/2");
   EXPECT_EQ(keys(json), (Names{"schema", "part", "direction", "settings", "texel", "lateral_tolerance",
                                "areas", "fractions", "undercut_uncertainty", "uncertainty_parts",
-                               "projected_undercut", "samples", "timings_ms"}));
+                               "projected_area", "projected_undercut", "identity", "timings_ms"}));
   EXPECT_EQ(keys(json["part"]), (Names{"file", "format", "unit", "facets", "vertices", "components", "closed",
                                        "area", "volume", "bounds", "warnings", "repairs"}));
   EXPECT_EQ(keys(json["part"]["bounds"]), (Names{"min", "max"}));
   EXPECT_EQ(keys(json["areas"]), (Names{"core", "cavity", "both", "undercut", "total", "near_vertical"}));
   EXPECT_EQ(keys(json["fractions"]), (Names{"core", "cavity", "both", "undercut"}));
-  EXPECT_EQ(keys(json["projected_undercut"]), (Names{"surface", "identity", "gap", "gap_limit", "agrees"}));
-  EXPECT_EQ(keys(json["timings_ms"]), (Names{"load", "maps", "measure", "total"}));
+  EXPECT_EQ(keys(json["uncertainty_parts"]), (Names{"rounding", "mesh", "readout"}));
+  EXPECT_EQ(keys(json["identity"]), (Names{"core", "cavity", "gap", "gap_limit", "agrees"}));
+  EXPECT_EQ(keys(json["timings_ms"]), (Names{"load", "regions", "readout", "total"}));
   for (const char* key :
        {"tau_deg", "kernel", "edge_thickness", "resolution", "readout", "backend", "renderer"}) {
     EXPECT_TRUE(json["settings"].contains(key)) << key;
@@ -57,6 +59,9 @@ TEST(Classify, JsonHasTheKeysOfTheSchema) {
   EXPECT_EQ(json["part"]["facets"], part.shape().mesh.facets.size());
   EXPECT_EQ(json["part"]["closed"], true);
   EXPECT_EQ(json["settings"]["resolution"], 256);
+  EXPECT_EQ(json["settings"]["readout"], "exact");
+  for (const char* key : {"kernel", "tolerance", "backend", "renderer"})
+    EXPECT_TRUE(json["settings"][key].is_null()) << key;
 }
 
 TEST(Classify, JsonFiguresBelongTogether) {
@@ -77,20 +82,22 @@ TEST(Classify, JsonFiguresBelongTogether) {
                 1e-9 * total);
   }
   EXPECT_NEAR(sum, total, 1e-9 * total);
-  const Json& projected = json["projected_undercut"];
-  EXPECT_NEAR(projected["gap"].get<double>(),
-              projected["surface"].get<double>() - projected["identity"].get<double>(), 1e-9 * total);
+  const Json& identity = json["identity"];
+  EXPECT_EQ(identity["gap"].get<double>(), identity["core"].get<double>() - identity["cavity"].get<double>());
+  EXPECT_EQ(identity["agrees"], true);
+  EXPECT_EQ(json["projected_area"], std::max(identity["core"], identity["cavity"]));
+  const Json& parts = json["uncertainty_parts"];
+  EXPECT_EQ(json["undercut_uncertainty"], parts["rounding"]);
+  EXPECT_GT(parts["rounding"], 0.0);
+  EXPECT_EQ(parts["mesh"], 0.0);
 }
 
 TEST(Classify, AreasAreThoseOfTheFormula) {
   const SmallPart part;
-  auto arguments = part.classify({"--json", "-", "--tolerance", "0.02"});
-  arguments[5] = "200000";
-  arguments[7] = "1024";
-  const Json json = json_of(run_moldlight(arguments).out);
+  const Json json = json_of(run_moldlight(part.classify({"--json", "-", "--tolerance", "0.02"})).out);
   for (const Region region : k_regions) {
     EXPECT_NEAR(json["areas"][std::string(region_name(region))].get<double>(), part.shape().expected[region],
-                0.005 * part.shape().expected.total())
+                1e-9 * part.shape().expected.total())
         << region_name(region);
   }
 }
@@ -121,7 +128,7 @@ TEST(Classify, FacetTableIsInFileOrderAndAddsUpToTheJson) {
   const Json json = json_of(file_bytes(report));
   for (const Region region : k_regions) {
     EXPECT_NEAR(sums[region], json["areas"][std::string(region_name(region))].get<double>(),
-                1e-6 * geometry.total_area);
+                1e-12 * geometry.total_area);
   }
 }
 
@@ -162,10 +169,27 @@ TEST(Classify, SplitsThePartIntoOneStlARegion) {
 
 TEST(Classify, SamplesAndFacetIdAreBothThere) {
   const SmallPart part;
-  const Json samples = json_of(run_moldlight(part.classify({"--json", "-"})).out);
-  const Json facet_id = json_of(run_moldlight(part.classify({"--json", "-", "--readout", "facet-id"})).out);
-  EXPECT_EQ(facet_id["settings"]["readout"], "facet-id");
-  EXPECT_NE(samples["areas"], facet_id["areas"]);
+  const Json exact = json_of(run_moldlight(part.classify({"--json", "-"})).out);
+  for (const std::string readout : {"samples", "facet-id"}) {
+    const Json json = json_of(run_moldlight(part.classify({"--json", "-", "--readout", readout})).out);
+    EXPECT_EQ(json["settings"]["readout"], readout);
+    EXPECT_EQ(json["settings"]["backend"], "OSMesa");
+    EXPECT_NE(json["areas"], exact["areas"]);
+    EXPECT_EQ(json["identity"], exact["identity"]);
+    const double off = json["areas"]["undercut"].get<double>() - exact["areas"]["undercut"].get<double>();
+    EXPECT_EQ(json["uncertainty_parts"]["readout"], std::abs(off));
+  }
+}
+
+TEST(Classify, ExactRegionsNeedNoGl) {
+  const SmallPart part;
+  test::ProcessSettings settings;
+  settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json", "GALLIUM_DRIVER=none"};
+  auto arguments = part.classify();
+  arguments[9] = "egl";
+  const auto run = run_moldlight(arguments, settings);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
 }
 
 TEST(Classify, WarnsOfAnOpenPartOnStderrAndInJson) {

@@ -19,10 +19,14 @@ class Interrupt : public testing::TestWithParam<int> {};
 TEST_P(Interrupt, EndsWith130AndLeavesNothingHalfWritten) {
   const test::SmallPart part;
   const std::string kept = part.folder().write("kept.csv", "old");
-  const std::vector<std::string> arguments = {
-      MOLDLIGHT_BINARY, "classify",           part.file(), "--direction", "0,0,1",  "--samples",
-      "10000000",       "--verbose",          "--facets",  kept,          "--json", part.output("a.json"),
-      "--split-dir",    part.output("pieces")};
+  const std::vector<std::string> arguments = {MOLDLIGHT_BINARY, "classify",
+                                              part.file(),      "--direction",
+                                              "0,0,1",          "--readout",
+                                              "samples",        "--samples",
+                                              "10000000",       "--verbose",
+                                              "--facets",       kept,
+                                              "--json",         part.output("a.json"),
+                                              "--split-dir",    part.output("pieces")};
   test::Process process(arguments, {});
   ASSERT_TRUE(process.wait_for_error_text("drawing the maps"));
   process.send_signal(GetParam());

@@ -22,6 +22,7 @@ std::string other_value(const Option<S>& option) {
   if (const auto* integer = std::get_if<IntegerKind<S>>(&option.kind)) {
     return real_text(differs(real_text(integer->min)) ? integer->min : integer->max);
   }
+  if (const auto* integer = std::get_if<OptionalIntegerKind<S>>(&option.kind)) return real_text(integer->max);
   if (const auto* choice = std::get_if<ChoiceKind<S>>(&option.kind)) return std::string(choice->words.back());
   if (std::holds_alternative<SwitchKind<S>>(option.kind)) return differs("on") ? "on" : "off";
   if (std::holds_alternative<DirectionKind<S>>(option.kind)) return "-0.6,0,0.8";
@@ -78,6 +79,7 @@ TEST(OptionTable, EveryOptionHasItsFlag) {
     if (option.key != "direction") add("--direction", "0,0,1");
     if (option.key != "samples") add("--samples", "1000");
     if (option.key != "resolution") add("--resolution", "128");
+    if (option.key == "backend") add("--readout", "samples");
     const auto run = test::run_moldlight(arguments);
     ASSERT_EQ(run.exit_code, 0) << option.flag << ": " << run.err;
     const auto json = test::json_of(run.out);

@@ -121,7 +121,7 @@ void expect_figures_of_classify(const Json& sweep, const Names& classify) {
     EXPECT_EQ(candidate["fractions"].dump(), classified["fractions"].dump()) << direction;
     EXPECT_EQ(candidate["undercut_uncertainty"].dump(), classified["undercut_uncertainty"].dump())
         << direction;
-    EXPECT_EQ(candidate["projected_undercut"].dump(), classified["projected_undercut"]["identity"].dump());
+    EXPECT_EQ(candidate["projected_undercut"].dump(), classified["projected_undercut"].dump());
     EXPECT_EQ(candidate["undraughted_area"].dump(), classified["areas"]["near_vertical"].dump());
   }
 }

@@ -43,7 +43,7 @@ TEST(Terminal, ShowsColoursUnlessAskedNotTo) {
 TEST(Terminal, ProgressIsDrawnAndTakenAwayAgain) {
   if (!std::filesystem::exists("/usr/bin/script")) GTEST_SKIP() << "nothing here makes a terminal";
   const SmallPart part;
-  auto arguments = part.classify();
+  auto arguments = part.classify({"--readout", "samples"});
   arguments[5] = "3000000";
   ProcessSettings settings;
   settings.environment = {"TERM=xterm", "NO_COLOR=1"};

@@ -26,6 +26,7 @@ class Controls : public WindowWithPart {
                    },
                    [&](const OptionalRealKind<S>&) { enter(std::string(option.key), "0.25"); },
                    [&](const IntegerKind<S>&) { slide(label, 0.7F); },
+                   [&](const OptionalIntegerKind<S>&) { slide(label, 0.7F); },
                    [&](const SwitchKind<S>&) { click(label); },
                    [&](const ChoiceKind<S>& kind) {
                      const auto other = static_cast<std::size_t>(kind.get(settings) == 0 ? 1 : 0);

@@ -23,7 +23,7 @@ class Hovering : public WindowWithPart {
     if (glm::dot(normal, camera.toward_viewer()) < 0.2) return std::nullopt;
     const glm::dvec3 point(model.frame.to_unit(centroid(facet)));
     const glm::vec3 start(point + 1e-4 * normal);
-    if (model.rays->first_hit(start, glm::vec3(camera.toward_viewer()), false)) return std::nullopt;
+    if (model.rays().first_hit(start, glm::vec3(camera.toward_viewer()), false)) return std::nullopt;
     const auto pixel = project(camera, window.size(), point);
     if (!pixel || pixel->x < 320.0 || pixel->x > 960.0) return std::nullopt;
     return glm::vec2(*pixel);

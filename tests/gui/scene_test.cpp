@@ -29,6 +29,7 @@ void change(const Option<MethodSettings>& option, MethodSettings& settings) {
                  [&](const IntegerKind<S>& kind) {
                    settings.*kind.member = option.key == "resolution" ? 100 : kind.max;
                  },
+                 [&](const OptionalIntegerKind<S>& kind) { settings.*kind.member = kind.max; },
                  [&](const SwitchKind<S>& kind) { settings.*kind.member = !(settings.*kind.member); },
                  [&](const ChoiceKind<S>& kind) { kind.set(settings, kind.get(settings) == 0 ? 1 : 0); },
                  [&](const DirectionKind<S>& kind) {

@@ -127,7 +127,7 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
       EXPECT_EQ(a.classification.areas[region], b.classification.areas[region]);
       EXPECT_EQ(a.classification.areas[region], classified.areas[region]);
     }
-    EXPECT_EQ(a.classification.uncertainty.total, classified.uncertainty.total);
+    EXPECT_EQ(a.classification.uncertainty.total(), classified.uncertainty.total());
   }
 }
 

@@ -61,7 +61,7 @@ void expect_true_within_error(const std::string& path) {
   const auto model = load_part(path, {}, {});
   const SurfaceSamples samples = samples_of(*model, 10'000), many = samples_of(*model, 300'007);
   BatchScorer scorer({model, samples}, settings_of(512));
-  RayScorer rays({*model->rays, model->geometry, many}, 1.0, k_lateral);
+  RayScorer rays({model->rays(), model->geometry, many}, 1.0, k_lateral);
   const double total = model->geometry.total_area;
   double worst = 0.0, widest = 0.0;
   for (const ScoringTask& task : tasks(9)) {

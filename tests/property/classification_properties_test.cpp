@@ -13,25 +13,22 @@ namespace moldlight {
 namespace {
 
 constexpr int k_cases = 6;
-// Two runs on different samples may each be off by their stated uncertainty; regions other than the undercut
-// have no stated one and get as much again, and single precision its share.
-double allowed(const Classification& a, const Classification& b) {
-  return a.uncertainty.total + b.uncertainty.total + 2e-4 * a.total_area;
-}
+// Turning, scaling and moving round the coordinates anew, in double: far from the origin a coordinate has
+// ten digits after the part's size.
+constexpr double k_rounding = 1e-9;  // of the part's area
 
 MethodSettings settings_for(const test::Shape& shape) {
   MethodSettings settings;
   settings.direction = shape.direction;
   settings.tau_deg = shape.settings.tau_deg;
   settings.tolerance = shape.settings.lateral_tolerance;
-  settings.resolution = 1024;
-  settings.samples = 300'000;
   return settings;
 }
 
 void expect_same_areas(const Classification& a, const Classification& b, const std::string& name) {
   for (const Region region : k_regions) {
-    EXPECT_NEAR(a.areas[region], b.areas[region], allowed(a, b)) << name << ", " << region_name(region);
+    EXPECT_NEAR(a.areas[region], b.areas[region], k_rounding * a.total_area)
+        << name << ", " << region_name(region);
   }
 }
 
@@ -73,7 +70,6 @@ TEST(ClassificationProperties, ScalingByAFactorScalesAreasByItsSquare) {
       settings.tolerance = *settings.tolerance * factor;
       Classification after = test::classify_mesh(test::scaled(shape.mesh, factor), settings);
       for (double& area : after.areas.values) area /= factor * factor;
-      after.uncertainty.total /= factor * factor;
       expect_same_areas(before, after, shape.name);
     }
   }
@@ -99,48 +95,91 @@ TEST(ClassificationProperties, OrderOfFacetsAndVerticesDoesNotMatter) {
 TEST(ClassificationProperties, AreasAddUpAndFractionsAreShares) {
   for (const test::Shape& shape : cases(6)) {
     const auto model = test::model_of(shape.mesh);
-    const Classification result =
-        Classifier(test::shared_context(), model).classify(settings_for(shape), Progress{});
+    const Classification result = classify_exact(*model, settings_for(shape), Progress{});
     EXPECT_NEAR(result.areas.total(), result.total_area, 1e-9 * result.total_area);
     RegionValues summed;
     for (std::size_t facet = 0; facet < result.facet_fractions.size(); ++facet) {
-      float sum = 0.0F;
+      double sum = 0.0;
       for (const Region region : k_regions) {
-        const float share = result.facet_fractions[facet][static_cast<std::size_t>(region)];
-        EXPECT_GE(share, 0.0F);
+        const double share = result.facet_fractions[facet][static_cast<std::size_t>(region)];
+        EXPECT_GE(share, 0.0);
         sum += share;
-        summed[region] += model->geometry.areas[facet] * static_cast<double>(share);
+        summed[region] += model->geometry.areas[facet] * share;
       }
-      EXPECT_NEAR(sum, 1.0F, 1e-6F);
+      EXPECT_NEAR(sum, 1.0, 1e-12);
     }
     for (const Region region : k_regions) {
-      EXPECT_NEAR(summed[region], result.areas[region], 1e-6 * result.total_area);
+      EXPECT_NEAR(summed[region], result.areas[region], 1e-12 * result.total_area);
     }
   }
 }
 
-TEST(ClassificationProperties, TheIdentityHoldsOnClosedPartsForAnyDirection) {
+TEST(ClassificationProperties, TheShadowIsTheSameFromBothSidesOfAClosedPart) {
   std::uint32_t seed = 0;
   for (const test::Shape& shape : cases(7)) {
     MethodSettings settings = settings_for(shape);
     settings.direction = test::random_rotation(500 + seed++) * glm::dvec3(0, 0, 1);
     const Classification result = test::classify_mesh(shape.mesh, settings);
-    EXPECT_TRUE(result.projected.agrees())
-        << shape.name << ": gap " << result.projected.gap << ", limit " << result.projected.gap_limit;
-    EXPECT_LE(result.projected.gap_limit, 0.01 * result.total_area);
+    EXPECT_TRUE(result.identity.agrees())
+        << shape.name << ": gap " << result.identity.gap << ", limit " << result.identity.gap_limit;
+    EXPECT_GT(result.identity.core, 0.01 * result.total_area);
+    EXPECT_LE(result.identity.gap_limit, 1e-8 * result.total_area);
+    EXPECT_EQ(result.uncertainty.mesh, 0.0);
   }
 }
 
-TEST(ClassificationProperties, TheIdentityExposesAnOpenPart) {
+TEST(ClassificationProperties, TheShadowExposesAnOpenPart) {
   TriangleMesh open = test::box_mesh({0, 0, 0}, {20, 20, 10});
   MethodSettings settings;
   settings.direction = {0.1, 0.2, 1.0};
-  settings.samples = 100'000;
-  EXPECT_TRUE(test::classify_mesh(open, settings).projected.agrees());
+  EXPECT_TRUE(test::classify_mesh(open, settings).identity.agrees());
   open.facets.pop_back();
   const Classification result = test::classify_mesh(open, settings);
-  EXPECT_FALSE(result.projected.agrees());
+  EXPECT_FALSE(result.identity.agrees());
   EXPECT_FALSE(result.warnings.empty());
+  // Half of a side is missing; all that it could hide is in doubt.
+  EXPECT_GE(result.uncertainty.mesh, 0.5 * 20 * 10);
+  EXPECT_LE(result.uncertainty.mesh, result.total_area);
+}
+
+// The boss of 4 x 4 is sunk into the block by 1: its bottom and a strip of its sides lie in the material.
+TEST(ClassificationProperties, WhatOverlapsIsInDoubt) {
+  const TriangleMesh block = test::box_mesh({0, 0, 0}, {20, 20, 10}),
+                     boss = test::box_mesh({8, 8, 9}, {12, 12, 15});
+  MethodSettings settings;
+  const Classification result = test::classify_mesh(test::joined(block, boss), settings);
+  EXPECT_TRUE(result.identity.agrees());
+  EXPECT_NEAR(result.areas[Region::undercut], 4 * 4 + 4 * 4 * 1 + 4 * 4, 1e-9 * result.total_area);
+  EXPECT_NEAR(result.uncertainty.mesh, result.areas[Region::undercut], 1e-9 * result.total_area);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_NE(result.warnings.front().find("overlap"), std::string::npos);
+}
+
+TEST(ClassificationProperties, TheShadowOfAThinBoxIsExact) {
+  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1)}) {
+    MethodSettings settings;
+    settings.direction = direction;
+    const Classification result = test::classify_mesh(test::box_mesh({0, 0, 0}, {1, 1000, 1}), settings);
+    EXPECT_DOUBLE_EQ(result.shadow_area, 1000.0);
+    EXPECT_TRUE(result.identity.agrees());
+    EXPECT_EQ(result.areas[Region::undercut], 0.0);
+    EXPECT_NEAR(result.projected_undercut, 0.0, result.identity.gap_limit);
+  }
+}
+
+TEST(ClassificationProperties, TheToleranceIsALengthWhateverTheMaps) {
+  MethodSettings settings;
+  for (const int resolution : {64, 512, 2048, 8192}) {
+    settings.resolution = resolution;
+    EXPECT_DOUBLE_EQ(lateral_tolerance(settings, 100.0), 100.0 / 2048.0) << resolution;
+  }
+  settings.resolution = 512;
+  settings.kernel = 5;
+  EXPECT_DOUBLE_EQ(lateral_tolerance(settings, 100.0), 2.0 * 100.0 / 512.0);
+  settings.kernel = 1;
+  EXPECT_EQ(lateral_tolerance(settings, 100.0), 0.0);
+  settings.tolerance = 0.25;
+  EXPECT_EQ(lateral_tolerance(settings, 100.0), 0.25);
 }
 
 TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {
@@ -149,40 +188,28 @@ TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {
     const Classification b = test::classify_mesh(shape.mesh, settings_for(shape));
     EXPECT_EQ(a.facet_fractions, b.facet_fractions) << shape.name;
     EXPECT_EQ(a.areas.values, b.areas.values) << shape.name;
-    EXPECT_EQ(a.uncertainty.total, b.uncertainty.total) << shape.name;
-    EXPECT_EQ(a.projected.surface, b.projected.surface) << shape.name;
+    EXPECT_EQ(a.uncertainty.total(), b.uncertainty.total()) << shape.name;
+    EXPECT_EQ(a.identity.core, b.identity.core) << shape.name;
   }
 }
 
-/// Standard error of the undercut area from independent samples, with `more` of either kind counted on top.
-double undercut_error(const PartModel& model, const Classification& result, double more) {
-  const SurfaceSamples samples = sample_surface(model.part.mesh, model.geometry, model.frame,
-                                                static_cast<std::uint64_t>(result.settings.samples));
-  double variance = 0.0;
-  for (std::size_t facet = 0; facet < model.geometry.areas.size(); ++facet) {
-    const auto count = static_cast<double>(samples.first[facet + 1] - samples.first[facet]);
-    const double hits = count * result.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)];
-    const double share = (hits + more) / (count + 2.0 * more);
-    variance += std::pow(model.geometry.areas[facet], 2.0) * share * (1.0 - share) / (count + 2.0 * more);
-  }
-  return std::sqrt(variance);
-}
-
-TEST(ClassificationProperties, TheSamplingUncertaintyIsTwoStandardErrors) {
+TEST(ClassificationProperties, OtherReadoutsSayHowFarTheyAreOffExactRegions) {
   const test::Shape shape = test::cup_with_side_hole({});
-  const auto model = test::model_of(shape.mesh);
-  Classifier classifier(test::shared_context(), model);
   MethodSettings settings = settings_for(shape);
-  settings.direction = glm::normalize(glm::dvec3(0.3, 0.2, 1.0));  // many a facet is partly an undercut
-  const Classification result = classifier.classify(settings, Progress{});
-  const double least = undercut_error(*model, result, 0.0), most = undercut_error(*model, result, 1.0);
-  ASSERT_GT(least, 0.0);
-  ASSERT_LT(most, 1.5 * least) << "else the bounds say little";
-  EXPECT_GE(result.uncertainty.sampling, 1.99 * least);
-  EXPECT_LE(result.uncertainty.sampling, 2.01 * most);
-  EXPECT_DOUBLE_EQ(
-      result.uncertainty.total,
-      std::hypot(result.uncertainty.sampling, result.uncertainty.audit) + result.uncertainty.unsettled);
+  settings.direction = {0.3, 0.2, 1.0};  // many a facet is partly an undercut
+  settings.resolution = 256;
+  settings.samples = 20'000;
+  const Classification exact = test::classify_mesh(shape.mesh, settings);
+  for (const Readout readout : {Readout::samples, Readout::facet_id}) {
+    settings.readout = readout;
+    const Classification other = test::classify_mesh(shape.mesh, settings);
+    const double off = std::abs(other.areas[Region::undercut] - exact.areas[Region::undercut]);
+    EXPECT_EQ(other.uncertainty.readout, off);
+    EXPECT_GT(off, 0.0);
+    EXPECT_LT(off, 0.2 * exact.total_area);
+    EXPECT_EQ(other.identity.core, exact.identity.core);
+    EXPECT_NEAR(other.areas.total(), other.total_area, 1e-9 * other.total_area);
+  }
 }
 
 }  // namespace

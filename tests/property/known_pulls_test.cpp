@@ -86,7 +86,7 @@ void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& di
 
   const Classification& best = result.candidates.front().classification;
   const double found = best.areas[Region::undercut], known = pull.areas[Region::undercut];
-  const double slack = best.uncertainty.total + pull.uncertainty.total;
+  const double slack = best.uncertainty.total() + pull.uncertainty.total();
   EXPECT_LE(found, known + slack) << file;
   double nearest = 90.0;
   for (const SweepCandidate& candidate : result.candidates) {

@@ -27,7 +27,7 @@ struct Scored {
 
   [[nodiscard]] ScanScorer scorer(ScanScorerSettings settings, double lateral_tolerance) const {
     settings.lateral = lateral_tolerance / model->frame.diagonal;
-    return ScanScorer({part, *model->rays}, settings);
+    return ScanScorer({part, model->rays()}, settings);
   }
   [[nodiscard]] double total() const { return model->geometry.total_area; }
 
@@ -115,7 +115,7 @@ TEST(ScanScorer, AgreesWithExactRaysInManyDirections) {
     const PartModel& model = *scored.model;
     const SurfaceSamples samples =
         sample_surface_evenly(model.part.mesh, model.geometry, model.frame, 200'000);
-    RayScorer rays({*model.rays, model.geometry, samples}, 1.0, 0.02 / model.frame.diagonal);
+    RayScorer rays({model.rays(), model.geometry, samples}, 1.0, 0.02 / model.frame.diagonal);
     ScanScorer maps = scored.scorer({}, 0.02);
     for (int i = 0; i < 20; ++i) {
       const double z = (i + 0.5) / 20.0, around = 2.4 * i, r = std::sqrt(1.0 - z * z);

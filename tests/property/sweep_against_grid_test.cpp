@@ -20,7 +20,7 @@ TEST(SweepAgainstGrid, TheGridHasNothingBetter) {
     const SweepResult sweep = run_sweep(classifier, settings, Progress{}, {});
     const Classification& best = sweep.candidates.front().classification;
     const test::GridBest grid = test::best_of_grid(classifier, 1000);
-    EXPECT_LE(best.areas[Region::undercut], grid.undercut + grid.uncertainty + best.uncertainty.total)
+    EXPECT_LE(best.areas[Region::undercut], grid.undercut + grid.uncertainty + best.uncertainty.total())
         << name;
     const double share = 100.0 / best.total_area;
     std::cout << name << ": grid " << share * grid.undercut << " %, sweep "

@@ -62,7 +62,7 @@ TEST_F(SweepEndedEarly, WhileItScoresTheScoresAreListed) {
         std::ranges::find(result.evaluated, candidate.candidate.direction, &EvaluatedDirection::direction);
     ASSERT_NE(same, result.evaluated.end());
     EXPECT_EQ(candidate.classification.areas[Region::undercut], same->undercut);
-    EXPECT_EQ(candidate.classification.uncertainty.total, same->undercut_error);
+    EXPECT_EQ(candidate.classification.uncertainty.total(), same->undercut_error);
     EXPECT_GT(candidate.draw_depth, 0.0);
     EXPECT_GT(candidate.projected_area, 0.0);
   }
@@ -76,8 +76,7 @@ TEST_F(SweepEndedEarly, WhileItMeasuresTheReportTellsWhatIsMeasured) {
   const auto json = sweep_json(*model_, result);
   for (const auto& candidate : json["candidates"]) {
     const bool known = candidate["measured"];
-    for (const char* key :
-         {"patches", "projected_undercut", "projected_undercut_check", "uncertainty_parts"}) {
+    for (const char* key : {"patches", "projected_undercut", "identity", "uncertainty_parts"}) {
       EXPECT_EQ(candidate[key].is_null(), !known) << key;
     }
   }

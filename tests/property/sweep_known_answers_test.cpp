@@ -40,7 +40,7 @@ SweepResult sweep_of(const TriangleMesh& mesh, const SweepSettings& settings = q
 }
 
 double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
-double uncertainty(const SweepCandidate& candidate) { return candidate.classification.uncertainty.total; }
+double uncertainty(const SweepCandidate& candidate) { return candidate.classification.uncertainty.total(); }
 
 double angle_deg(const SweepCandidate& candidate, const glm::dvec3& direction) {
   return line_angle_deg(candidate.classification.direction, direction);

@@ -47,7 +47,7 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
       const std::size_t pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
       const SightLine line = sight_line(camera, size, {x + 0.5, size.y - row - 0.5});
-      const auto hit = model.rays->first_hit(glm::vec3(line.origin), glm::vec3(line.direction), true);
+      const auto hit = model.rays().first_hit(glm::vec3(line.origin), glm::vec3(line.direction), true);
       if (facets[pixel] == 0) {
         errors.facet += hit ? 1.0 : 0.0;
         continue;
@@ -60,7 +60,7 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
       const glm::dvec3 point = line.origin + line.direction * (glm::dot(normal, corner - line.origin) /
                                                                glm::dot(normal, line.direction));
       const Accessibility exact =
-          exact_accessibility(*model.rays, glm::vec3(point), normal,
+          exact_accessibility(model.rays(), glm::vec3(point), normal,
                               facet_class(normal, direction, picture.method.tau_deg), query);
       const unsigned bits = (exact.plus ? 1U : 0U) | (exact.minus ? 2U : 0U);
       errors.region += bits == regions[pixel] ? 0.0 : 1.0;

@@ -1,5 +1,4 @@
-// Thick concave contour edges must be in the maps, for near-vertical neighbours too. Exact rays are off: what
-// the maps alone say is tested.
+// Thick concave contour edges must be in the maps, for near-vertical neighbours too.
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -17,7 +16,7 @@ double undercut_bias(const test::Shape& shape, double edge_thickness) {
   settings.tau_deg = shape.settings.tau_deg;
   settings.tolerance = shape.settings.lateral_tolerance;
   settings.resolution = 64;
-  settings.exact_rays = false;
+  settings.readout = Readout::samples;
   settings.edge_thickness = edge_thickness;
   const Classification result = test::classify_mesh(shape.mesh, settings);
   return (result.areas[Region::undercut] - shape.expected[Region::undercut]) / result.total_area;
@@ -48,6 +47,7 @@ TEST(ThickEdges, KeepTheSymmetricKernelOutOfTheSolid) {
   MethodSettings settings;
   settings.direction = cup.direction;
   settings.resolution = 256;
+  settings.readout = Readout::samples;
   settings.kernel_shape = KernelShape::symmetric;
   const auto wrong = [&](double edge_thickness) {
     settings.edge_thickness = edge_thickness;

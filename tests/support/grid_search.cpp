@@ -21,7 +21,7 @@ std::vector<std::size_t> order_by_rays(const PartModel& model, const std::vector
   const MethodSettings settings;
   const double lateral = map_settings(settings, model.frame.diagonal).lateral;
   const SurfaceSamples set = sample_surface_evenly(model.part.mesh, model.geometry, model.frame, samples);
-  const RayScorerPart part{*model.rays, model.geometry, set};
+  const RayScorerPart part{model.rays(), model.geometry, set};
   ScoringPool pool([&] { return std::make_unique<RayScorer>(part, settings.tau_deg, lateral); }, 0);
   std::vector<ScoringTask> tasks;
   for (const glm::dvec3& direction : directions) tasks.push_back({.direction = direction});
@@ -47,7 +47,7 @@ GridBest best_of_grid(Classifier& classifier, std::size_t directions) {
   MethodSettings settings;
   settings.direction = best[order_by_rays(model, best, k_fine_samples).front()];
   const Classification result = classifier.classify(settings, Progress{});
-  return {result.direction, result.areas[Region::undercut], result.uncertainty.total};
+  return {result.direction, result.areas[Region::undercut], result.uncertainty.total()};
 }
 
 }  // namespace moldlight::test

@@ -89,7 +89,7 @@ void draw_comparison(const PanelContext& context) {
               known ? with_sign(column, left - right) : "…"},
              ui.colours->text, &region, palette);
   }
-  const auto doubt = [&](const Classification& result) { return result.uncertainty.total; };
+  const auto doubt = [&](const Classification& result) { return result.uncertainty.total(); };
   rows.add("Undercut ±",
            {known ? column.text(doubt(*state.figures.shown)) : "…", column.text(doubt(other.classification)),
             known ? column.text(std::hypot(doubt(*state.figures.shown), doubt(other.classification))) : "…"},

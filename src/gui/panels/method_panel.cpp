@@ -11,8 +11,7 @@ namespace moldlight::gui {
 namespace {
 
 // The rows under "More"; the direction has a panel of its own.
-constexpr std::array<std::string_view, 5> k_rare = {"tolerance", "readout", "samples", "exact_rays",
-                                                    "backend"};
+constexpr std::array<std::string_view, 4> k_rare = {"tolerance", "readout", "samples", "backend"};
 
 bool is_rare(const Option<MethodSettings>& option) {
   return std::find(k_rare.begin(), k_rare.end(), option.key) != k_rare.end();

@@ -38,6 +38,24 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
   const std::string before = option_text(option, settings), standard = option_text(option, defaults);
   const bool modified = before != standard;
   S edited = settings;
+  const auto integer_row = [&](const auto& kind, double number, const auto& set) {
+    const bool wide = kind.max > 100 * kind.min;
+    const bool moved = slider(ui, option.label, number,
+                              {.min = static_cast<double>(kind.min),
+                               .max = static_cast<double>(kind.max),
+                               .step = 1.0,
+                               .logarithmic = wide,
+                               .snap = !wide                    ? std::function<double(double)>()
+                                       : option.unit == "texel" ? near_power_of_two
+                                                                : near_round_number,
+                               .text = [&](double v) { return value_text(v, 0, option.unit); }},
+                              modified);
+    if (!moved) return false;
+    int whole = static_cast<int>(std::lround(number));
+    if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
+    set(whole);
+    return true;
+  };
   bool changed = std::visit(
       moldlight::detail::Overloaded{
           [&](const RealKind<S>& kind) {
@@ -59,23 +77,11 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
             return typed;
           },
           [&](const IntegerKind<S>& kind) {
-            double number = edited.*kind.member;
-            const bool wide = kind.max > 100 * kind.min;
-            const bool moved = slider(ui, option.label, number,
-                                      {.min = static_cast<double>(kind.min),
-                                       .max = static_cast<double>(kind.max),
-                                       .step = 1.0,
-                                       .logarithmic = wide,
-                                       .snap = !wide                    ? std::function<double(double)>()
-                                               : option.unit == "texel" ? near_power_of_two
-                                                                        : near_round_number,
-                                       .text = [&](double v) { return value_text(v, 0, option.unit); }},
-                                      modified);
-            if (!moved) return false;
-            int whole = static_cast<int>(std::lround(number));
-            if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
-            edited.*kind.member = whole;
-            return true;
+            return integer_row(kind, edited.*kind.member, [&](int value) { edited.*kind.member = value; });
+          },
+          [&](const OptionalIntegerKind<S>& kind) {
+            return integer_row(kind, (edited.*kind.member).value_or(kind.standard),
+                               [&](int value) { edited.*kind.member = value; });
           },
           [&](const SwitchKind<S>& kind) { return toggle(ui, option.label, edited.*kind.member, modified); },
           [&](const ChoiceKind<S>& kind) {

@@ -118,20 +118,20 @@ void draw_uncertainty(const PanelContext& context, const Legend& legend) {
   const UndercutUncertainty& doubt = legend.result.uncertainty;
   const glm::vec2 min = begin_line(ui, "uncertainty", "Undercut ±", ui.colours->muted);
   figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
-               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size), legend.column.text(doubt.total), {},
-               faded(ui.colours->text, legend.alpha));
-  tooltip(ui, "How far the undercut area may be off",
-          fmt::format(
-              "95 % level. From the number of samples: {}; from samples that exact rays checked: {}; from "
-              "samples that stayed in doubt: {}.",
-              figure(doubt.sampling), figure(doubt.audit), figure(doubt.unsettled)));
-  copy_menu("uncertainty", doubt.total);
+               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size),
+               fmt::format("{:.2g}", doubt.total()), {}, faded(ui.colours->text, legend.alpha));
+  tooltip(
+      ui, "How far the undercut area may be off",
+      fmt::format("By rounding: {:.2g}; by what is wrong with the mesh: {:.2g}; by the readout, beside exact "
+                  "regions: {:.2g}.",
+                  doubt.rounding, doubt.mesh, doubt.readout));
+  copy_menu("uncertainty", doubt.total());
 }
 
 void draw_check(const PanelContext& context, const Legend& legend) {
   const Ui& ui = context.ui;
-  const ProjectedUndercut& hidden = legend.result.projected;
-  const bool agrees = hidden.agrees();
+  const ShadowIdentity& shadow = legend.result.identity;
+  const bool agrees = shadow.agrees();
   const glm::vec2 min = begin_line(ui, "check", agrees ? "Two ways agree" : "Two ways differ",
                                    agrees ? ui.colours->muted : ui.colours->warning);
   draw_icon(*ImGui::GetWindowDrawList(), agrees ? Icon::check : Icon::alert,
@@ -139,15 +139,12 @@ void draw_check(const PanelContext& context, const Legend& legend) {
             faded(agrees ? ui.colours->text : ui.colours->warning, legend.alpha));
   figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
                min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size),
-               with_minus(legend.column.text(hidden.gap)), {}, faded(ui.colours->text, legend.alpha));
-  tooltip(ui, "Hidden area, found in two ways",
-          fmt::format(
-              "The area, seen along d, of what is hidden from both sides: {} from the regions, {} from the "
-              "part's shadow alone. {}",
-              figure(hidden.surface), figure(hidden.identity),
-              agrees ? "They agree."
-                     : "They differ: the mesh is open or wound badly, or the maps are too coarse."));
-  copy_menu("check", hidden.gap);
+               with_minus(fmt::format("{:.2g}", shadow.gap)), {}, faded(ui.colours->text, legend.alpha));
+  tooltip(ui, "Area of the part's shadow, found in two ways",
+          fmt::format("By what is seen along +d: {}; along −d: {}. {}", figure(shadow.core),
+                      figure(shadow.cavity),
+                      agrees ? "They agree." : "They differ: the mesh is open or wound badly."));
+  copy_menu("check", shadow.gap);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ constexpr double k_large_share = 1e-3;  // of the part's area
 constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
 }  // namespace
 
-UndercutPatches undercut_patches(std::span<const std::array<float, k_region_count>> facet_fractions,
-                                 const FacetGeometry& geometry, const Adjacency& adjacency) {
+UndercutPatches undercut_patches(const FacetFractions& facet_fractions, const FacetGeometry& geometry,
+                                 const Adjacency& adjacency) {
   const auto belongs = [&](FacetIndex facet) {
-    const double share = static_cast<double>(facet_fractions[facet][k_undercut]);
+    const double share = facet_fractions[facet][k_undercut];
     return share >= 0.5 || share * geometry.areas[facet] >= k_large_share * geometry.total_area;
   };
   UndercutPatches patches;
@@ -29,7 +29,7 @@ UndercutPatches undercut_patches(std::span<const std::array<float, k_region_coun
     while (!queue.empty()) {
       const FacetIndex facet = queue.back();
       queue.pop_back();
-      area += geometry.areas[facet] * static_cast<double>(facet_fractions[facet][k_undercut]);
+      area += geometry.areas[facet] * facet_fractions[facet][k_undercut];
       for (const FacetIndex next : adjacency.across[facet]) {
         if (next == k_no_facet || patches.of_facet[next] != k_no_facet || !belongs(next)) continue;
         patches.of_facet[next] = patch;

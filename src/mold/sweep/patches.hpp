@@ -1,8 +1,6 @@
 // Connected undercut patches: each needs a side action (or a change of the part) of its own.
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
 
 #include "mesh/adjacency.hpp"
@@ -19,8 +17,7 @@ struct UndercutPatches {
   std::vector<FacetIndex> of_facet;  // patch number, largest patch first; k_no_facet outside
   std::vector<double> areas;         // undercut area of each patch, model units squared
 };
-[[nodiscard]] UndercutPatches undercut_patches(
-    std::span<const std::array<float, k_region_count>> facet_fractions, const FacetGeometry& geometry,
-    const Adjacency& adjacency);
+[[nodiscard]] UndercutPatches undercut_patches(const FacetFractions& facet_fractions,
+                                               const FacetGeometry& geometry, const Adjacency& adjacency);
 
 }  // namespace moldlight

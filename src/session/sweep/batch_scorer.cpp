@@ -8,12 +8,15 @@
 
 #include "base/check.hpp"
 #include "mold/measure.hpp"
-#include "mold/settle.hpp"
 #include "session/headless.hpp"
 
 namespace moldlight {
 
 namespace {
+
+/// Up and down facets of less draft than this are left to rays: one texel of a map spans more than eleven
+/// texels of their height.
+constexpr double k_steep_deg = 5.0;
 
 /// A software GL draws from the processor's cache, which the maps of a large batch would not fit in.
 constexpr std::size_t k_software_map_bytes = 8U << 20;
@@ -84,7 +87,7 @@ SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
     sample_rays_.add(sample.position, normal, static_cast<FacetClass>(marked & ~MapBatch::k_left_out),
                      glm::dot(normal, direction));
   }
-  sample_rays_.ask(*model.rays);
+  sample_rays_.ask(model.rays());
   SampleCounts counts;
   std::array<std::uint32_t, k_region_count> stratum{};
   std::uint32_t seen = 0;

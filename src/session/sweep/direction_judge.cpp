@@ -83,7 +83,7 @@ DirectionFigures DirectionJudge::classified(const SweepCandidate& candidate) con
   figures[Criterion::draw_depth] = candidate.draw_depth;
   figures[Criterion::projected_area] = candidate.projected_area;
   figures[Criterion::undraughted_area] = candidate.undraughted_area;
-  figures.undercut_uncertainty = candidate.classification.uncertainty.total;
+  figures.undercut_uncertainty = candidate.classification.uncertainty.total();
   figures.exact = is_exact(candidate.candidate);
   return figures;
 }

@@ -1,7 +1,5 @@
 #include "session/sweep/map_scorer.hpp"
 
-#include <algorithm>
-
 #include "session/headless.hpp"
 
 namespace moldlight {
@@ -18,20 +16,11 @@ MapScorer::~MapScorer() {
 
 DirectionScore MapScorer::score(const glm::dvec3& direction) {
   settings_.direction = direction;
-  Classification result = classifier_->start(settings_, Progress{});
+  const Classification result = classifier_->classify(settings_, Progress{});
   DirectionScore score;
-  score.undercut_bound = std::max(0.0, result.projected.identity - result.projected.gap_limit);
-  score.shadow_area = result.shadow_area;
-  if (score.undercut_bound > limit()) {
-    // Certain to be above the limit; the bound stands for the undercut, and nothing is known of the rest.
-    score.given_up = true;
-    score.areas[Region::undercut] = score.undercut_bound;
-    score.undercut_error = result.total_area;
-    return score;
-  }
-  classifier_->finish(result, Progress{});
   score.areas = result.areas;
-  score.undercut_error = result.uncertainty.total;
+  score.undercut_error = result.uncertainty.total();
+  score.shadow_area = result.shadow_area;
   return score;
 }
 

@@ -31,7 +31,7 @@ bool from_user(const SweepCandidate& candidate) {
 }
 
 std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
-  const double error = best.classification.uncertainty.total;
+  const double error = best.classification.uncertainty.total();
   if (undercut_area(best) <= error) {
     return fmt::format("The best direction has no undercut that could be told from none (± {}).",
                        area_text(model, error));

@@ -79,13 +79,13 @@ std::unique_ptr<ScoringPool> ScoringEngine::make_closer_pool(int samples) {
 /// The paper's own variants have passes of their own, which know one direction.
 bool ScoringEngine::scores_in_batches() const {
   return engine_ == SweepEngine::gl && settings_.method.kernel_shape == KernelShape::one_sided &&
-         settings_.method.readout == Readout::samples;
+         settings_.method.readout != Readout::facet_id;
 }
 
 MethodSettings ScoringEngine::gl_method() const {
   MethodSettings coarse = settings_.method;
   // The lateral tolerance stays what the final figures use, whatever the texel.
-  coarse.tolerance = map_settings(settings_.method, model_->frame.diagonal).lateral * model_->frame.diagonal;
+  coarse.tolerance = lateral_tolerance(settings_.method, model_->frame.diagonal);
   if (*coarse.tolerance <= 0.0) coarse.tolerance = std::nullopt;
   coarse.resolution = settings_.scoring_resolution;
   return coarse;
@@ -117,12 +117,12 @@ std::unique_ptr<ScoringPool> ScoringEngine::make_scan_pool(const ScoringPlan& pl
     scan_part_ = std::make_unique<const ScanPart>(model_->part.mesh, model_->geometry, model_->frame,
                                                   model_->edges.concave);
   }
-  const ScanScorerPart part{*scan_part_, *model_->rays};
+  const ScanScorerPart part{*scan_part_, model_->rays()};
   const ScanScorerSettings scan{.resolution = plan.resolution,
                                 .tau_deg = settings_.method.tau_deg,
                                 .lateral = map_settings(settings_.method, model_->frame.diagonal).lateral,
                                 .samples = plan.scan_samples};
-  const RayScorerPart glance{*model_->rays, model_->geometry, sample_set(k_glance_samples)};
+  const RayScorerPart glance{model_->rays(), model_->geometry, sample_set(k_glance_samples)};
   return std::make_unique<ScoringPool>(
       [=] {
         return std::make_unique<ScreenedScorer>(
@@ -138,7 +138,7 @@ const SurfaceSamples& ScoringEngine::sample_set(std::uint64_t samples) {
 }
 
 std::unique_ptr<ScoringPool> ScoringEngine::make_ray_pool(std::uint64_t samples) {
-  const RayScorerPart part{*model_->rays, model_->geometry, sample_set(samples)};
+  const RayScorerPart part{model_->rays(), model_->geometry, sample_set(samples)};
   const double lateral = map_settings(settings_.method, model_->frame.diagonal).lateral;
   return std::make_unique<ScoringPool>(
       [=, tau_deg = settings_.method.tau_deg] { return std::make_unique<RayScorer>(part, tau_deg, lateral); },

@@ -234,13 +234,11 @@ SweepCandidate SweepRun::scored_figures(const Contender& contender) const {
   Classification& scored = candidate.classification;
   scored.settings = settings_.method;
   scored.settings.direction = scored.direction = contender.candidate.direction;
-  scored.backend = classifier_.context().backend();
-  scored.renderer = classifier_.context().renderer();
   scored.areas = contender.score.areas;
   scored.total_area = model_.geometry.total_area;
   scored.near_vertical_area = judge_.near_vertical_area(scored.direction);
   scored.shadow_area = contender.score.shadow_area;
-  scored.uncertainty.total = contender.score.undercut_error;
+  scored.uncertainty.readout = contender.score.undercut_error;
   scored.warnings = model_.warnings;
   complete_figures(contender, candidate);
   return candidate;

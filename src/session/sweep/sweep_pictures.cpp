@@ -86,7 +86,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
           with_minus(component_text(candidate.classification.direction[axis], 3));
     }
     row.area = area_text(areas, row.undercut);
-    row.error = with_minus(fmt::format("{:.2g}", candidate.classification.uncertainty.total));
+    row.error = with_minus(fmt::format("{:.2g}", candidate.classification.uncertainty.total()));
     row.share = fmt::format("{:.2f}", share_pct(model, row.undercut));
     row.tilt = with_minus(tilt_text(candidate));
     row.reasons = reasons(candidate.candidate);
@@ -104,7 +104,7 @@ ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate
   tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
   if (!tie.empty()) tile.remark = fmt::format("tie {}", tie);
   tile.figures = {{"undercut " + area, fmt::format("{} ± {:.2g}", area_text(areas, undercut),
-                                                   candidate.classification.uncertainty.total)},
+                                                   candidate.classification.uncertainty.total())},
                   {"share", fmt::format("{:.2f} %", share_pct(model, undercut))},
                   {"patches", fmt::format("{}", candidate.patches)},
                   {"depth " + length, fmt::format("{:.4g}", candidate.draw_depth)},

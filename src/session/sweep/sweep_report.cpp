@@ -38,10 +38,6 @@ Json settings_json(const SweepResult& result) {
     settings["user_directions"].push_back(vector_json(direction));
   }
   settings["engine_used"] = result.engine;
-  if (!result.candidates.empty()) {
-    settings["backend"] = result.candidates.front().classification.backend;
-    settings["renderer"] = result.candidates.front().classification.renderer;
-  }
   return settings;
 }
 
@@ -49,7 +45,6 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
   const Json classified = classify_json(model, candidate.classification);
   const auto if_measured = [&](Json value) { return candidate.measured ? value : Json(); };
-  const Json& projected = classified["projected_undercut"];
   const bool leans_somewhere = candidate.tilt && !candidate.tilt->at_least();
   Json sources = Json::array();
   for (const CandidateSource& source : candidate.candidate.sources) {
@@ -65,11 +60,8 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
           {"fractions", classified["fractions"]},
           {"undercut_uncertainty", classified["undercut_uncertainty"]},
           {"uncertainty_parts", if_measured(classified["uncertainty_parts"])},
-          {"projected_undercut", if_measured(projected["identity"])},
-          {"projected_undercut_check", if_measured({{"surface", projected["surface"]},
-                                                    {"gap", projected["gap"]},
-                                                    {"gap_limit", projected["gap_limit"]},
-                                                    {"agrees", projected["agrees"]}})},
+          {"projected_undercut", if_measured(classified["projected_undercut"])},
+          {"identity", if_measured(classified["identity"])},
           {"projected_area", candidate.projected_area},
           {"clamp_force", candidate.clamp_force > 0.0 ? Json(candidate.clamp_force) : Json()},
           {"draw_depth", candidate.draw_depth},
@@ -146,7 +138,7 @@ TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
                                     direction_text(d),
                                     undercuts.text(undercut_area(candidate)),
                                     fmt::format("{:.2f}", share * undercut_area(candidate)),
-                                    undercuts.text(candidate.classification.uncertainty.total),
+                                    undercuts.text(candidate.classification.uncertainty.total()),
                                     depths.text(candidate.draw_depth),
                                     shadows.text(candidate.projected_area)};
     if (with_force) row.push_back(forces.text(candidate.clamp_force));

@@ -31,7 +31,7 @@ std::unique_ptr<ScoringPool> Contenders::scan_pool(int resolution, double sample
       .resolution = resolution, .tau_deg = k_tau_deg, .lateral = k_lateral, .samples = samples};
   return std::make_unique<ScoringPool>(
       [this, settings] {
-        return std::make_unique<ScanScorer>(ScanScorerPart{scan_part_, *model_->rays}, settings);
+        return std::make_unique<ScanScorer>(ScanScorerPart{scan_part_, model_->rays()}, settings);
       },
       jobs);
 }
@@ -41,7 +41,7 @@ std::unique_ptr<ScoringPool> Contenders::ray_pool(std::uint64_t samples, int job
       sample_surface_evenly(model_->part.mesh, model_->geometry, model_->frame, samples));
   return std::make_unique<ScoringPool>(
       [this, &set] {
-        return std::make_unique<RayScorer>(RayScorerPart{*model_->rays, model_->geometry, set}, k_tau_deg,
+        return std::make_unique<RayScorer>(RayScorerPart{model_->rays(), model_->geometry, set}, k_tau_deg,
                                            k_lateral);
       },
       jobs);

@@ -14,8 +14,7 @@ namespace {
 TEST(FacetCsv, WritesShortestNumbersInFileOrder) {
   const test::ScratchFolder folder;
   const std::vector<double> areas = {0.1, 1.0 / 3.0, 1e-9};
-  const std::vector<std::array<float, 4>> fractions = {
-      {1, 0, 0, 0}, {0.1f, 0.2f, 0.7f, 0}, {0, 0, 1.0f / 3.0f, 1e-7f}};
+  const FacetFractions fractions = {{1, 0, 0, 0}, {0.1, 0.2, 0.7, 0}, {0, 0, 1.0 / 3.0, 1e-7}};
   const std::string path = folder.file("facets.csv");
   // Where a locale with a decimal comma is installed, it must not reach the file.
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "C"}) {
@@ -25,13 +24,13 @@ TEST(FacetCsv, WritesShortestNumbersInFileOrder) {
   std::setlocale(LC_ALL, "C");
   EXPECT_EQ(test::file_bytes(path),
             "facet,area,core,cavity,both,undercut\n0,0.1,1,0,0,0\n1,0.3333333333333333,0.1,0.2,0.7,0\n"
-            "2,1e-09,0,0,0.33333334,1e-07\n");
+            "2,1e-09,0,0,0.3333333333333333,1e-07\n");
 }
 
 TEST(FacetCsv, NamesFacetsByTheirNumbersInTheFile) {
   const test::ScratchFolder folder;
   const std::vector<double> areas = {1, 2, 3};
-  const std::vector<std::array<float, 4>> fractions(3);
+  const FacetFractions fractions(3);
   const std::vector<std::uint32_t> numbers = {7, 4'000'000'000, k_no_facet};
   write_facet_csv(folder.file("facets.csv"), {areas, fractions, numbers});
   EXPECT_EQ(test::file_bytes(folder.file("facets.csv")),
@@ -42,8 +41,7 @@ TEST(FacetCsv, SumsByCadFace) {
   const test::ScratchFolder folder;
   const std::vector<std::uint32_t> sources = {5, 2, 5, 9};
   const std::vector<double> areas = {1, 2, 3, 0};
-  const std::vector<std::array<float, 4>> fractions = {
-      {1, 0, 0, 0}, {0, 0.5f, 0.5f, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}};
+  const FacetFractions fractions = {{1, 0, 0, 0}, {0, 0.5, 0.5, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}};
   write_face_csv(folder.file("faces.csv"), region_areas_by_source(sources, areas, fractions));
   EXPECT_EQ(test::file_bytes(folder.file("faces.csv")),
             "face,area,core,cavity,both,undercut\n2,2,0,0.5,0.5,0\n5,4,0.25,0,0,0.75\n9,0,0,0,0,0\n");

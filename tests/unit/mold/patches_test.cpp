@@ -12,9 +12,9 @@ namespace {
 constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
 
 /// Patches of a cube of side 10, two facets a side, whose facets have these undercut fractions.
-UndercutPatches patches_of_cube(const std::array<float, 12>& fractions) {
+UndercutPatches patches_of_cube(const std::array<double, 12>& fractions) {
   const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {10, 10, 10});
-  std::vector<std::array<float, k_region_count>> facets(mesh.facets.size());
+  FacetFractions facets(mesh.facets.size());
   for (std::size_t facet = 0; facet < facets.size(); ++facet) facets[facet][k_undercut] = fractions.at(facet);
   return undercut_patches(facets, facet_geometry(mesh), build_adjacency(mesh));
 }
@@ -26,31 +26,31 @@ TEST(UndercutPatches, NoneWhereNothingIsUndercut) {
 }
 
 TEST(UndercutPatches, AllFacetsOfAClosedPartConnect) {
-  std::array<float, 12> all{};
-  all.fill(1.0F);
+  std::array<double, 12> all{};
+  all.fill(1.0);
   const UndercutPatches patches = patches_of_cube(all);
   EXPECT_EQ(patches.count, 1u);
   EXPECT_DOUBLE_EQ(patches.areas.at(0), 600.0);
 }
 
 TEST(UndercutPatches, ALargeFacetCountsByItsUndercutArea) {
-  std::array<float, 12> one{};
-  one[3] = 0.1F;  // 5 of 600: little of the facet, but nothing that one overlooks
+  std::array<double, 12> one{};
+  one[3] = 0.1;  // 5 of 600: little of the facet, but nothing that one overlooks
   const UndercutPatches patches = patches_of_cube(one);
   ASSERT_EQ(patches.count, 1u);
   EXPECT_NEAR(patches.areas[0], 5.0, 1e-6);
   EXPECT_EQ(patches.of_facet[3], 0u);
-  one[3] = 0.01F;  // 0.5 of 600: a thin border
+  one[3] = 0.01;  // 0.5 of 600: a thin border
   EXPECT_EQ(patches_of_cube(one).count, 0u);
 }
 
 TEST(UndercutPatches, OppositeSidesAreTwoAndTheLargerComesFirst) {
   const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {10, 10, 10});
   const FacetGeometry geometry = facet_geometry(mesh);
-  std::array<float, 12> two{};
+  std::array<double, 12> two{};
   for (std::size_t facet = 0; facet < 12; ++facet) {
-    if (geometry.normals[facet].z > 0.5) two.at(facet) = 0.6F;
-    if (geometry.normals[facet].z < -0.5) two.at(facet) = 0.9F;
+    if (geometry.normals[facet].z > 0.5) two.at(facet) = 0.6;
+    if (geometry.normals[facet].z < -0.5) two.at(facet) = 0.9;
   }
   const UndercutPatches patches = patches_of_cube(two);
   ASSERT_EQ(patches.count, 2u);

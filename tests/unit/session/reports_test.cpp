@@ -71,12 +71,12 @@ TEST(ClassifyReport, MarksACheckThatFails) {
   const auto model = prepare_part(part_of(test::box_mesh({0, 0, 0}, {1, 1, 1})), Progress());
   Classification result;
   result.total_area = 6.0;
-  result.projected = {.surface = 1.0, .identity = 0.5, .gap = 0.5, .gap_limit = 0.1};
+  result.identity = {.core = 1.0, .cavity = 0.5, .gap = 0.5, .gap_limit = 0.1};
   EXPECT_NE(classify_table(*model, result, false).find("check ✗"), std::string::npos);
   const nlohmann::ordered_json told = {
-      {"surface", 1.0}, {"identity", 0.5}, {"gap", 0.5}, {"gap_limit", 0.1}, {"agrees", false}};
-  EXPECT_EQ(classify_json(*model, result)["projected_undercut"], told);
-  result.projected = {.surface = 1.0, .identity = 1.05, .gap = -0.05, .gap_limit = 0.1};
+      {"core", 1.0}, {"cavity", 0.5}, {"gap", 0.5}, {"gap_limit", 0.1}, {"agrees", false}};
+  EXPECT_EQ(classify_json(*model, result)["identity"], told);
+  result.identity = {.core = 1.0, .cavity = 1.05, .gap = -0.05, .gap_limit = 0.1};
   EXPECT_NE(classify_table(*model, result, false).find("check ✓"), std::string::npos);
 }
 

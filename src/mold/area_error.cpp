@@ -1,0 +1,101 @@
+#include "mold/area_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/defect_edges.hpp"
+#include "mold/draft.hpp"
+#include "mold/sweep/patches.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_unit_roundoff = 0x1p-53;
+constexpr double k_border_error = 1e-12;  // e
+constexpr double k_wall_crossing = 0.01;  // s of near-vertical facets
+
+/// Model units.
+double perimeter(const TriangleMesh& mesh, FacetIndex facet) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) sum += glm::distance(mesh.corner(facet, k), mesh.corner(facet, (k + 1) % 3));
+  return sum;
+}
+
+double faulty_area(const TriangleMesh& mesh, const HealthReport& health) {
+  double sum = 0.0;
+  const auto add_chains = [&](EdgeDefect defect) {
+    for (const EdgeChain& chain : defect_chains(mesh, defect)) {
+      const glm::dvec3& origin = mesh.vertices[chain.vertices.front()];
+      glm::dvec3 twice(0.0);
+      for (std::size_t k = 1; k + 1 < chain.vertices.size(); ++k) {
+        twice += glm::cross(mesh.vertices[chain.vertices[k]] - origin,
+                            mesh.vertices[chain.vertices[k + 1]] - origin);
+      }
+      sum += 0.5 * glm::length(twice);
+    }
+  };
+  if (health.open_edges > 0) add_chains(EdgeDefect::open);
+  if (health.inconsistent_edges > 0) add_chains(EdgeDefect::inconsistent);
+  return sum;
+}
+
+}  // namespace
+
+PartErrors part_errors(const TriangleMesh& mesh, const FacetGeometry& geometry, const HealthReport& health,
+                       const UnitFrame& frame) {
+  PartErrors errors;
+  errors.facets = static_cast<double>(mesh.facets.size()) * k_unit_roundoff * geometry.total_area;
+  double borders = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const double around = perimeter(mesh, facet);
+    errors.facets += 4.0 * k_unit_roundoff * around * around;
+    borders += k_border_error * frame.diagonal * around;
+  }
+  errors.shadow_gap = errors.facets + borders;
+  errors.faulty_area = faulty_area(mesh, health);
+  return errors;
+}
+
+double rounding_bound(const ExactPart& part, const ExactQuery& query, const ExactAreas& areas,
+                      const PartErrors& errors) {
+  const double sine_of_tau = std::sin(glm::radians(query.tau_deg));
+  double sum = errors.facets;
+  for (FacetIndex facet = 0; facet < areas.facet_fractions.size(); ++facet) {
+    if (std::ranges::any_of(areas.facet_fractions[facet], [](double share) { return share == 1.0; }))
+      continue;
+    const double sine = glm::dot(part.geometry().normals[facet], query.direction);
+    const bool is_wall = facet_class(sine, sine_of_tau) == FacetClass::near_vertical;
+    const double off = k_border_error * part.frame().diagonal * perimeter(part.mesh(), facet);
+    sum += std::min(part.geometry().areas[facet], off / (is_wall ? k_wall_crossing : std::abs(sine)));
+  }
+  return sum;
+}
+
+double mesh_doubt(const ExactPart& part, const ExactAreas& areas, const Adjacency& adjacency,
+                  const PartErrors& errors) {
+  const double gap = std::abs(areas.projected_core - areas.projected_cavity);
+  double doubt = errors.faulty_area + (gap > errors.shadow_gap ? gap : 0.0);
+  if (!part.crossings().empty()) {
+    const UndercutPatches patches = undercut_patches(areas.facet_fractions, part.geometry(), adjacency);
+    std::vector<bool> is_crossed(patches.count, false);
+    for (FacetIndex facet = 0; facet < patches.of_facet.size(); ++facet) {
+      if (part.first_crossing()[facet] == part.first_crossing()[facet + 1]) continue;
+      if (patches.of_facet[facet] != k_no_facet) {
+        is_crossed[patches.of_facet[facet]] = true;
+      } else {
+        doubt += part.geometry().areas[facet] *
+                 areas.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)];
+      }
+    }
+    for (std::size_t patch = 0; patch < patches.count; ++patch) {
+      if (is_crossed[patch]) doubt += patches.areas[patch];
+    }
+  }
+  return std::min(doubt, part.geometry().total_area);
+}
+
+}  // namespace moldlight
