@@ -78,12 +78,12 @@ double rounding_bound(const ExactPart& part, const ExactQuery& query, const Exac
 double mesh_doubt(const ExactPart& part, const ExactAreas& areas, const Adjacency& adjacency,
                   const PartErrors& errors) {
   const double gap = std::abs(areas.projected_core - areas.projected_cavity);
-  double doubt = errors.faulty_area + (gap > errors.shadow_gap ? gap : 0.0);
+  double doubt = errors.faulty_area + (gap > errors.shadow_gap + areas.projected_doubt ? gap : 0.0);
   if (!part.crossings().empty()) {
     const UndercutPatches patches = undercut_patches(areas.facet_fractions, part.geometry(), adjacency);
     std::vector<bool> is_crossed(patches.count, false);
     for (FacetIndex facet = 0; facet < patches.of_facet.size(); ++facet) {
-      if (part.first_crossing()[facet] == part.first_crossing()[facet + 1]) continue;
+      if (!part.crossed(facet)) continue;
       if (patches.of_facet[facet] != k_no_facet) {
         is_crossed[patches.of_facet[facet]] = true;
       } else {

@@ -19,7 +19,7 @@ namespace {
 void add_warnings(const PartModel& model, const ExactPart& part, Classification& result) {
   std::size_t crossed = 0;
   for (FacetIndex facet = 0; facet < part.mesh().facets.size(); ++facet) {
-    crossed += part.first_crossing()[facet] != part.first_crossing()[facet + 1] ? 1 : 0;
+    crossed += part.crossed(facet) ? 1 : 0;
   }
   if (crossed > 0) {
     result.warnings.push_back(fmt::format(
@@ -74,7 +74,7 @@ Classification classify_exact(const PartModel& model, const MethodSettings& sett
   result.identity = {.core = found.projected_core,
                      .cavity = found.projected_cavity,
                      .gap = found.projected_core - found.projected_cavity,
-                     .gap_limit = model.errors.shadow_gap};
+                     .gap_limit = model.errors.shadow_gap + found.projected_doubt};
   result.shadow_area = std::max(found.projected_core, found.projected_cavity);
   double projected_total = 0.0;
   for (FacetIndex facet = 0; facet < model.geometry.areas.size(); ++facet) {
