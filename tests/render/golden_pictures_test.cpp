@@ -101,6 +101,7 @@ TEST(GoldenPictures, DifferenceOfCoarseMapsFromExactRegions) {
   settings.mark_difference = true;
   ShapePicture picture(test::shared_context(), oblique_l_bracket(ShapeSettings{}));
   picture.method.resolution = 64;
+  picture.method.kernel = 3;
   picture.find_regions();
   Camera camera = panned(picture.camera(), {0.0, -30.0}, picture.picture.target().size);
   camera.height *= 0.25;
