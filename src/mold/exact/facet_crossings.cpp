@@ -18,6 +18,7 @@ namespace {
 
 /// Facets that come nearer than this to a plane only touch it: a few roundings of a coordinate in double.
 constexpr double k_touch = 1e-12;
+constexpr double k_inside = 1e-9;    // an edge nearer to a facet's side runs along it
 constexpr double k_shortest = 1e-9;  // shorter crossings cut nothing that has an area
 constexpr std::uint32_t k_leaf_facets = 6;
 constexpr std::uint32_t k_parallel_facets = 8192;  // smaller subtrees are one task
@@ -139,16 +140,51 @@ int shared_corners(const std::array<VertexIndex, 3>& a, const std::array<VertexI
   return count;
 }
 
-/// True if the corners lie on one side of the plane or touch it.
-bool on_one_side(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& origin,
-                 const glm::dvec3& normal) {
+/// Where the corners of a triangle lie over a plane.
+struct Heights {
+  std::array<bool, 3> touches{};
   bool above = false, below = false;
-  for (const glm::dvec3& corner : corners) {
-    const double height = glm::dot(normal, corner - origin);
-    above |= height > k_touch;
-    below |= height < -k_touch;
+};
+
+Heights heights_over(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& origin,
+                     const glm::dvec3& normal) {
+  Heights heights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double height = glm::dot(normal, corners[k] - origin);
+    heights.above |= height > k_touch;
+    heights.below |= height < -k_touch;
+    heights.touches[k] = std::abs(height) <= k_touch;
   }
-  return !(above && below);
+  return heights;
+}
+
+/// The part of a line in b's plane that lies in b.
+bool clipped(const CrossingQuery& query, const std::array<glm::dvec3, 2>& ends, FacetCrossing& crossing) {
+  const glm::dvec3* b = query.b;
+  double begin = 0.0, end = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const glm::dvec3 side = b[(k + 1) % 3] - b[k];
+    const double length = glm::length(side);
+    if (length <= 0.0) return false;
+    const glm::dvec3 inward = glm::cross(query.normal_b, side / length);
+    const double from = glm::dot(inward, ends[0] - b[k]) + query.slack;
+    const double to = glm::dot(inward, ends[1] - b[k]) + query.slack;
+    if (from < 0.0 && to < 0.0) return false;
+    if (from < 0.0) begin = std::max(begin, from / (from - to));
+    if (to < 0.0) end = std::min(end, from / (from - to));
+  }
+  if (end <= begin) return false;
+  crossing = {ends[0] + begin * (ends[1] - ends[0]), ends[0] + end * (ends[1] - ends[0])};
+  return glm::distance(crossing.start, crossing.end) > k_shortest;
+}
+
+/// An edge of a that lies in b's plane, as far as it runs inside b: facets on its two sides may cross b
+/// there, though each of them only touches it.
+bool edge_inside(const Heights& heights, const CrossingQuery& query, FacetCrossing& crossing) {
+  const auto& touches = heights.touches;
+  if (touches[0] + touches[1] + touches[2] != 2) return false;
+  const std::size_t from = !touches[0] ? 1 : !touches[1] ? 2 : 0;
+  return clipped(query, {query.a[from], query.a[(from + 1) % 3]}, crossing);
 }
 
 }  // namespace
@@ -171,21 +207,7 @@ bool triangle_crossing(const CrossingQuery& query, FacetCrossing& crossing) {
     ends[count++] = a[k] + (from / (from - to)) * (a[(k + 1) % 3] - a[k]);
   }
   if (count < 2) return false;
-  double begin = 0.0, end = 1.0;
-  for (int k = 0; k < 3; ++k) {
-    const glm::dvec3 side = b[(k + 1) % 3] - b[k];
-    const double length = glm::length(side);
-    if (length <= 0.0) return false;
-    const glm::dvec3 inward = glm::cross(query.normal_b, side / length);
-    const double from = glm::dot(inward, ends[0] - b[k]) + query.slack;
-    const double to = glm::dot(inward, ends[1] - b[k]) + query.slack;
-    if (from < 0.0 && to < 0.0) return false;
-    if (from < 0.0) begin = std::max(begin, from / (from - to));
-    if (to < 0.0) end = std::min(end, from / (from - to));
-  }
-  if (end <= begin) return false;
-  crossing = {ends[0] + begin * (ends[1] - ends[0]), ends[0] + end * (ends[1] - ends[0])};
-  return glm::distance(crossing.start, crossing.end) > k_shortest;
+  return clipped(query, ends, crossing);
 }
 
 FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
@@ -209,8 +231,16 @@ FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dv
             if (normals[other] == glm::dvec3(0.0)) return;
             if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
             const auto other_corners = corners_of(other);
-            if (on_one_side(other_corners, corners[0], normals[facet])) return;
+            const Heights here_over = heights_over(corners, other_corners[0], normals[other]);
+            const Heights there_over = heights_over(other_corners, corners[0], normals[facet]);
             FacetCrossing crossing;
+            if (edge_inside(there_over, {other_corners.data(), corners.data(), normals[facet], -k_inside},
+                            crossing))
+              mine.push_back({facet, other, crossing});
+            if (edge_inside(here_over, {corners.data(), other_corners.data(), normals[other], -k_inside},
+                            crossing))
+              mine.push_back({other, facet, crossing});
+            if (!(here_over.above && here_over.below && there_over.above && there_over.below)) return;
             const CrossingQuery here{corners.data(), other_corners.data(), normals[other], 0.0};
             if (!triangle_crossing(here, crossing)) return;
             mine.push_back({facet, other, crossing});
