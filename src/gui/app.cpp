@@ -50,7 +50,7 @@ App::App(const gl::Context& context, AppOptions options)
       thumbnails_(context, options_.shipped_parts, options_.wake),
       loader_(options_.reading, options_.wake),
       file_watch_(options_.wake),
-      figures_(options_.make_context, options_.wake),
+      measurer_(options_.make_context, options_.wake),
       sweep_(options_.make_context, options_.wake) {
   state_.window = options_.user.window;
   state_.sweep_choices.options = options_.user.sweep;
@@ -122,7 +122,8 @@ void App::frame(const FrameInput& input) {
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   apply(edits);
-  figures_.update(state_, state_.figures, now_s_, !edits.dragging && !turn_.flying());
+  measurer_.update(state_, state_.figures, now_s_,
+                   edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
   watch_undercut();
   measure_face();
   const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
@@ -148,8 +149,9 @@ void App::poll_jobs() {
     export_.reset();
   }
   sweep_.update(state_, state_.sweep, now_s_);
-  if (auto pictures = sweep_.take_pictures(*context_)) {
-    pictures_ = std::move(pictures);
+  if (auto result = sweep_.take_result()) {
+    pictures_ =
+        std::make_unique<CandidatePictures>(*context_, scene_->part(), std::move(result), options_.wake);
     settle_frames_ = k_settle_frames;
   }
   if (file_watch_.take() && state_.window.auto_reload && !loader_.loading()) {
@@ -166,7 +168,8 @@ std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
 
 void App::watch_undercut() {
   const auto& shown = state_.figures.shown;
-  if (!shown || state_.figures.stale) return;
+  if (!shown || watched_ == state_.figures.revision) return;
+  watched_ = state_.figures.revision;
   const bool has =
       shown->areas[Region::undercut] > std::max(shown->uncertainty.total(), 1e-4 * shown->total_area);
   if (has && !had_undercut_ && state_.window.motion) glow_start_s_ = now_s_;
@@ -199,7 +202,7 @@ void App::install(LoadedPart part) {
   auto scene = std::make_unique<Scene>(*context_, part);
   scene_ = std::move(scene);
   state_.model = part.model;
-  state_.extremes = part.geometry.extremes;
+  state_.extremes = part.geometry->extremes;
   state_.path = part.path;
   state_.features = std::move(part.features);
   pictures_.reset();
@@ -313,6 +316,9 @@ SceneSettings App::scene_settings() const {
                              opening_.at(now_s_), scale_);
   scene.camera = state_.camera;
   scene.direction_moves = direction_moves_;
+  scene.maps_looked_at = state_.settings.look.regions_by == RegionsBy::maps ||
+                         state_.settings.look.mark_difference || state_.dialogs.large_map.has_value();
+  if (!state_.figures.stale && state_.figures.shown) scene.split = state_.figures.shown->split;
   scene.marks.undercut_glow = glow();
   if (state_.hover) {
     scene.marks.hovered = state_.hover->point.facet;
@@ -396,7 +402,7 @@ FreeArea App::fit_area() const {
 }
 
 void App::plan_next_frame() {
-  next_frame_s_ = std::min({imgui_.wake_s(), figures_.wake_s(), sweep_.wake_s(), k_never});
+  next_frame_s_ = std::min({imgui_.wake_s(), measurer_.wake_s(), sweep_.wake_s(), k_never});
   for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || glow() > 0.0)

@@ -13,13 +13,13 @@
 #include "gui/candidate_pictures.hpp"
 #include "gui/direction_flight.hpp"
 #include "gui/edits.hpp"
-#include "gui/figure_keeper.hpp"
 #include "gui/history.hpp"
 #include "gui/imgui_session.hpp"
 #include "gui/input/keys.hpp"
 #include "gui/jobs/export_job.hpp"
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/load_job.hpp"
+#include "gui/jobs/measurer.hpp"
 #include "gui/motion.hpp"
 #include "gui/panel_layout.hpp"
 #include "gui/panels/workspace.hpp"
@@ -82,8 +82,8 @@ class App {
   }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
-  /// True while figures are not there that will be.
-  [[nodiscard]] bool measuring() const { return state_.model && state_.figures.stale; }
+  /// True while figures, or the split mesh, are not there that will be.
+  [[nodiscard]] bool measuring() const { return state_.model && state_.figures.measuring; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
   /// True once the user has asked to end the program.
@@ -130,7 +130,7 @@ class App {
   PartLoader loader_;
   std::unique_ptr<ExportJob> export_;
   FileWatch file_watch_;
-  FigureKeeper figures_;
+  Measurer measurer_;
   SweepKeeper sweep_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
@@ -149,8 +149,8 @@ class App {
   double now_s_ = 0.0, next_frame_s_ = 0.0;
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
-  std::uint64_t face_figures_of_ = 0;  // revision of the figures
-  bool direction_moves_ = false;       // under a hand or in a flight, in this frame
+  std::uint64_t face_figures_of_ = 0, watched_ = 0;  // revisions of the figures
+  bool direction_moves_ = false;                     // under a hand or in a flight, in this frame
   bool refining_ = false, candidates_missing_ = false, was_split_ = false;
   bool had_undercut_ = true;  // of the last figures; none is known yet
   double glow_start_s_ = -1e9;

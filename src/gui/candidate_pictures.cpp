@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "base/error.hpp"
 #include "mold/map_frame.hpp"
+#include "session/classification.hpp"
 
 namespace moldlight::gui {
 
@@ -27,6 +29,15 @@ Camera telling_view(const PartModel& model, const glm::dvec3& direction, const g
   return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_fill);
 }
 
+std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const MethodSettings& method,
+                                            const Progress& progress) {
+  try {
+    return classify_exact(model, method, progress, true).split;
+  } catch (const UsageError&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 SplitView split_view_of(const Camera& camera, const glm::ivec2& window, std::size_t candidate, int side) {
@@ -40,11 +51,16 @@ SplitView split_view_of(const Camera& camera, const glm::ivec2& window, std::siz
 }
 
 CandidatePictures::CandidatePictures(const gl::Context& context, const LoadedPart& part,
-                                     std::shared_ptr<const SweepResult> result)
+                                     std::shared_ptr<const SweepResult> result, std::function<void()> wake)
     : context_(&context),
       result_(std::move(result)),
       scene_(context, part),
-      small_(result_->candidates.size()) {}
+      small_(result_->candidates.size()),
+      job_({.work =
+                [model = part.model](const MethodSettings& method, const Progress& progress) {
+                  return Split{method, split_mesh(*model, method, progress)};
+                },
+            .wake = std::move(wake)}) {}
 
 bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& size_px) {
   const bool fits = std::all_of(small_.begin(), small_.end(),
@@ -66,7 +82,7 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   scene.view.palette = view.palette;
   scene.view.tau_deg = view.tau_deg;
   scene.view.pixel_scale = k_thin * view.pixel_scale;
-  scene.camera = telling_view(*scene_.model(), scene.method.direction, size_px);
+  scene.camera = telling_view(*scene_.part().model, scene.method.direction, size_px);
   for (int pass = 0; pass < k_refinements; ++pass) {
     if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
   }
@@ -83,6 +99,12 @@ bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settin
   settings.method.direction = result_->candidates[split.candidate].candidate.direction;
   settings.camera = split.camera;
   settings.marks = {};
+  if (wanted_ != settings.method) {
+    wanted_ = settings.method;
+    job_.request(settings.method);
+  }
+  if (auto found = job_.take()) split_ = std::move(found);
+  settings.split = split_ && split_->of == settings.method ? split_->mesh : nullptr;
   static_cast<void>(beside(split.size));
   return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);
 }

@@ -1,10 +1,12 @@
 // Pictures of the directions that a sweep found: a small one each, and a large one beside the window's own.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/latest_job.hpp"
 #include "gl/colour_target.hpp"
 #include "gui/scene.hpp"
 #include "session/sweep/sweep_result.hpp"
@@ -26,8 +28,9 @@ struct SplitView {
 /// Needs its context current at every call. Has a scene of its own, so that the window's keeps its maps.
 class CandidatePictures {
  public:
+  /// `wake` is called from another thread when there is something new to draw.
   CandidatePictures(const gl::Context& context, const LoadedPart& part,
-                    std::shared_ptr<const SweepResult> result);
+                    std::shared_ptr<const SweepResult> result, std::function<void()> wake);
 
   /// Draws one of the small pictures that are missing for this look and size; the palette and the theme of
   /// `view` count. Returns true while more are missing.
@@ -35,7 +38,8 @@ class CandidatePictures {
   /// Names of textures, a candidate each; 0 until it is drawn.
   [[nodiscard]] std::vector<unsigned> textures() const;
 
-  /// Draws the large picture; returns true while drawing the same again would refine it.
+  /// Draws the large picture; returns true while drawing the same again would refine it. Its split mesh is
+  /// found in the background; until it is there, regions are those of the maps.
   bool draw_beside(const SplitView& split, SceneSettings settings);
   /// Size and texture of the large picture.
   [[nodiscard]] unsigned beside(const glm::ivec2& size);
@@ -46,10 +50,17 @@ class CandidatePictures {
   const gl::Context* context_;
   std::shared_ptr<const SweepResult> result_;
   Scene scene_;
+  struct Split {
+    MethodSettings of;
+    std::shared_ptr<const SplitMesh> mesh;  // none where it was not found
+  };
   std::vector<std::optional<gl::ColourTarget>> small_;
   std::optional<gl::ColourTarget> beside_;
   Theme theme_ = Theme::dark;
   Palette palette_ = Palette::paper;
+  std::optional<MethodSettings> wanted_;
+  std::optional<Split> split_;
+  LatestJob<MethodSettings, Split> job_;
 };
 
 }  // namespace moldlight::gui

@@ -102,7 +102,7 @@ void App::CommandRunner::operator()(const Say& command) const { app.say(command.
 
 void App::CommandRunner::operator()(const Export& command) const {
   const Figures& figures = app.state_.figures;
-  if (app.export_ || !figures.shown || figures.stale) return;
+  if (app.export_ || !figures.shown || figures.measuring) return;
   app.export_ = std::make_unique<ExportJob>(command.files, app.state_.settings.look.palette, app.state_.model,
                                             *figures.shown, app.options_.wake);
   if (!command.picture.empty()) app.picture_request_ = command.picture;

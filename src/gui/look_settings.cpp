@@ -37,6 +37,13 @@ std::span<const Option<LookSettings>> look_options() {
        SwitchKind<S>{&S::contour_edges}},
       {"arrows", "--arrows", "Arrows", "", "Show the parting direction as an arrow through the part.",
        SwitchKind<S>{&S::arrows}},
+      {"regions", "--regions", "Regions by", "",
+       "What tells the regions of a direction at rest: they are computed exactly, or as the shadow maps show "
+       "them.",
+       choice<&S::regions_by>({"exact", "maps"})},
+      {"mark_difference", "--mark-difference", "Mark the difference", "",
+       "Hatch the surface on which the shadow maps and the exact regions differ.",
+       SwitchKind<S>{&S::mark_difference}},
   };
   return k_options;
 }

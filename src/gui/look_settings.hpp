@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mold/region.hpp"
+#include "render/view_settings.hpp"
 #include "session/option.hpp"
 
 namespace moldlight::gui {
@@ -21,9 +22,11 @@ struct LookSettings {
   bool hatching = true;         // stripes on undercuts
   bool feature_edges = true;
   bool facet_edges = false;
-  bool near_vertical = false;  // mark near-vertical facets
-  bool contour_edges = false;  // concave and convex contour edges of the direction
-  bool arrows = true;          // the parting arrows
+  bool near_vertical = false;               // mark near-vertical facets
+  bool contour_edges = false;               // concave and convex contour edges of the direction
+  bool arrows = true;                       // the parting arrows
+  RegionsBy regions_by = RegionsBy::exact;  // of a direction at rest; one that moves has the maps' regions
+  bool mark_difference = false;             // where shadow maps and exact regions differ
 
   bool operator==(const LookSettings&) const = default;
 };

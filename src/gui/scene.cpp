@@ -22,24 +22,26 @@ Extent extent_along(const PartModel& model, const glm::dvec3& direction) {
 
 Scene::Scene(const gl::Context& context, const LoadedPart& part)
     : context_(&context),
-      model_(part.model),
+      part_(part),
       maps_(context, part.model),
-      view_(context.functions(), part.geometry),
+      view_(context.functions(), *part.geometry),
       map_picture_(context.functions()) {}
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
   const MethodSettings& method = settings.method;
   const MapInputs inputs{.direction = glm::normalize(method.direction),
                          .tau_deg = method.tau_deg,
-                         .settings = map_settings(method, model_->frame.diagonal)};
-  if (maps_of_ != inputs || (maps_are_moving_ && !settings.direction_moves)) {
-    if (settings.direction_moves) {
-      maps_.draw_moving(method);
-    } else {
-      maps_.draw_resting(method);
-    }
+                         .settings = map_settings(method, part_.model->frame.diagonal)};
+  if (settings.split != split_) {
+    split_ = settings.split;
+    split_ ? maps_.take_split(*split_, *part_.geometry, method) : maps_.drop_split();
+  }
+  // Coarse maps do until the split mesh is there, which comes at once.
+  const bool fine = settings.maps_looked_at && !settings.direction_moves;
+  if (maps_of_ != inputs || (fine && maps_are_coarse_)) {
+    fine ? maps_.draw_resting(method) : maps_.draw_moving(method);
     maps_of_ = inputs;
-    maps_are_moving_ = settings.direction_moves;
+    maps_are_coarse_ = !fine;
     thumbnails_stale_ = true;
   }
   if (settings.view.contour_edges) find_contour_edges(inputs);
@@ -49,16 +51,17 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
 
 void Scene::find_contour_edges(const MapInputs& inputs) {
   if (contour_of_ == inputs) return;
-  const std::vector<FacetClass> classes = facet_classes(model_->geometry, inputs.direction, inputs.tau_deg);
-  const TriangleMesh& mesh = model_->part.mesh;
-  view_.set_contour_edges(contour_edges(mesh, model_->edges.convex, classes, model_->frame),
-                          contour_edges(mesh, model_->edges.concave, classes, model_->frame));
+  const PartModel& model = *part_.model;
+  const std::vector<FacetClass> classes = facet_classes(model.geometry, inputs.direction, inputs.tau_deg);
+  const TriangleMesh& mesh = model.part.mesh;
+  view_.set_contour_edges(contour_edges(mesh, model.edges.convex, classes, model.frame),
+                          contour_edges(mesh, model.edges.concave, classes, model.frame));
   contour_of_ = inputs;
 }
 
 void Scene::choose_face(const ChosenFace* face) {
   view_.choose_facets(face != nullptr ? face->facets : std::vector<FacetIndex>());
-  view_.set_outline(face != nullptr ? outline_of(*model_, *face) : std::vector<ViewSegment>());
+  view_.set_outline(face != nullptr ? outline_of(*part_.model, *face) : std::vector<ViewSegment>());
 }
 
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {

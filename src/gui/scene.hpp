@@ -26,7 +26,9 @@ struct SceneSettings {
   ViewSettings view;
   Camera camera;
   ViewMarks marks;
-  bool direction_moves = false;  // maps may be coarser than the method's
+  bool direction_moves = false;            // maps may be coarser than the method's
+  bool maps_looked_at = false;             // they are to be the method's own once the direction rests
+  std::shared_ptr<const SplitMesh> split;  // for the method's settings; none where it is not known yet
 };
 
 /// Needs its context current at every call.
@@ -47,7 +49,7 @@ class Scene {
   };
   [[nodiscard]] Thumbnails thumbnails(int size_px);
 
-  [[nodiscard]] const std::shared_ptr<const PartModel>& model() const { return model_; }
+  [[nodiscard]] const LoadedPart& part() const { return part_; }
 
  private:
   /// All that maps and contour edges depend on; other settings are about measuring.
@@ -60,13 +62,14 @@ class Scene {
   void find_contour_edges(const MapInputs& inputs);
 
   const gl::Context* context_;
-  std::shared_ptr<const PartModel> model_;
+  LoadedPart part_;
   PictureMaps maps_;
   PartView view_;
   MapPicture map_picture_;
-  std::optional<MapInputs> maps_of_;     // from which the maps were drawn
-  bool maps_are_moving_ = false;         // maps of a direction that moved then
-  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
+  std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
+  std::optional<MapInputs> maps_of_;        // from which the maps were drawn
+  bool maps_are_coarse_ = false;            // they are those of a moving direction
+  std::optional<MapInputs> contour_of_;     // for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;

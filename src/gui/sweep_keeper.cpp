@@ -87,7 +87,7 @@ void SweepKeeper::update(const AppState& state, SweepState& sweep, double now_s)
     scored_ += more.size();
     waiting_.insert(waiting_.end(), more.begin(), more.end());
     tell_progress(sweep, now_s);
-    if (done) take_result(sweep);
+    if (done) finish(sweep);
     wake_s_ = now_s + k_frame_s;
   }
   take_directions(sweep);
@@ -133,21 +133,12 @@ void SweepKeeper::tell_progress(SweepState& sweep, double now_s) {
   }
 }
 
-std::unique_ptr<CandidatePictures> SweepKeeper::take_pictures(const gl::Context& context) {
-  if (!pictured_) return nullptr;
-  const LoadedPart part{
-      .path = {}, .model = model_, .geometry = std::exchange(geometry_, {}), .features = {}};
-  return std::make_unique<CandidatePictures>(context, part, std::exchange(pictured_, nullptr));
-}
-
-void SweepKeeper::take_result(SweepState& sweep) {
+void SweepKeeper::finish(SweepState& sweep) {
   const std::unique_ptr<SweepJob> job = std::move(job_);
   sweep.running.reset();
   try {
-    SweepJob::Outcome outcome = job->take();
-    sweep.result = std::make_shared<const SweepResult>(std::move(outcome.result));
+    sweep.result = std::make_shared<const SweepResult>(job->take());
     pictured_ = sweep.result;
-    geometry_ = std::move(outcome.geometry);
   } catch (const Cancelled&) {
   } catch (const std::exception& error) {
     sweep.error = error.what();

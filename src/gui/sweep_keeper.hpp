@@ -4,9 +4,9 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <utility>
 
 #include "gui/app_state.hpp"
-#include "gui/candidate_pictures.hpp"
 #include "gui/jobs/sweep_job.hpp"
 
 namespace moldlight::gui {
@@ -23,8 +23,8 @@ class SweepKeeper {
   void cancel();
   /// Call it every frame.
   void update(const AppState& state, SweepState& sweep, double now_s);
-  /// Pictures of what the last sweep found, once, with nothing drawn yet. The context must be current.
-  [[nodiscard]] std::unique_ptr<CandidatePictures> take_pictures(const gl::Context& context);
+  /// The last sweep's result, once, for pictures of what it found.
+  [[nodiscard]] std::shared_ptr<const SweepResult> take_result() { return std::exchange(pictured_, nullptr); }
   /// When update() wants to be called next without any input; infinity for not at all.
   [[nodiscard]] double wake_s() const { return wake_s_; }
 
@@ -32,7 +32,7 @@ class SweepKeeper {
   void drop();
   void take_directions(SweepState& sweep);
   void tell_progress(SweepState& sweep, double now_s);
-  void take_result(SweepState& sweep);
+  void finish(SweepState& sweep);
 
   const Measurer::MakeContext make_context_;
   const std::function<void()> wake_;
@@ -42,7 +42,6 @@ class SweepKeeper {
   std::vector<EvaluatedDirection> waiting_;        // to be put on the map
   std::size_t put_ = 0;                            // of them
   std::shared_ptr<const SweepResult> pictured_;    // the result whose pictures were not taken yet
-  ViewGeometry geometry_;                          // for them
   MethodSettings method_;                          // of the sweep
   std::size_t scored_ = 0;
   double started_s_ = 0.0, scoring_s_ = 0.0, wake_s_ = 0.0;

@@ -18,6 +18,8 @@ ViewSettings view_settings(const LookSettings& look, const MethodSettings& metho
   view.theme = theme;
   view.palette = look.palette;
   view.colour_mode = look.colouring == Colouring::regions ? ColourMode::regions : ColourMode::draft_angle;
+  view.regions_by = look.regions_by;
+  view.mark_difference = look.mark_difference;
   view.hatch_undercut = look.hatching;
   view.feature_edges = look.feature_edges;
   view.facet_edges = look.facet_edges;

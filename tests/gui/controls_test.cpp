@@ -1,4 +1,7 @@
 // Every option of every table has a control that changes it, shows the change, and is undone.
+#include <algorithm>
+
+#include "gui/panels/panels.hpp"
 #include "gui/window_with_part.hpp"
 #include "session/method_options.hpp"
 #include "session/option_table.hpp"
@@ -48,9 +51,9 @@ class Controls : public WindowWithPart {
       // Only this option has changed, and its value is one that the command line takes.
       S expected = before;
       ASSERT_NO_THROW(set_option(option, expected, text_after)) << option.key;
-      EXPECT_EQ(options_json(options, get()), options_json(options, expected)) << option.key;
+      EXPECT_EQ(get(), expected) << option.key;
       // Through JSON and back.
-      S read{};
+      S read = before;
       set_options(options, read, options_json(options, get()));
       EXPECT_EQ(read, get()) << option.key;
       if (!undoable) continue;
@@ -61,9 +64,19 @@ class Controls : public WindowWithPart {
 };
 
 TEST_F(Controls, OfTheMethod) {
-  click("disclosure");
-  walk(
-      method_options(), [&] { return method(); }, true);
+  const auto settings = [&] { return method(); };
+  const std::span<const Option<MethodSettings>> options = method_options();
+  std::size_t folded = 0;
+  for (std::size_t k = 0; k < options.size(); ++k) {
+    const bool fold = std::ranges::find(k_accuracy_options, options[k].key) != k_accuracy_options.end();
+    if (fold) click("disclosure");
+    walk(options.subspan(k, 1), settings, true);
+    if (!fold) continue;
+    move_to({640, 660});  // beside it: it closes
+    press();
+    ++folded;
+  }
+  EXPECT_EQ(folded, k_accuracy_options.size());
 }
 
 TEST_F(Controls, OfTheLook) {

@@ -1,4 +1,8 @@
 // The legend's figures are those of every other output, to the last digit.
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include "gui/window_with_part.hpp"
 #include "session/classifier.hpp"
 #include "session/classify_report.hpp"
@@ -29,19 +33,18 @@ TEST_F(WindowWithPart, LegendEqualsClassify) {
     EXPECT_EQ(state().figures.shown->areas[region], expected.areas[region]);
 }
 
-TEST_F(WindowWithPart, FiguresAreStaleUntilMeasuredAnew) {
+TEST_F(WindowWithPart, FiguresAreOfTheOldSettingsUntilThereAreOthers) {
   window.wait_until_measured();
   const RegionValues before = state().figures.shown->areas;
   key({.key = 'X'});
-  EXPECT_TRUE(state().figures.stale);
-  ASSERT_TRUE(state().figures.shown);
-  EXPECT_EQ(state().figures.shown->areas.values, before.values);
   window.wait_until_measured();
   EXPECT_FALSE(state().figures.stale);
   EXPECT_EQ(state().figures.shown->settings, method());
   // Reversing the direction swaps core and cavity.
-  EXPECT_NEAR(state().figures.shown->areas[Region::core], before[Region::cavity], 0.01 * before.total());
-  EXPECT_NEAR(state().figures.shown->areas[Region::cavity], before[Region::core], 0.01 * before.total());
+  EXPECT_NEAR(state().figures.shown->areas[Region::core], before[Region::cavity], 1e-12 * before.total());
+  EXPECT_NEAR(state().figures.shown->areas[Region::cavity], before[Region::core], 1e-12 * before.total());
+  EXPECT_NEAR(state().figures.shown->areas[Region::undercut], before[Region::undercut],
+              1e-12 * before.total());
 }
 
 TEST_F(WindowWithPart, AChangeWhileMeasuringIsMeasuredLast) {
@@ -51,6 +54,88 @@ TEST_F(WindowWithPart, AChangeWhileMeasuringIsMeasuredLast) {
   }
   window.wait_until_measured();
   EXPECT_EQ(state().figures.shown->settings, method());
+}
+
+/// Turns the direction by its arrow, a little a frame, and keeps it in the hand.
+class Dragging : public WindowWithPart {
+ protected:
+  void grip() {
+    window.wait_until_measured();
+    tip = window.control("core arrow").centre();
+    move_to(tip);
+    window.set_button(0, true);
+    window.frames(2);
+  }
+  /// A frame, and the time that a display takes for one.
+  void turn_to(int step) {
+    window.move_mouse(tip + glm::vec2(6 + 2 * step, step));
+    window.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  }
+  glm::vec2 tip{0.0F};
+};
+
+TEST_F(Dragging, FiguresFollowTheHandAndAreNeverPale) {
+  grip();
+  constexpr int k_steps = 60;
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t revision = state().figures.revision;
+  glm::dvec3 shown = state().figures.shown->direction, direction = method().direction;
+  int followed = 0;
+  for (int step = 0; step < k_steps; ++step) {
+    turn_to(step);
+    EXPECT_NE(method().direction, direction) << "the direction waits for something";
+    direction = method().direction;
+    EXPECT_FALSE(state().figures.pale);
+    if (state().figures.revision == revision) continue;
+    revision = state().figures.revision;
+    EXPECT_NE(state().figures.shown->direction, shown);
+    shown = state().figures.shown->direction;
+    ++followed;
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(followed, std::min(10.0 * took.count(), 0.5 * k_steps)) << "in " << took.count() << " s";
+  window.set_button(0, false);
+  window.wait_until_measured();
+  EXPECT_EQ(state().figures.shown->settings, method());
+}
+
+TEST_F(Dragging, TheSplitMeshComesWhenTheHandRests) {
+  grip();
+  for (int step = 0; step < 10; ++step) turn_to(step);
+  ASSERT_TRUE(state().figures.shown);
+  EXPECT_FALSE(state().figures.shown->split) << "while it moves";
+  // Still held, but at rest.
+  window.wait_until_measured();
+  EXPECT_EQ(state().figures.shown->settings, method());
+  ASSERT_TRUE(state().figures.shown->split);
+  const RegionValues at_rest = state().figures.shown->areas;
+  const auto split = state().figures.shown->split;
+  window.set_button(0, false);
+  window.frames(3);
+  window.wait_until_measured();
+  EXPECT_EQ(state().figures.shown->split, split) << "found once";
+  EXPECT_EQ(state().figures.shown->areas.values, at_rest.values);
+}
+
+TEST_F(WindowWithPart, FiguresByAnotherReadoutComeWhenTheSettingsRest) {
+  click("disclosure");
+  click("Readout=facet-id");
+  window.wait_until_measured();
+  EXPECT_EQ(state().figures.shown->settings.readout, Readout::facet_id);
+  EXPECT_TRUE(state().figures.shown->split);
+  const auto revision = state().figures.revision;
+  const ControlPlace place = window.control("Draft tolerance");
+  drag(place.centre(), {glm::mix(place.min.x, place.max.x, 0.4F), place.centre().y}, false);
+  ASSERT_NE(method().tau_deg, 1.0);
+  EXPECT_EQ(state().figures.revision, revision);
+  window.frames(30);
+  EXPECT_EQ(state().figures.revision, revision) << "while the hand holds the slider";
+  EXPECT_TRUE(state().figures.pale);
+  window.set_button(0, false);
+  window.wait_until_measured();
+  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_FALSE(state().figures.pale);
 }
 
 }  // namespace

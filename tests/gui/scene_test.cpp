@@ -44,12 +44,14 @@ class SceneMaps : public ::testing::Test {
   SceneMaps() : context_(&moldlight::test::shared_context()), target_(context_->functions(), k_size) {
     loaded_.model = moldlight::test::model_of(moldlight::test::plate_with_side_pocket({}).mesh);
     const PartModel& model = *loaded_.model;
-    loaded_.geometry = view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame);
+    loaded_.geometry = std::make_shared<const ViewGeometry>(
+        view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
   }
 
   std::vector<std::uint8_t> picture(Scene& scene, const MethodSettings& method) const {
     SceneSettings settings;
     settings.method = method;
+    settings.maps_looked_at = true;
     settings.view.samples = 1;
     settings.view.contour_edges = true;
     settings.camera.orientation = standard_orientation(StandardView::isometric);

@@ -31,7 +31,8 @@ void LoadJob::run() {
     loaded_.model = load_part(path_, options_, progress_);
     progress_.report("preparing the picture", 0.0);
     const PartModel& model = *loaded_.model;
-    loaded_.geometry = view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame);
+    loaded_.geometry = std::make_shared<const ViewGeometry>(
+        view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
     loaded_.features = feature_directions(model, progress_);
     progress_.report("ready", 1.0);
   } catch (...) {

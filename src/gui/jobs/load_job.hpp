@@ -21,11 +21,11 @@ struct JobStatus {
   double fraction = 0.0;  // of the stage, [0, 1]
 };
 
-/// A part and what its picture needs, ready for the GL.
+/// A part and what its pictures need, ready for the GL; copies share it.
 struct LoadedPart {
   std::string path;
   std::shared_ptr<const PartModel> model;
-  ViewGeometry geometry;
+  std::shared_ptr<const ViewGeometry> geometry;
   std::vector<FeatureDirection> features;
 };
 

@@ -1,21 +1,50 @@
 #include "gui/jobs/measurer.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
 #include "session/classifier.hpp"
+#include "session/figure_pace.hpp"
 
 namespace moldlight::gui {
 
-/// Context and classifier, kept from one request to the next. Lives on the measurer's thread only.
+namespace {
+
+constexpr double k_rest_s = 0.15;  // without a change, after which a hand that holds something still rests
+constexpr double k_pale_s = 0.3;   // after which figures of other settings are shown as such
+
+}  // namespace
+
+/// Context and classifier for readouts that need them, kept from one request to the next. Lives on the job's
+/// thread only.
 class Measurer::Worker {
  public:
-  Classification measure(const MakeContext& make_context, const Request& request, const Progress& progress) {
+  explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
+
+  Outcome measure(const Request& request, const Progress& progress) {
+    Outcome outcome{.request = request, .classification = {}, .error = {}};
+    try {
+      outcome.classification =
+          request.settings.readout == Readout::exact
+              ? classify_exact(*request.model, request.settings, progress, request.with_split)
+              : classifier(request).classify(request.settings, progress, request.with_split);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& error) {
+      outcome.error = error.what();
+    }
+    return outcome;
+  }
+
+ private:
+  Classifier& classifier(const Request& request) {
     if (!context_ || backend_ != request.settings.backend) {
       classifier_.reset();
       context_.reset();
-      context_ = make_context(request.settings.backend);
+      context_ = make_context_(request.settings.backend);
       backend_ = request.settings.backend;
     }
     context_->make_current();
@@ -23,90 +52,59 @@ class Measurer::Worker {
       classifier_.reset();
       classifier_.emplace(*context_, request.model);
     }
-    return classifier_->classify(request.settings, progress);
+    return *classifier_;
   }
 
- private:
+  const MakeContext make_context_;
   Backend backend_ = Backend::automatic;
   std::unique_ptr<gl::Context> context_;
   std::optional<Classifier> classifier_;
 };
 
 Measurer::Measurer(MakeContext make_context, std::function<void()> wake)
-    : make_context_(std::move(make_context)), wake_(std::move(wake)), thread_([this] { run(); }) {}
+    : job_({.work = [worker = std::make_shared<Worker>(std::move(make_context))](
+                        const Request& request,
+                        const Progress& progress) { return worker->measure(request, progress); },
+            .wake = std::move(wake),
+            .pause_s = figure_pause_s}) {}
 
-Measurer::~Measurer() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-    if (running_) running_->cancel();
+void Measurer::update(const AppState& state, Figures& figures, double now_s, bool moving) {
+  wake_s_ = std::numeric_limits<double>::infinity();
+  if (wanted_.model != state.model) {
+    job_.cancel();
+    requested_.reset();
+    figures = {.revision = figures.revision};
   }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void Measurer::request(std::shared_ptr<const PartModel> model, const MethodSettings& settings) {
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_ = Request{std::move(model), settings};
-    outcome_.reset();
-    if (running_) running_->cancel();
+  if (wanted_.model != state.model || wanted_.settings != state.settings.method) {
+    wanted_ = {.model = state.model, .settings = state.settings.method, .with_split = false};
+    changed_s_ = now_s;
+    figures.error.clear();
   }
-  changed_.notify_all();
-}
+  if (!state.model) return;
 
-void Measurer::cancel() {
-  const std::lock_guard lock(mutex_);
-  waiting_.reset();
-  outcome_.reset();
-  if (running_) running_->cancel();
-}
-
-bool Measurer::busy() const {
-  const std::lock_guard lock(mutex_);
-  return waiting_.has_value() || (running_ && !running_->cancelled());
-}
-
-JobStatus Measurer::status() const {
-  const std::lock_guard lock(mutex_);
-  return status_;
-}
-
-std::optional<Measurer::Outcome> Measurer::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(outcome_, std::nullopt);
-}
-
-void Measurer::run() {
-  Worker worker;
-  while (true) {
-    Request request;
-    std::shared_ptr<Progress> progress;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return ending_ || waiting_.has_value(); });
-      if (ending_) return;
-      request = *std::exchange(waiting_, std::nullopt);
-      progress = std::make_shared<Progress>([this](std::string_view stage, double fraction) {
-        const std::lock_guard status_lock(mutex_);
-        status_ = {std::string(stage), fraction};
-      });
-      running_ = progress;
-    }
-    Outcome outcome{.model = request.model, .settings = request.settings, .classification = {}, .error = {}};
-    try {
-      outcome.classification = worker.measure(make_context_, request, *progress);
-    } catch (const Cancelled&) {
-    } catch (const std::exception& error) {
-      outcome.error = error.what();
-    }
-    {
-      const std::lock_guard lock(mutex_);
-      running_.reset();
-      if (!progress->cancelled()) outcome_ = std::move(outcome);
-    }
-    wake_();
+  const bool exact = wanted_.settings.readout == Readout::exact;
+  const bool still = now_s >= changed_s_ + k_rest_s;
+  wanted_.with_split = exact ? still || !moving : true;
+  const bool due = exact || (still && !moving);
+  if (!still) wake_s_ = changed_s_ + k_rest_s;
+  if (due && requested_ != wanted_) {
+    job_.request(wanted_);
+    requested_ = wanted_;
+  } else if (!due && requested_) {
+    job_.cancel();
+    requested_.reset();
   }
+  if (auto outcome = job_.take()) {
+    figures.shown = std::move(outcome->classification);
+    figures.error = std::move(outcome->error);
+    fresh_s_ = now_s;
+    ++figures.revision;
+  }
+  figures.stale = figures.error.empty() && !(figures.shown && figures.shown->settings == wanted_.settings);
+  figures.measuring = figures.error.empty() && (figures.stale || !figures.shown->split);
+  if (!figures.stale) fresh_s_ = now_s;
+  figures.pale = figures.stale && now_s >= fresh_s_ + k_pale_s;
+  if (figures.stale && !figures.pale) wake_s_ = std::min(wake_s_, fresh_s_ + k_pale_s);
 }
 
 }  // namespace moldlight::gui

@@ -1,67 +1,52 @@
-// Measures regions on a thread of its own, with a GL context of its own and the classifier that every other
-// output uses, so that its figures are theirs to the bit.
+// Keeps the legend's figures and the split mesh up with the settings: measures on a thread of its own, by the
+// classifier that every other output uses, so that its figures are theirs to the bit.
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
+#include "base/latest_job.hpp"
 #include "gl/context.hpp"
-#include "gui/jobs/load_job.hpp"
-#include "session/classification.hpp"
-#include "session/part_model.hpp"
+#include "gui/app_state.hpp"
 
 namespace moldlight::gui {
 
+/// Figures by exact regions follow settings that move; the split mesh, and figures by another readout, come
+/// once they rest.
 class Measurer {
  public:
   /// Makes a context without a window and makes it current on the calling thread (the measurer's).
   using MakeContext = std::function<std::unique_ptr<gl::Context>(Backend)>;
 
-  struct Outcome {
-    std::shared_ptr<const PartModel> model;
-    MethodSettings settings;
-    std::optional<Classification> classification;
-    std::string error;  // one line, where there is no classification
-  };
-
-  /// `wake` is called from the measurer's thread when an outcome is there.
+  /// `wake` is called from the measurer's thread when there is something new.
   Measurer(MakeContext make_context, std::function<void()> wake);
-  ~Measurer();
-  Measurer(const Measurer&) = delete;
-  Measurer& operator=(const Measurer&) = delete;
 
-  /// Asks for this measurement next; what runs or waits is given up.
-  void request(std::shared_ptr<const PartModel> model, const MethodSettings& settings);
-  /// Gives up what runs or waits.
-  void cancel();
-  [[nodiscard]] bool busy() const;
-  [[nodiscard]] JobStatus status() const;
-  /// The outcome of the latest request, once, if it is there.
-  [[nodiscard]] std::optional<Outcome> take();
+  /// Call it every frame. `moving`: a hand is at the settings, or a flight.
+  void update(const AppState& state, Figures& figures, double now_s, bool moving);
+  /// When update() wants to be called next without any input; infinity for not at all.
+  [[nodiscard]] double wake_s() const { return wake_s_; }
 
  private:
   struct Request {
     std::shared_ptr<const PartModel> model;
     MethodSettings settings;
+    bool with_split = false;
+
+    bool operator==(const Request&) const = default;
+  };
+  struct Outcome {
+    Request request;
+    std::optional<Classification> classification;
+    std::string error;  // one line, where there is no classification
   };
   class Worker;
-  void run();
 
-  const MakeContext make_context_;
-  const std::function<void()> wake_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Request> waiting_;
-  std::shared_ptr<Progress> running_;
-  std::optional<Outcome> outcome_;
-  JobStatus status_;
-  bool ending_ = false;
-  std::thread thread_;
+  LatestJob<Request, Outcome> job_;
+  Request wanted_;  // of the settings that were seen last
+  std::optional<Request> requested_;
+  double changed_s_ = 0.0, fresh_s_ = 0.0, wake_s_ = 0.0;
 };
 
 }  // namespace moldlight::gui

@@ -46,10 +46,10 @@ std::vector<EvaluatedDirection> SweepJob::take_evaluated() {
   return std::exchange(evaluated_, {});
 }
 
-SweepJob::Outcome SweepJob::take() {
+SweepResult SweepJob::take() {
   CHECK(done());
   if (failure_) std::rethrow_exception(failure_);
-  return std::move(outcome_);
+  return std::move(result_);
 }
 
 void SweepJob::run() {
@@ -62,8 +62,7 @@ void SweepJob::run() {
       const std::lock_guard lock(mutex_);
       evaluated_.push_back(direction);
     }};
-    outcome_.result = run_sweep(classifier, settings_, progress_, listener);
-    outcome_.geometry = view_geometry(model_->part.mesh, model_->geometry, model_->adjacency, model_->frame);
+    result_ = run_sweep(classifier, settings_, progress_, listener);
   } catch (...) {
     failure_ = std::current_exception();
   }

@@ -34,12 +34,8 @@ class SweepJob {
   [[nodiscard]] JobStatus status() const;
   /// Directions scored since the last call, in the order in which their scores came.
   [[nodiscard]] std::vector<EvaluatedDirection> take_evaluated();
-  struct Outcome {
-    SweepResult result;
-    ViewGeometry geometry;  // for pictures of what was found
-  };
-  /// The outcome, once done, once; throws what the sweep threw (UsageError, Error, …).
-  [[nodiscard]] Outcome take();
+  /// The result, once done, once; throws what the sweep threw (UsageError, Error, …).
+  [[nodiscard]] SweepResult take();
 
  private:
   void run();
@@ -51,7 +47,7 @@ class SweepJob {
   mutable std::mutex mutex_;
   JobStatus status_;
   std::vector<EvaluatedDirection> evaluated_;
-  Outcome outcome_;
+  SweepResult result_;
   std::exception_ptr failure_;
   std::atomic<bool> done_ = false;
   Progress progress_;

@@ -77,7 +77,7 @@ void draw_comparison(const PanelContext& context) {
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   Rows rows(ui);
   const Palette palette = state.settings.look.palette;
-  const bool known = state.figures.shown && !state.figures.stale;
+  const bool known = state.figures.shown && !state.figures.pale;
   const FigureColumn column(state.model->geometry.total_area);
   rows.add("", {"left", fmt::format("right, {}", other.rank), "left − right"}, ui.colours->muted, nullptr,
            palette);

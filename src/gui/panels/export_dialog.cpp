@@ -55,8 +55,8 @@ void ExportDialog::draw(const PanelContext& context) {
     toggle(ui, "One STL a region, in a folder", split_, false);
     toggle(ui, "Picture with legend", picture_, false);
     ImGui::Dummy(ImVec2(1, ui.px(4)));
-    if (context.state.figures.stale) hint(ui, "Measuring; the files can be written when it is done.");
-    ImGui::BeginDisabled(context.state.figures.stale || !context.state.figures.shown || base_[0] == 0);
+    if (context.state.figures.measuring) hint(ui, "Measuring; the files can be written when it is done.");
+    ImGui::BeginDisabled(context.state.figures.measuring || !context.state.figures.shown || base_[0] == 0);
     if (button(ui, "Export", {.width = ui.px(112), .strong = true})) {
       context.edits.ask(chosen());
       context.edits.dialogs.exporting = false;

@@ -18,7 +18,7 @@ void draw_chips(const Ui& ui, LookSettings& look) {
   bool first = true;
   for (const Option<LookSettings>& option : look_options()) {
     const auto* kind = std::get_if<SwitchKind<LookSettings>>(&option.kind);
-    if (kind == nullptr || option.key == "section") continue;
+    if (kind == nullptr || option.key == "section" || is_among(k_map_look_options, option)) continue;
     const float width = text_size(ui.fonts.body, option.label).x + ui.px(18);
     if (!first) {
       ImGui::SameLine(0.0F, ui.px(4));
@@ -65,7 +65,7 @@ void draw_look_panel(const PanelContext& context) {
     LookSettings& look = context.edits.settings.look;
     for (const Option<LookSettings>& option : look_options()) {
       const bool is_switch = std::holds_alternative<SwitchKind<LookSettings>>(option.kind);
-      if (is_switch && option.key != "section") continue;
+      if ((is_switch && option.key != "section") || is_among(k_map_look_options, option)) continue;
       if (option.key == "section_height" && !look.section) continue;
       option_row(ui, option, look);
       if (option.key == "colouring" && look.colouring == Colouring::draft) draw_draft_key(context);

@@ -1,39 +1,59 @@
-// The two shadow maps, small and large.
+// The two shadow maps, small and large, the controls of their method, and how far they are from exact.
 #include <algorithm>
 
+#include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/widgets.hpp"
+#include "session/method_options.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
-constexpr const char* caption(bool plus) { return plus ? "from +d" : "from −d"; }
+constexpr float k_picture = 60.0F;  // layout units
+
+constexpr const char* caption(bool plus) { return plus ? "+d" : "−d"; }
+
+/// The maps, and beside them in words what they are worth.
+void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
+  const Ui& ui = context.ui;
+  const float gap = ui.px(8), size = ui.px(k_picture);
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  for (const bool plus : {true, false}) {
+    const bool clicked = ImGui::InvisibleButton(caption(plus), ImVec2(size, size));
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
+                       ui.px(6));
+    if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
+      list.AddImageRounded(texture_id(name), min, max, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(6));
+    }
+    draw_text(list, ui.fonts.small, {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size},
+              ui.colours->muted, caption(plus));
+    tooltip(ui, plus ? "The map from +d" : "The map from −d",
+            "Second depths: the surface that faces away from this side. Click to see it large.");
+    if (clicked) context.edits.dialogs.large_map = plus;
+    ImGui::SameLine(0.0F, gap);
+  }
+  ImGui::BeginGroup();
+  hint(ui, "");
+  ImGui::EndGroup();
+}
 
 }  // namespace
 
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
   const Ui& ui = context.ui;
   if (context.layout.begin(ui, "Shadow maps")) {
-    const float gap = ui.px(8);
-    const float size = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2.0F);
-    for (const bool plus : {true, false}) {
-      if (!plus) ImGui::SameLine(0.0F, gap);
-      const bool clicked = ImGui::InvisibleButton(caption(plus), ImVec2(size, size));
-      const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-      ImDrawList& list = *ImGui::GetWindowDrawList();
-      list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
-                         ui.px(6));
-      if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
-        list.AddImageRounded(texture_id(name), min, max, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE,
-                             ui.px(6));
-      }
-      draw_text(list, ui.fonts.small, {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size},
-                ui.colours->muted, caption(plus));
-      tooltip(ui, plus ? "The map from +d" : "The map from −d",
-              "Second depths: the surface that faces away from this side. Click to see it large.");
-      if (clicked) context.edits.dialogs.large_map = plus;
-    }
+    LookSettings& look = context.edits.settings.look;
+    option_row(ui, option_named(look_options(), "regions"), look);
+    bool touched = false;
+    for (const std::string_view key : k_map_options)
+      touched = option_row(ui, option_named(method_options(), key), context.edits.settings.method) || touched;
+    // What a control of the maps does is to be seen.
+    if (touched) look.regions_by = RegionsBy::maps;
+    option_row(ui, option_named(look_options(), "mark_difference"), look);
+    draw_thumbnails(context, textures);
   }
   context.layout.end();
 }
@@ -47,7 +67,7 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
   if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
     {
       const FontScope strong(ui.fonts.strong);
-      ImGui::Text("Shadow map %s", caption(plus));
+      ImGui::Text("Shadow map from %s", caption(plus));
     }
     ImGui::SameLine();
     hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");

@@ -1,36 +1,31 @@
-// The method's settings, straight from the option table.
-#include <algorithm>
-#include <array>
-
+// The method's settings, straight from the option table; those of the shadow maps have a panel of their own.
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
 #include "session/method_options.hpp"
 
 namespace moldlight::gui {
 
-namespace {
-
-// The rows under "More"; the direction has a panel of its own.
-constexpr std::array<std::string_view, 4> k_rare = {"tolerance", "readout", "samples", "backend"};
-
-bool is_rare(const Option<MethodSettings>& option) {
-  return std::find(k_rare.begin(), k_rare.end(), option.key) != k_rare.end();
-}
-
-}  // namespace
-
-void draw_method_panel(const PanelContext& context, bool& more) {
+void draw_method_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (context.layout.begin(ui, "Method")) {
-    const auto draw_rows = [&](bool rare) {
-      for (const Option<MethodSettings>& option : method_options()) {
-        if (option.key == "direction" || is_rare(option) != rare) continue;
-        option_row(ui, option, context.edits.settings.method);
-      }
-    };
-    draw_rows(false);
-    if (more) draw_rows(true);
-    if (disclosure(ui, more ? "Less" : "More", more)) more = !more;
+    MethodSettings& method = context.edits.settings.method;
+    for (const Option<MethodSettings>& option : method_options()) {
+      // The direction has a panel of its own too.
+      if (option.key == "direction" || is_among(k_map_options, option) ||
+          is_among(k_accuracy_options, option))
+        continue;
+      option_row(ui, option, method);
+    }
+    if (disclosure(ui, "Accuracy", false)) ImGui::OpenPopup("accuracy");
+    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + ui.px(4));
+    const float width = ui.px(k_panel_width);
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, 4.0F * width));
+    if (ImGui::BeginPopup("accuracy")) {
+      for (const std::string_view key : k_accuracy_options)
+        option_row(ui, option_named(method_options(), key), method);
+      ImGui::EndPopup();
+    }
   }
   context.layout.end();
 }

@@ -1,10 +1,13 @@
 // One row for one option of a table: the right control for its kind, its tooltip and its reset.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/widgets.hpp"
@@ -30,6 +33,19 @@ namespace detail {
 }
 
 }  // namespace detail
+
+/// The option of this key, which the table must hold.
+template <typename S>
+[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
+  const auto found = std::ranges::find(options, key, &Option<S>::key);
+  CHECK(found != options.end());
+  return *found;
+}
+/// Whether the option is one of these.
+template <typename S>
+[[nodiscard]] bool is_among(std::span<const std::string_view> keys, const Option<S>& option) {
+  return std::ranges::find(keys, option.key) != keys.end();
+}
 
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>

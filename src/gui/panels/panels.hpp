@@ -1,7 +1,9 @@
 // The panels, one file each. Each reads the state and writes what its user wants into the edits.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "gui/app_state.hpp"
 #include "gui/edits.hpp"
@@ -31,11 +33,19 @@ struct MapTextures {
   unsigned plus = 0, minus = 0;
 };
 
+/// Options that the panel of the shadow maps shows, and those under the method's Accuracy; other panels show
+/// the rest of their tables.
+inline constexpr std::array<std::string_view, 4> k_map_options = {"kernel", "kernel_shape", "edge_thickness",
+                                                                  "resolution"};
+inline constexpr std::array<std::string_view, 2> k_map_look_options = {"regions", "mark_difference"};
+inline constexpr std::array<std::string_view, 4> k_accuracy_options = {"tolerance", "readout", "samples",
+                                                                       "backend"};
+
 void draw_top_bar(const PanelContext& context);
 void draw_direction_panel(const PanelContext& context, BallDrag& drag);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
-void draw_method_panel(const PanelContext& context, bool& more);
+void draw_method_panel(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 void draw_regions_panel(const PanelContext& context);

@@ -1,6 +1,7 @@
 // The legend: the four regions with their measured areas, how sure they are, and whether two ways agree.
 #include <fmt/format.h>
 
+#include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/widgets.hpp"
 #include "session/figures.hpp"
@@ -59,7 +60,7 @@ struct Legend {
   const Classification& result;
   FigureColumn column;
   std::string unit;
-  float alpha = 1.0F;  // pale while stale
+  float alpha = 1.0F;
 };
 
 void copy_menu(const char* id, double value) {
@@ -113,38 +114,52 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   copy_menu("total", legend.result.total_area);
 }
 
-void draw_uncertainty(const PanelContext& context, const Legend& legend) {
+/// How far the figures may be trusted: the row says no more than that two ways agree, unless something is in
+/// doubt. Rounding is nothing to show.
+void draw_trust(const PanelContext& context, const Legend& legend) {
   const Ui& ui = context.ui;
   const UndercutUncertainty& doubt = legend.result.uncertainty;
-  const glm::vec2 min = begin_line(ui, "uncertainty", "Undercut ±", ui.colours->muted);
-  figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
-               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size),
-               fmt::format("{:.2g}", doubt.total()), {}, faded(ui.colours->text, legend.alpha));
-  tooltip(
-      ui, "How far the undercut area may be off",
-      fmt::format("By rounding: {:.2g}; by what is wrong with the mesh: {:.2g}; by the readout, beside exact "
-                  "regions: {:.2g}.",
-                  doubt.rounding, doubt.mesh, doubt.readout));
-  copy_menu("uncertainty", doubt.total());
+  const ShadowIdentity& shadow = legend.result.identity;
+  const double visible = doubt.mesh + doubt.readout;
+  const std::string error = legend.column.text(visible);
+  const bool in_doubt = error.find_first_of("123456789") != std::string::npos;
+  const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
+  const std::string_view name = in_doubt          ? "Undercut ±"
+                                : shadow.agrees() ? "Two ways agree"
+                                                  : "Two ways differ";
+  const glm::vec2 min = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
+  draw_icon(*ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::alert,
+            min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
+            faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
+  if (in_doubt) {
+    figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
+                 min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size), grouped(error), {},
+                 faded(ui.colours->text, legend.alpha));
+  }
+  std::string text = fmt::format(
+      "The area of the part's shadow, found in two ways: {} as it is seen along +d, {} along −d. {}",
+      figure(shadow.core), figure(shadow.cavity),
+      shadow.agrees() ? "They agree." : "They differ: the mesh is open or wound badly.");
+  if (doubt.mesh > 0.0)
+    text +=
+        fmt::format("\nWhat is wrong with the mesh leaves {} of the undercut in doubt.", figure(doubt.mesh));
+  if (doubt.readout > 0.0)
+    text += fmt::format("\nThe readout's undercut is {} from that of exact regions.", figure(doubt.readout));
+  tooltip(ui, "How far the figures may be trusted", text);
+  copy_menu("trust", visible);
 }
 
-void draw_check(const PanelContext& context, const Legend& legend) {
+/// What the picture's regions are told by.
+void draw_by(const PanelContext& context) {
+  const Option<LookSettings>& option = option_named(look_options(), "regions");
+  const auto& kind = std::get<ChoiceKind<LookSettings>>(option.kind);
+  LookSettings& look = context.edits.settings.look;
+  int index = kind.get(look);
   const Ui& ui = context.ui;
-  const ShadowIdentity& shadow = legend.result.identity;
-  const bool agrees = shadow.agrees();
-  const glm::vec2 min = begin_line(ui, "check", agrees ? "Two ways agree" : "Two ways differ",
-                                   agrees ? ui.colours->muted : ui.colours->warning);
-  draw_icon(*ImGui::GetWindowDrawList(), agrees ? Icon::check : Icon::alert,
-            min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
-            faded(agrees ? ui.colours->text : ui.colours->warning, legend.alpha));
-  figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
-               min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size),
-               with_minus(fmt::format("{:.2g}", shadow.gap)), {}, faded(ui.colours->text, legend.alpha));
-  tooltip(ui, "Area of the part's shadow, found in two ways",
-          fmt::format("By what is seen along +d: {}; along −d: {}. {}", figure(shadow.core),
-                      figure(shadow.cavity),
-                      agrees ? "They agree." : "They differ: the mesh is open or wound badly."));
-  copy_menu("check", shadow.gap);
+  ImGui::Indent(ui.px(18));  // below the regions' names
+  if (choice(ui, "by", kind.words, index, false)) kind.set(look, index);
+  ImGui::Unindent(ui.px(18));
+  tooltip(ui, option.label, option.help);
 }
 
 }  // namespace
@@ -158,11 +173,11 @@ void draw_regions_panel(const PanelContext& context) {
       const Legend legend{.result = result,
                           .column = FigureColumn(result.total_area),
                           .unit = context.state.model ? powered_unit(context.state.model->part, 2) : "",
-                          .alpha = figures.stale ? 0.4F : 1.0F};
+                          .alpha = figures.pale ? 0.4F : 1.0F};
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);
-      draw_uncertainty(context, legend);
-      draw_check(context, legend);
+      draw_trust(context, legend);
+      draw_by(context);
     } else {
       hint(ui, figures.error.empty() ? "Measuring …" : figures.error);
     }

@@ -58,7 +58,7 @@ void draw_status(const PanelContext& context) {
     ImGui::PopStyleColor();
   };
   if (context.state.face)
-    write(face_line(context.state), context.state.figures.stale ? ui.colours->muted : ui.colours->text);
+    write(face_line(context.state), context.state.figures.pale ? ui.colours->muted : ui.colours->text);
   if (const auto& hover = context.state.hover) {
     write(facet_line(*hover), ui.colours->text);
     if (hover->blocker) write(blocker_line(context.state, *hover->blocker), ui.colours->muted);

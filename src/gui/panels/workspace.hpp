@@ -25,7 +25,6 @@ class Workspace {
  private:
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
-  bool more_method_ = false;
   FileBrowser browser_;
   ExportDialog export_;
 };

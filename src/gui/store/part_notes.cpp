@@ -20,7 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* k_schema = "moldlight.view/1";
+constexpr const char* k_schema = "moldlight.view/2";
+/// Before exact regions: figures were sums over samples, and a kernel was always set.
+constexpr const char* k_older_schema = "moldlight.view/1";
 
 /// FNV-1a: names of files in the state folder stay the same from run to run.
 std::uint64_t hash(std::string_view text) {
@@ -60,13 +62,17 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
 }
 
 PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
-  const Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
   if (!json.contains("schema")) {
     set_options(method_options(), notes.method, json);
     return notes;
   }
-  if (json["schema"] != k_schema) {
+  if (json["schema"] == k_older_schema) {
+    if (json.contains("settings") && json["settings"].is_object()) {
+      for (const char* key : {"exact_rays", "readout", "kernel"}) json["settings"].erase(key);
+    }
+  } else if (json["schema"] != k_schema) {
     throw UsageError(fmt::format("settings: the schema is {}, not {}", json["schema"].dump(), k_schema));
   }
   if (json.contains("settings")) set_options(method_options(), notes.method, json["settings"]);

@@ -29,7 +29,7 @@ struct PartNotes {
   bool operator==(const PartNotes&) const = default;
 };
 
-/// Schema moldlight.view/1.
+/// Schema moldlight.view/2.
 [[nodiscard]] std::string part_notes_json(const PartNotes& notes, const std::string& part_path);
 /// Takes what part_notes_json writes, and an object of the method's settings alone. What the text does not
 /// say stays as in `notes`. Throws UsageError that says what is wrong.
