@@ -13,6 +13,7 @@ MethodSettings method_of(const Shape& shape) {
   method.direction = shape.direction;
   method.tau_deg = shape.settings.tau_deg;
   method.resolution = 1024;
+  method.kernel = 3;
   return method;
 }
 
