@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
+#include "mold/exact/exact_regions.hpp"
 #include "mold/sweep/patches.hpp"
+#include "mold/sweep/sphere_search.hpp"
 #include "session/method_options.hpp"
 #include "session/sweep/basin_search.hpp"
 #include "session/sweep/contender.hpp"
@@ -27,6 +29,8 @@ namespace {
 constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
 constexpr int k_fine_factor = 8;     // samples of the second scoring over those of the first
 constexpr std::size_t k_contenders_per_listed = 6;
+constexpr double k_first_exact_step_deg = 0.05, k_last_exact_step_deg = 2e-5;
+constexpr int k_exact_probes = 6;
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 class SweepRun {
@@ -78,6 +82,7 @@ class SweepRun {
   [[nodiscard]] SweepCandidate scored_figures(const Contender& contender) const;
   void complete_figures(const Contender& contender, SweepCandidate& candidate) const;
   [[nodiscard]] SweepCandidate figures_for_list(const Contender& contender);
+  void settle_exactly(Contender& contender) const;
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
 
   Classifier& classifier_;
@@ -270,9 +275,43 @@ std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<
   return margins;
 }
 
+/// Follows the direction downhill by exact areas, in steps far below what the scores tell apart: an axis
+/// found from facets is off by their rounding, and walls along it then tilt.
+void SweepRun::settle_exactly(Contender& contender) const {
+  if (contender.from_user() || !judge_.by_undercut_alone()) return;
+  const ExactPart& part = model_.exact(Progress{});
+  const auto areas_at = [&](const glm::dvec3& direction, double limit, std::span<const FacetIndex> first) {
+    const ExactQuery query{
+        .direction = direction,
+        .tau_deg = settings_.method.tau_deg,
+        .lateral = lateral_tolerance(settings_.method, model_.frame.diagonal) / model_.frame.diagonal};
+    return exact_areas_within(part, query, {.undercut = limit, .first = first});
+  };
+  glm::dvec3 best = contender.candidate.direction;
+  const auto start = areas_at(best, k_no_limit, {});
+  double least = start->areas[Region::undercut];
+  // Facets that are undercut here mostly are so beside it: they settle that a direction is no better.
+  std::vector<FacetIndex> undercut;
+  for (FacetIndex facet = 0; facet < start->facet_fractions.size(); ++facet) {
+    if (start->facet_fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
+      undercut.push_back(facet);
+  }
+  for (double step_deg = k_first_exact_step_deg; step_deg > k_last_exact_step_deg; step_deg *= 0.5) {
+    for (const glm::dvec3& probe : ring_around(best, step_deg, k_exact_probes, 0.0)) {
+      if (least <= 0.0 || watch_.stopped()) return;
+      const auto areas = areas_at(probe, least, undercut);
+      if (!areas || areas->areas[Region::undercut] >= least) continue;
+      least = areas->areas[Region::undercut];
+      best = probe;
+    }
+    contender.candidate.direction = best;
+  }
+}
+
 void SweepRun::classify_best() {
-  const std::vector<Contender> listed =
+  std::vector<Contender> listed =
       contenders_to_list(judge_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
+  if (!listed.empty() && !watch_.stopped()) settle_exactly(listed.front());
   // The margins want rays and the figures mostly the GL: together they keep all cores at work.
   std::future<std::vector<std::optional<TiltMargin>>> margins =
       std::async(std::launch::async, [&] { return tilt_margins(listed); });
