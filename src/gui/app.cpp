@@ -318,7 +318,7 @@ SceneSettings App::scene_settings() const {
   scene.direction_moves = direction_moves_;
   scene.maps_looked_at = state_.settings.look.regions_by == RegionsBy::maps ||
                          state_.settings.look.mark_difference || state_.dialogs.large_map.has_value();
-  if (!state_.figures.stale && state_.figures.shown) scene.split = state_.figures.shown->split;
+  scene.split = state_.figures.split;
   scene.marks.undercut_glow = glow();
   if (state_.hover) {
     scene.marks.hovered = state_.hover->point.facet;

@@ -47,11 +47,12 @@ struct Hover {
 /// The measured figures and how far they may be trusted.
 struct Figures {
   std::optional<Classification> shown = {};
-  bool stale = false;          // of other settings than the present ones
-  bool pale = false;           // so for long enough to be shown as such
-  bool measuring = false;      // more is to come: other figures, or the split mesh
-  std::uint64_t revision = 0;  // rises when others are shown
-  std::string error = {};      // why there are none
+  std::shared_ptr<const SplitMesh> split = {};  // of the present settings; none while it is not there
+  bool stale = false;                           // of other settings than the present ones
+  bool pale = false;                            // so for long enough to be shown as such
+  bool measuring = false;                       // more is to come: other figures, or the split mesh
+  std::uint64_t revision = 0;                   // rises when others are shown
+  std::string error = {};                       // why there are none
 };
 
 struct Loading {

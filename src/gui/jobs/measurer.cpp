@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "mold/map_frame.hpp"
 #include "session/classifier.hpp"
 #include "session/figure_pace.hpp"
 
@@ -82,29 +83,45 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
   }
   if (!state.model) return;
 
-  const bool exact = wanted_.settings.readout == Readout::exact;
+  if (auto outcome = job_.take()) {
+    take(std::move(*outcome), figures);
+    fresh_s_ = now_s;
+  }
+  if (split_of_ != exact_inputs(wanted_)) figures.split.reset();
   const bool still = now_s >= changed_s_ + k_rest_s;
-  wanted_.with_split = exact ? still || !moving : true;
-  const bool due = exact || (still && !moving);
   if (!still) wake_s_ = changed_s_ + k_rest_s;
-  if (due && requested_ != wanted_) {
-    job_.request(wanted_);
-    requested_ = wanted_;
-  } else if (!due && requested_) {
+  wanted_.with_split = !figures.split && (still || !moving);
+  if (wanted_.settings.readout == Readout::exact || (still && !moving)) {
+    if (!requested_ || !requested_->covers(wanted_)) job_.request(*(requested_ = wanted_));
+  } else if (requested_) {
     job_.cancel();
     requested_.reset();
   }
-  if (auto outcome = job_.take()) {
-    figures.shown = std::move(outcome->classification);
-    figures.error = std::move(outcome->error);
-    fresh_s_ = now_s;
-    ++figures.revision;
-  }
   figures.stale = figures.error.empty() && !(figures.shown && figures.shown->settings == wanted_.settings);
-  figures.measuring = figures.error.empty() && (figures.stale || !figures.shown->split);
+  figures.measuring = figures.error.empty() && (figures.stale || !figures.split);
   if (!figures.stale) fresh_s_ = now_s;
   figures.pale = figures.stale && now_s >= fresh_s_ + k_pale_s;
   if (figures.stale && !figures.pale) wake_s_ = std::min(wake_s_, fresh_s_ + k_pale_s);
+}
+
+Measurer::ExactInputs Measurer::exact_inputs(const Request& request) {
+  return {.direction = unit_direction(request.settings.direction),
+          .tau_deg = request.settings.tau_deg,
+          .lateral_tolerance = lateral_tolerance(request.settings, request.model->frame.diagonal)};
+}
+
+void Measurer::take(Outcome outcome, Figures& figures) {
+  figures.shown = std::move(outcome.classification);
+  figures.error = std::move(outcome.error);
+  ++figures.revision;
+  if (!figures.shown) return;
+  const ExactInputs inputs = exact_inputs(outcome.request);
+  if (figures.shown->split) {
+    figures.split = figures.shown->split;
+    split_of_ = inputs;
+  } else if (split_of_ == inputs) {
+    figures.shown->split = figures.split;
+  }
 }
 
 }  // namespace moldlight::gui
