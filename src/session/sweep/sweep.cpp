@@ -1,9 +1,13 @@
 #include "session/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <limits>
 #include <optional>
+
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
@@ -29,8 +33,9 @@ namespace {
 constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
 constexpr int k_fine_factor = 8;     // samples of the second scoring over those of the first
 constexpr std::size_t k_contenders_per_listed = 6;
-constexpr double k_first_exact_step_deg = 0.05, k_last_exact_step_deg = 2e-5;
+constexpr double k_first_exact_step_deg = 0.02, k_last_exact_step_deg = 2e-5;
 constexpr int k_exact_probes = 6;
+constexpr double k_across_cosine = 0.9999995;  // within 0.06 degrees
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 class SweepRun {
@@ -296,13 +301,36 @@ void SweepRun::settle_exactly(Contender& contender) const {
     if (start->facet_fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
       undercut.push_back(facet);
   }
-  for (double step_deg = k_first_exact_step_deg; step_deg > k_last_exact_step_deg; step_deg *= 0.5) {
-    for (const glm::dvec3& probe : ring_around(best, step_deg, k_exact_probes, 0.0)) {
-      if (least <= 0.0 || watch_.stopped()) return;
-      const auto areas = areas_at(probe, least, undercut);
-      if (!areas || areas->areas[Region::undercut] >= least) continue;
+  // The mean normal of the planes across the pull is known far better than any one axis or plane's normal.
+  glm::dvec3 across(0.0);
+  for (std::size_t facet = 0; facet < model_.geometry.areas.size(); ++facet) {
+    const double sine = glm::dot(model_.geometry.normals[facet], best);
+    if (std::abs(sine) > k_across_cosine)
+      across += std::copysign(model_.geometry.areas[facet], sine) * model_.geometry.normals[facet];
+  }
+  if (across != glm::dvec3(0.0)) {
+    const glm::dvec3 mean = glm::normalize(across);
+    const auto areas = areas_at(mean, least, undercut);
+    if (areas && areas->areas[Region::undercut] < least) {
       least = areas->areas[Region::undercut];
-      best = probe;
+      best = mean;
+    }
+  }
+  // The surface of undercut areas is creased: a turned ring finds the way out of a crease that the first one
+  // missed.
+  for (double step_deg = k_first_exact_step_deg; step_deg > k_last_exact_step_deg; step_deg *= 0.5) {
+    for (const double phase_deg : {0.0, 180.0 / k_exact_probes}) {
+      if (least <= 0.0 || watch_.stopped()) return;
+      const std::vector<glm::dvec3> ring = ring_around(best, step_deg, k_exact_probes, phase_deg);
+      std::vector<double> found(ring.size(), k_no_limit);
+      tbb::parallel_for(std::size_t{0}, ring.size(), [&](std::size_t k) {
+        if (const auto areas = areas_at(ring[k], least, undercut)) found[k] = areas->areas[Region::undercut];
+      });
+      const auto lowest = std::min_element(found.begin(), found.end());
+      if (*lowest >= least) continue;
+      least = *lowest;
+      best = ring[static_cast<std::size_t>(lowest - found.begin())];
+      break;
     }
     contender.candidate.direction = best;
   }
