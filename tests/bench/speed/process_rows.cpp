@@ -105,7 +105,8 @@ std::vector<LoadFigures> print_load_rows(const std::vector<PartFile>& parts, con
 
 void print_classify_rows(const std::vector<PartFile>& parts, const BenchSettings& settings) {
   std::printf("\nclassify  moldlight classify, default settings, one direction\n");
-  std::printf("  %-26s %9s %9s %9s %9s %9s\n", "part", "load s", "maps s", "measure s", "all s", "peak GiB");
+  std::printf("  %-26s %9s %9s %9s %9s %9s\n", "part", "load s", "regions s", "readout s", "all s",
+              "peak GiB");
   for (const PartFile& part : parts) {
     std::vector<std::string> arguments = {MOLDLIGHT_BINARY, "classify", part.path, "--direction",
                                           "0,0,1",          "--json",   "-"};
@@ -114,7 +115,7 @@ void print_classify_rows(const std::vector<PartFile>& parts, const BenchSettings
     const auto timings = nlohmann::json::parse(run.out)["timings_ms"];
     const auto seconds = [&](const char* key) { return timings[key].get<double>() / 1000.0; };
     std::printf("  %-26s %9.3f %9.3f %9.3f %9.3f %9.3f\n", part.name.c_str(), seconds("load"),
-                seconds("maps"), seconds("measure"), run.seconds,
+                seconds("regions"), seconds("readout"), run.seconds,
                 static_cast<double>(run.peak_memory) / k_gib);
     std::fflush(stdout);
   }
