@@ -5,6 +5,7 @@
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
 #include "cli/still_flags.hpp"
+#include "io/border_writer.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "session/classifier.hpp"
@@ -20,18 +21,23 @@ namespace {
 struct ClassifyFlags {
   PartFlags part;
   MethodSettings method;
-  std::string facets, faces, mesh, split_folder, image;
+  OutputPaths files;  // JSON is among the part's flags
+  std::string image;
+  bool compare_maps = false;
   StillSettings still;
 };
 
 void check_outputs(const ClassifyFlags& flags) {
-  if (!flags.mesh.empty()) check_mesh_extension(flags.mesh);
+  const OutputPaths& files = flags.files;
+  if (!files.mesh.empty()) check_mesh_extension(files.mesh);
+  if (!files.borders.empty()) check_border_extension(files.borders);
   check_output_files(flags.part.part, {{"--json", flags.part.json == "-" ? "" : flags.part.json},
-                                       {"--facets", flags.facets},
-                                       {"--faces", flags.faces},
-                                       {"--mesh", flags.mesh},
+                                       {"--facets", files.facets},
+                                       {"--faces", files.faces},
+                                       {"--mesh", files.mesh},
+                                       {"--borders", files.borders},
                                        {"--image", flags.image}});
-  if (!flags.split_folder.empty()) check_output_folder(flags.split_folder);
+  if (!files.split_folder.empty()) check_output_folder(files.split_folder);
 }
 
 void log_result(const Classification& result, Console& console) {
@@ -44,25 +50,27 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   validate(flags.method);
   check_outputs(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  // Exact regions need no GL, other readouts and pictures do.
-  const bool is_exact = flags.method.readout == Readout::exact;
+  // Exact regions need no GL, the maps and pictures do.
+  const bool looks_at_maps = flags.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
-  if (!is_exact || !flags.image.empty()) context = create_context(flags.method.backend);
-  const bool with_split = !(flags.image + flags.mesh + flags.split_folder).empty();
-  const Classification result =
-      is_exact ? classify_exact(*model, flags.method, progress, with_split)
-               : Classifier(*context, model).classify(flags.method, progress, with_split);
+  if (looks_at_maps || !flags.image.empty()) context = create_context(flags.method.backend);
+  const bool with_split = !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
+  Classification result;
+  if (looks_at_maps) {
+    Classifier classifier(*context, model);
+    result = classifier.classify(flags.method, progress, with_split);
+    if (flags.compare_maps) classifier.compare_maps(result, progress);
+  } else {
+    result = classify_exact(*model, flags.method, progress, with_split);
+  }
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
 
   progress.report("writing", 0.0);
   const bool json_to_stdout = flags.part.json == "-";
-  write_outputs({.json = json_to_stdout ? "" : flags.part.json,
-                 .facets = flags.facets,
-                 .faces = flags.faces,
-                 .mesh = flags.mesh,
-                 .split_folder = flags.split_folder},
-                *model, result, flags.still.palette);
+  OutputPaths files = flags.files;
+  if (!json_to_stdout) files.json = flags.part.json;
+  write_outputs(files, *model, result, flags.still.palette);
   if (!flags.image.empty())
     write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress));
   console.result(json_to_stdout ? json_text(classify_json(*model, result))
@@ -79,22 +87,36 @@ void add_classify_command(CLI::App& program, Request& request) {
   const auto flags = std::make_shared<ClassifyFlags>();
   add_part_flags(*command, flags->part, request);
   add_method_flags(*command, flags->method, DirectionFlag::required);
-  command->add_option("--facets", flags->facets, "Write a table of facets: area and share of each region")
+  command
+      ->add_option("--facets", flags->files.facets, "Write a table of facets: area and share of each region")
       ->option_text("FILE.csv")
       ->check(named());
   command
-      ->add_option("--faces", flags->faces,
+      ->add_option("--faces", flags->files.faces,
                    "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way")
       ->option_text("FILE.csv")
       ->check(named());
   command
-      ->add_option("--mesh", flags->mesh,
-                   "Write the part with its facets coloured by region; in OBJ each region is a material")
+      ->add_option("--mesh", flags->files.mesh,
+                   "Write the part, split at the borders of its exact regions (whatever the readout), each "
+                   "facet in the colour of its region; in OBJ each region is a material")
       ->option_text("FILE.(ply|obj|stl)")
       ->check(named());
-  command->add_option("--split-dir", flags->split_folder, "Write one STL a region to this folder")
+  command
+      ->add_option("--split-dir", flags->files.split_folder,
+                   "Write the split part to this folder, one STL a region; they meet at equal vertices")
       ->option_text("DIR")
       ->check(named());
+  command
+      ->add_option(
+          "--borders", flags->files.borders,
+          "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
+          "line a point")
+      ->option_text("FILE.(obj|csv)")
+      ->check(named());
+  command->add_flag("--compare-maps", flags->compare_maps,
+                    "Measure where the regions that the shadow maps show differ from the exact ones, by "
+                    "--samples surface samples");
   CLI::Option* image = command
                            ->add_option("--image", flags->image,
                                         "Draw the part in the colours of its regions, with a legend, and "

@@ -12,7 +12,6 @@
 #include "io/atomic_file.hpp"
 #include "io/direction_list.hpp"
 #include "mold/sweep/ranking.hpp"
-#include "session/classifier.hpp"
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
@@ -100,19 +99,18 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   check_outputs(flags);
   const SweepSettings settings = sweep_settings(flags, progress);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  const auto context = create_context(settings.method.backend);
-  Classifier classifier(*context, model);
-  SweepMeter meter(settings);
+  SweepMeter meter;
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
     return meter.text(stage, fraction, columns);
   });
-  const SweepResult result = run_sweep(classifier, settings, progress,
+  const SweepResult result = run_sweep(model, settings, progress,
                                        {.evaluated = [&meter](const EvaluatedDirection&) { meter.count(); }});
   console.set_progress_text({});
   warn(*model, result, progress, console);
   write_outputs(flags, *model, result, console);
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
+    const auto context = create_context(settings.method.backend);
     if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }

@@ -48,10 +48,11 @@ App::App(const gl::Context& context, AppOptions options)
       history_(EditedSettings{}),
       layout_(options_.user.layout),
       thumbnails_(context, options_.shipped_parts, options_.wake),
-      loader_(options_.reading, options_.wake),
+      loader_(options_.wake, true),
+      export_(options_.wake),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
-      sweep_(options_.make_context, options_.wake) {
+      sweep_(options_.wake) {
   state_.window = options_.user.window;
   state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
@@ -64,7 +65,12 @@ App::~App() = default;
 void App::open(const std::string& path) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-  loader_.start(error ? path : absolute.lexically_normal().string());
+  const std::string part = error ? path : absolute.lexically_normal().string();
+  const JobStatus first{"reading", 0.0};
+  loader_.start([part, reading = options_.reading](
+                    const Progress& progress) { return load_for_window(part, reading, progress); },
+                first);
+  state_.loading = Loading{part, first};
 }
 
 void App::set_notes(const PartNotes& notes) {
@@ -122,8 +128,9 @@ void App::frame(const FrameInput& input) {
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   apply(edits);
+  // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
-                   edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
+                   edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   watch_undercut();
   measure_face();
   const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
@@ -133,9 +140,10 @@ void App::frame(const FrameInput& input) {
 
 void App::poll_jobs() {
   if (auto outcome = loader_.take()) {
-    if (outcome->part) {
+    state_.loading.reset();
+    if (outcome->result) {
       try {
-        install(std::move(*outcome->part));
+        install(std::move(*outcome->result));
       } catch (const Error& error) {
         say(error.what(), true);
       }
@@ -143,25 +151,22 @@ void App::poll_jobs() {
       say(outcome->error, true);
     }
   }
-  state_.loading = loader_.status();
-  if (export_ && export_->done()) {
-    say(export_->error().empty() ? "Exported" : export_->error(), !export_->error().empty());
-    export_.reset();
-  }
+  if (loader_.running()) state_.loading->status = loader_.status();
+  if (const auto outcome = export_.take()) say(outcome->result.value_or(outcome->error), !outcome->result);
   sweep_.update(state_, state_.sweep, now_s_);
   if (auto result = sweep_.take_result()) {
     pictures_ =
         std::make_unique<CandidatePictures>(*context_, scene_->part(), std::move(result), options_.wake);
     settle_frames_ = k_settle_frames;
   }
-  if (file_watch_.take() && state_.window.auto_reload && !loader_.loading()) {
-    loader_.start(state_.path);
+  if (file_watch_.take() && state_.window.auto_reload && !loader_.running()) {
+    open(state_.path);
     say("The part's file has changed; reading it again", false);
   }
 }
 
 std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
-  if (state_.model || loader_.loading()) return {};
+  if (state_.model || loader_.running()) return {};
   thumbnails_.update(static_cast<int>(ui.px(k_start_picture_size)), state_.window.theme);
   return thumbnails_.textures();
 }
@@ -316,9 +321,10 @@ SceneSettings App::scene_settings() const {
                              opening_.at(now_s_), scale_);
   scene.camera = state_.camera;
   scene.direction_moves = direction_moves_;
-  scene.maps_looked_at = state_.settings.look.regions_by == RegionsBy::maps ||
-                         state_.settings.look.mark_difference || state_.dialogs.large_map.has_value();
-  scene.split = state_.figures.split;
+  const bool marked = state_.settings.look.mark_difference;
+  scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
+  if (marked || !regions_by_maps()) scene.split = state_.figures.split;
+  if (regions_by_maps()) scene.samples = state_.figures.samples;
   scene.marks.undercut_glow = glow();
   if (state_.hover) {
     scene.marks.hovered = state_.hover->point.facet;
@@ -332,6 +338,7 @@ bool App::draw(const ViewTarget& target) {
   if (const auto split = split_view()) refining_ = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
     refining_ = scene_->draw(target, scene_settings()) || refining_;
+    show_comparison();
   } else {
     backdrop_.draw(target.framebuffer, target.size, state_.window.theme);
   }
@@ -340,6 +347,19 @@ bool App::draw(const ViewTarget& target) {
   imgui_.draw();
   if (refining_) next_frame_s_ = now_s_;
   return refining_;
+}
+
+bool App::regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
+
+void App::show_comparison() {
+  Figures& figures = state_.figures;
+  const auto former = figures.maps;
+  if (!regions_by_maps() || direction_moves_) {
+    figures.maps.reset();
+  } else if (figures.samples) {  // until they are there the last comparison stays
+    figures.maps = scene_->comparison();
+  }
+  if (figures.maps != former) next_frame_s_ = now_s_;
 }
 
 void App::fit(const Camera& camera, bool at_once) {

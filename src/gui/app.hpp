@@ -16,18 +16,17 @@
 #include "gui/history.hpp"
 #include "gui/imgui_session.hpp"
 #include "gui/input/keys.hpp"
-#include "gui/jobs/export_job.hpp"
 #include "gui/jobs/file_watch.hpp"
-#include "gui/jobs/load_job.hpp"
+#include "gui/jobs/job.hpp"
 #include "gui/jobs/measurer.hpp"
+#include "gui/jobs/window_sweep.hpp"
+#include "gui/loaded_part.hpp"
 #include "gui/motion.hpp"
 #include "gui/panel_layout.hpp"
 #include "gui/panels/workspace.hpp"
-#include "gui/part_loader.hpp"
 #include "gui/part_thumbnails.hpp"
 #include "gui/scene.hpp"
 #include "gui/store/user_state.hpp"
-#include "gui/sweep_keeper.hpp"
 #include "gui/viewport.hpp"
 #include "render/backdrop_pass.hpp"
 
@@ -100,6 +99,9 @@ class App {
   void apply(const Edits& before_commands);
   void aim_camera(const Camera& camera);
   [[nodiscard]] SceneSettings scene_settings() const;
+  [[nodiscard]] bool regions_by_maps() const;
+  /// Hands what the picture's maps are worth to the panels of the next frame.
+  void show_comparison();
   void plan_next_frame();
   [[nodiscard]] std::vector<unsigned> shipped_pictures(const Ui& ui);
   void watch_undercut();
@@ -127,11 +129,11 @@ class App {
   Workspace workspace_;
   Viewport viewport_;
   PartThumbnails thumbnails_;
-  PartLoader loader_;
-  std::unique_ptr<ExportJob> export_;
+  Job<LoadedPart> loader_;
+  Job<std::string> export_;  // results in what is to be said
   FileWatch file_watch_;
   Measurer measurer_;
-  SweepKeeper sweep_;
+  WindowSweep sweep_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
   Extent extent_;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gui/chosen_face.hpp"
-#include "gui/feature_directions.hpp"
-#include "gui/jobs/load_job.hpp"
+#include "gui/jobs/job.hpp"
+#include "gui/loaded_part.hpp"
 #include "gui/look_settings.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/sweep_state.hpp"
@@ -47,12 +47,15 @@ struct Hover {
 /// The measured figures and how far they may be trusted.
 struct Figures {
   std::optional<Classification> shown = {};
-  std::shared_ptr<const SplitMesh> split = {};  // of the present settings; none while it is not there
-  bool stale = false;                           // of other settings than the present ones
-  bool pale = false;                            // so for long enough to be shown as such
-  bool measuring = false;                       // more is to come: other figures, or the split mesh
-  std::uint64_t revision = 0;                   // rises when others are shown
-  std::string error = {};                       // why there are none
+  std::shared_ptr<const SplitMesh> split = {};       // of the present settings; none while it is not there
+  std::shared_ptr<const PieceSamples> samples = {};  // of the split mesh, for comparing the maps with it
+  std::shared_ptr<const MapComparison> maps =
+      {};                      // of the maps that tell the regions shown; none if they do not
+  bool stale = false;          // of other settings than the present ones
+  bool pale = false;           // so for long enough to be shown as such
+  bool measuring = false;      // more is to come: other figures, or the split mesh
+  std::uint64_t revision = 0;  // rises when others are shown
+  std::string error = {};      // why there are none
 };
 
 struct Loading {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 void App::CommandRunner::operator()(const OpenPart& command) const { app.open(command.path); }
 
 void App::CommandRunner::operator()(const CancelLoading&) const {
-  app.loader_.cancel();
+  app.loader_.give_up();
   app.state_.loading.reset();
 }
 
@@ -102,9 +102,12 @@ void App::CommandRunner::operator()(const Say& command) const { app.say(command.
 
 void App::CommandRunner::operator()(const Export& command) const {
   const Figures& figures = app.state_.figures;
-  if (app.export_ || !figures.shown || figures.measuring) return;
-  app.export_ = std::make_unique<ExportJob>(command.files, app.state_.settings.look.palette, app.state_.model,
-                                            *figures.shown, app.options_.wake);
+  if (app.export_.running() || !figures.shown || figures.measuring) return;
+  app.export_.start([files = command.files, palette = app.state_.settings.look.palette,
+                     model = app.state_.model, result = *figures.shown](const Progress&) {
+    write_outputs(files, *model, result, palette);
+    return std::string("Exported");
+  });
   if (!command.picture.empty()) app.picture_request_ = command.picture;
 }
 

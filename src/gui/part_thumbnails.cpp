@@ -31,27 +31,31 @@ void draw_thumbnail(const gl::Context& context, const LoadedPart& part, Theme th
 
 PartThumbnails::PartThumbnails(const gl::Context& context, std::vector<std::string> parts,
                                std::function<void()> wake)
-    : context_(&context), parts_(std::move(parts)), wake_(std::move(wake)), pictures_(parts_.size()) {}
+    : context_(&context), parts_(std::move(parts)), pictures_(parts_.size()), job_(std::move(wake), true) {}
 
 void PartThumbnails::update(int size_px, Theme theme) {
   if (size_px != size_px_ || theme != theme_) {
     size_px_ = size_px;
     theme_ = theme;
     next_ = 0;
-    job_.reset();
+    job_.give_up();
   }
-  if (job_ && job_->done()) {
+  if (const auto loaded = job_.take()) {
+    std::optional<gl::ColourTarget>& picture = pictures_[next_];
+    picture.reset();
     try {
-      const LoadedPart part = job_->take();
-      pictures_[next_].emplace(context_->functions(), glm::ivec2(size_px));
-      draw_thumbnail(*context_, part, theme, *pictures_[next_]);
+      if (loaded->result) {
+        picture.emplace(context_->functions(), glm::ivec2(size_px));
+        draw_thumbnail(*context_, *loaded->result, theme, *picture);
+      }
     } catch (const std::exception&) {
-      pictures_[next_].reset();  // its place stays empty; opening it will say why
+      picture.reset();  // its place stays empty; opening it will say why
     }
-    job_.reset();
     ++next_;
   }
-  if (!job_ && !finished()) job_ = std::make_unique<LoadJob>(parts_[next_], ReadOptions{}, wake_);
+  if (job_.running() || finished()) return;
+  job_.start(
+      [path = parts_[next_]](const Progress& progress) { return load_for_window(path, {}, progress); });
 }
 
 std::vector<unsigned> PartThumbnails::textures() const {

@@ -8,7 +8,8 @@
 
 #include "gl/colour_target.hpp"
 #include "gl/context.hpp"
-#include "gui/jobs/load_job.hpp"
+#include "gui/jobs/job.hpp"
+#include "gui/loaded_part.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight::gui {
@@ -27,9 +28,8 @@ class PartThumbnails {
  private:
   const gl::Context* context_;
   std::vector<std::string> parts_;
-  std::function<void()> wake_;
   std::vector<std::optional<gl::ColourTarget>> pictures_;
-  std::unique_ptr<LoadJob> job_;
+  Job<LoadedPart> job_;
   std::size_t next_ = 0;  // the part that is loaded next or now
   int size_px_ = 0;
   Theme theme_ = Theme::dark;

@@ -44,9 +44,20 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     maps_are_coarse_ = !fine;
     thumbnails_stale_ = true;
   }
+  if (fine && settings.samples) compare_with(settings.samples);
   if (settings.view.contour_edges) find_contour_edges(inputs);
   drawn_ = true;
   return view_.draw(target, maps_.subject(), settings.camera, settings.view, settings.marks);
+}
+
+void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
+  const std::uint64_t revision = maps_.maps().revision();
+  if (compared_samples_ == samples && compared_maps_ == revision) return;
+  if (!sample_pass_) sample_pass_.emplace(context_->functions());
+  comparison_ = std::make_shared<const MapComparison>(
+      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.buffers(), maps_.maps())));
+  compared_samples_ = samples;
+  compared_maps_ = revision;
 }
 
 void Scene::find_contour_edges(const MapInputs& inputs) {

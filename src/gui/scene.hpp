@@ -8,8 +8,10 @@
 #include "gl/colour_target.hpp"
 #include "gl/context.hpp"
 #include "gui/app_state.hpp"
-#include "gui/jobs/load_job.hpp"
+#include "gui/loaded_part.hpp"
 #include "render/map_picture.hpp"
+#include "render/sample_pass.hpp"
+#include "session/map_comparison.hpp"
 #include "session/picture_maps.hpp"
 
 namespace moldlight::gui {
@@ -29,6 +31,8 @@ struct SceneSettings {
   bool direction_moves = false;            // maps may be coarser than the method's
   bool maps_looked_at = false;             // they are to be the method's own once the direction rests
   std::shared_ptr<const SplitMesh> split;  // for the method's settings; none where it is not known yet
+  std::shared_ptr<const PieceSamples>
+      samples;  // of it, where maps that are looked at are to be compared with it
 };
 
 /// Needs its context current at every call.
@@ -43,6 +47,8 @@ class Scene {
   void choose_face(const ChosenFace* face);
   /// What the picture last drawn shows at a pixel.
   [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
+  /// Of the maps last compared.
+  [[nodiscard]] const std::shared_ptr<const MapComparison>& comparison() const { return comparison_; }
   /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.
   struct Thumbnails {
     unsigned plus = 0, minus = 0;
@@ -59,6 +65,7 @@ class Scene {
     MapSettings settings;
     bool operator==(const MapInputs&) const = default;
   };
+  void compare_with(const std::shared_ptr<const PieceSamples>& samples);
   void find_contour_edges(const MapInputs& inputs);
 
   const gl::Context* context_;
@@ -69,7 +76,11 @@ class Scene {
   std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
   std::optional<MapInputs> maps_of_;        // from which the maps were drawn
   bool maps_are_coarse_ = false;            // they are those of a moving direction
-  std::optional<MapInputs> contour_of_;     // for which the contour edges were found
+  std::optional<SamplePass> sample_pass_;
+  std::shared_ptr<const MapComparison> comparison_;
+  std::shared_ptr<const PieceSamples> compared_samples_;
+  std::uint64_t compared_maps_ = 0;      // revision
+  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;

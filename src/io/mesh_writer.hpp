@@ -1,4 +1,4 @@
-// Writing a part with its facets coloured by region. Facet k of the file is facet k of the mesh.
+// Writing a mesh with its facets coloured by region. Facet k of the file is facet k of the mesh.
 #pragma once
 
 #include <span>

@@ -6,8 +6,6 @@
 
 namespace moldlight {
 
-double shadow_error_share(int resolution) { return 1e-3 * std::max(1.0, 1024.0 / resolution); }
-
 FacetFractions sampled_fractions(const SurfaceSamples& samples, std::span<const std::uint8_t> verdicts) {
   CHECK(verdicts.size() == samples.samples.size());
   FacetFractions fractions(samples.first.size() - 1);

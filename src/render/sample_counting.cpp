@@ -10,7 +10,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_stratum = static_cast<int>(SampleCounts::k_stratum);
+constexpr int k_least_block = 16;    // samples that one fragment looks up
 constexpr int k_summed = 32;         // counts that one fragment sums up
 constexpr int k_most_blocks = 8192;  // as wide as any texture can be
 constexpr int k_row = 1024;          // samples
@@ -25,7 +25,7 @@ SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceS
     : gl_(&gl),
       counting_(gl, {.vertex = "common/fullscreen.vert",
                      .fragment = "measure/sample_counts.frag",
-                     .defines = {{"MAP_BATCH", "1"}, {"k_stratum", std::to_string(k_stratum)}}}),
+                     .defines = {{"MAP_BATCH", "1"}}}),
       summing_(gl, {.vertex = "common/fullscreen.vert",
                     .fragment = "measure/sum_counts.frag",
                     .defines = {{"k_summed", std::to_string(k_summed)}}}),
@@ -44,8 +44,7 @@ SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceS
   upload(0, k_row, sample_count_ / k_row);
   upload(sample_count_ / k_row, sample_count_ % k_row, 1);
 
-  const int strata = std::max(1, quotient_up(sample_count_, k_stratum));
-  block_ = k_stratum * quotient_up(strata, k_most_blocks);
+  block_ = std::max(k_least_block, quotient_up(sample_count_, k_most_blocks));
   blocks_ = std::max(1, quotient_up(sample_count_, block_));
   counts_[0] = make_counts(blocks_, directions);
   counts_[1] = make_counts(quotient_up(blocks_, k_summed), directions);
@@ -55,9 +54,8 @@ SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceS
 SampleCounting::Counts SampleCounting::make_counts(int width, int height) const {
   Counts counts;
   counts.regions = gl::make_texture_2d(*gl_, GL_RGBA32UI, width, height);
-  counts.doubts = gl::make_texture_2d(*gl_, GL_RGBA32UI, width, height);
-  const GLuint colours[] = {counts.regions.name(), counts.doubts.name()};
-  counts.framebuffer = gl::make_framebuffer(*gl_, {.colours = colours});
+  const GLuint colour = counts.regions.name();
+  counts.framebuffer = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}});
   return counts;
 }
 
@@ -84,7 +82,6 @@ std::vector<SampleCounts> SampleCounting::run(const MapBatch& maps, int directio
     gl_->BindFramebuffer(GL_FRAMEBUFFER, to->framebuffer.name());
     gl_->Viewport(0, 0, quotient_up(width, k_summed), directions);
     summing_.set_texture("t_regions", 0, GL_TEXTURE_2D, from->regions);
-    summing_.set_texture("t_doubts", 1, GL_TEXTURE_2D, from->doubts);
     summing_.set("u_width", width);
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
     std::swap(from, to);
@@ -92,17 +89,10 @@ std::vector<SampleCounts> SampleCounting::run(const MapBatch& maps, int directio
 
   gl_->BindFramebuffer(GL_FRAMEBUFFER, from->framebuffer.name());
   gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
-  std::vector<std::array<std::uint32_t, 4>> sums[2];
-  for (GLenum k = 0; k < 2; ++k) {
-    sums[k].resize(static_cast<std::size_t>(directions));
-    gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + k);
-    gl_->ReadPixels(0, 0, 1, directions, GL_RGBA_INTEGER, GL_UNSIGNED_INT, sums[k].data());
-  }
+  std::vector<SampleCounts> counts(static_cast<std::size_t>(directions));
+  static_assert(sizeof(SampleCounts) == 4 * sizeof(std::uint32_t));
+  gl_->ReadPixels(0, 0, 1, directions, GL_RGBA_INTEGER, GL_UNSIGNED_INT, counts.data());
   gl::check_errors(*gl_, "counting samples");
-  std::vector<SampleCounts> counts;
-  for (std::size_t i = 0; i < sums[0].size(); ++i) {
-    counts.push_back({.regions = sums[0][i], .undercut_in_doubt = sums[1][i][0], .spread = sums[1][i][1]});
-  }
   return counts;
 }
 

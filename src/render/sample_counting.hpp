@@ -22,9 +22,9 @@ class SampleCounting {
   [[nodiscard]] std::vector<SampleCounts> run(const MapBatch& maps, int directions);
 
  private:
-  /// Two numbers of four parts for each direction (row) and block of samples (column).
+  /// A number of four parts for each direction (row) and block of samples (column).
   struct Counts {
-    gl::Texture regions, doubts;
+    gl::Texture regions;
     gl::Framebuffer framebuffer;
   };
   [[nodiscard]] Counts make_counts(int width, int height) const;

@@ -33,42 +33,22 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
   }
 }
 
-}  // namespace
-
-Region dominant_region(const std::array<double, k_region_count>& fractions) {
-  Region best = Region::undercut;
-  for (const Region region : {Region::both, Region::cavity, Region::core}) {
-    if (fractions[static_cast<std::size_t>(region)] > fractions[static_cast<std::size_t>(best)])
-      best = region;
-  }
-  return best;
+ExactQuery query_of(const PartModel& model, const MethodSettings& settings) {
+  return {.direction = unit_direction(settings.direction),
+          .tau_deg = settings.tau_deg,
+          .lateral = lateral_tolerance(settings, model.frame.diagonal) / model.frame.diagonal};
 }
 
-Classification classify_exact(const PartModel& model, const MethodSettings& settings,
-                              const Progress& progress, bool with_split) {
-  const Stopwatch stopwatch;
-  const double diagonal = model.frame.diagonal;
+Classification classification_of(const PartModel& model, const MethodSettings& settings,
+                                 const ExactPart& part, ExactAreas found, const Stopwatch& stopwatch) {
+  const ExactQuery query = query_of(model, settings);
   Classification result;
   result.settings = settings;
-  result.direction = unit_direction(settings.direction);
-  result.texel = diagonal / settings.resolution;
-  result.lateral_tolerance = lateral_tolerance(settings, diagonal);
+  result.direction = query.direction;
+  result.texel = model.frame.diagonal / settings.resolution;
+  result.lateral_tolerance = lateral_tolerance(settings, model.frame.diagonal);
   result.total_area = model.geometry.total_area;
   result.warnings = model.warnings;
-
-  const ExactPart& part = model.exact(progress);
-  const ExactQuery query{.direction = result.direction,
-                         .tau_deg = settings.tau_deg,
-                         .lateral = result.lateral_tolerance / diagonal};
-  progress.report("finding regions", 0.0);
-  ExactAreas found;
-  if (with_split) {
-    ExactSplit split = exact_split(part, query, progress);
-    found = std::move(split.areas);
-    result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
-  } else {
-    found = exact_areas(part, query, progress);
-  }
   result.areas = found.areas;
   result.near_vertical_area = found.near_vertical_area;
   result.identity = {.core = found.projected_core,
@@ -90,6 +70,28 @@ Classification classify_exact(const PartModel& model, const MethodSettings& sett
   result.timings.regions_ms = stopwatch.elapsed_ms();
   result.timings.total_ms = result.timings.load_ms + result.timings.regions_ms;
   return result;
+}
+
+}  // namespace
+
+Classification classify_exact(const PartModel& model, const MethodSettings& settings,
+                              const Progress& progress, bool with_split) {
+  if (!with_split) return *classify_exact_within(model, settings, {}, progress);
+  const Stopwatch stopwatch;
+  const ExactPart& part = model.exact(progress);
+  ExactSplit split = exact_split(part, query_of(model, settings), progress);
+  Classification result = classification_of(model, settings, part, std::move(split.areas), stopwatch);
+  result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
+  return result;
+}
+
+std::optional<Classification> classify_exact_within(const PartModel& model, const MethodSettings& settings,
+                                                    const UndercutLimit& limit, const Progress& progress) {
+  const Stopwatch stopwatch;
+  const ExactPart& part = model.exact(progress);
+  std::optional<ExactAreas> found = exact_areas_within(part, query_of(model, settings), limit, progress);
+  if (!found) return std::nullopt;
+  return classification_of(model, settings, part, std::move(*found), stopwatch);
 }
 
 }  // namespace moldlight

@@ -2,16 +2,16 @@
 // show.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "mold/exact/split_mesh.hpp"
+#include "mold/exact/exact_regions.hpp"
 #include "mold/region.hpp"
+#include "session/map_comparison.hpp"
 #include "session/part_model.hpp"
 #include "session/settings.hpp"
 
@@ -57,16 +57,20 @@ struct Classification {
   Timings timings;
   std::vector<std::string> warnings;
   std::shared_ptr<const SplitMesh> split;  // exact regions, whatever the readout; none if not asked for
+  std::optional<MapComparison> maps;       // against the exact regions, if asked for
 };
-
-/// Region with the greatest share of a facet; ties go to the more troublesome one (undercut, both, cavity,
-/// core).
-[[nodiscard]] Region dominant_region(const std::array<double, k_region_count>& fractions);
 
 /// Classifies by exact regions, whatever the readout; needs no GL. Uses all cores of the calling thread's
 /// TBB arena; the result is the same to the bit for any number of threads, timings apart. Throws UsageError
 /// for settings that make no sense, Cancelled.
 [[nodiscard]] Classification classify_exact(const PartModel& model, const MethodSettings& settings,
                                             const Progress& progress, bool with_split = false);
+
+/// The same without the split mesh, to the bit; nothing as soon as the undercut area is certain to be above
+/// the limit.
+[[nodiscard]] std::optional<Classification> classify_exact_within(const PartModel& model,
+                                                                  const MethodSettings& settings,
+                                                                  const UndercutLimit& limit,
+                                                                  const Progress& progress);
 
 }  // namespace moldlight

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/check.hpp"
 #include "base/stopwatch.hpp"
 #include "mold/measure.hpp"
 #include "session/method_options.hpp"
@@ -77,14 +78,29 @@ Classification Classifier::classify(const MethodSettings& settings, const Progre
   return result;
 }
 
+void Classifier::compare_maps(Classification& result, const Progress& progress) {
+  CHECK(result.split != nullptr);
+  progress.report("comparing the maps", 0.0);
+  result.backend = context_->backend();
+  result.renderer = context_->renderer();
+  draw_maps(result.settings);
+  const PieceSamples samples =
+      sample_pieces(*result.split, model_->frame, static_cast<std::size_t>(result.settings.samples));
+  result.maps = moldlight::compare_maps(samples, look_up(samples.samples));
+}
+
 FacetFractions Classifier::fractions_by_samples(int wanted) {
   if (!samples_ || sample_target_ != wanted) {
     samples_ = sample_surface(model_->part.mesh, model_->geometry, model_->frame,
                               static_cast<std::uint64_t>(wanted));
     sample_target_ = wanted;
   }
+  return sampled_fractions(*samples_, look_up(samples_->samples));
+}
+
+std::vector<std::uint8_t> Classifier::look_up(std::span<const SurfaceSample> samples) {
   if (!sample_pass_) sample_pass_.emplace(context_->functions());
-  return sampled_fractions(*samples_, sample_pass_->run(samples_->samples, buffers_, maps_));
+  return sample_pass_->run(samples, buffers_, maps_);
 }
 
 FacetFractions Classifier::fractions_by_facet_id(int resolution) {

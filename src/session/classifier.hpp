@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "base/progress.hpp"
 #include "gl/context.hpp"
@@ -36,6 +37,10 @@ class Classifier {
   [[nodiscard]] Classification classify(const MethodSettings& settings, const Progress& progress,
                                         bool with_split = false);
 
+  /// Adds to a result that has a split mesh how the maps of its settings differ from that, by as many samples
+  /// as the settings say.
+  void compare_maps(Classification& result, const Progress& progress);
+
   /// Draws the maps for the settings' direction, for pictures.
   void draw_maps(const MethodSettings& settings);
 
@@ -46,6 +51,7 @@ class Classifier {
   [[nodiscard]] const gl::Context& context() const { return *context_; }
 
  private:
+  [[nodiscard]] std::vector<std::uint8_t> look_up(std::span<const SurfaceSample> samples);
   [[nodiscard]] FacetFractions fractions_by_samples(int wanted);
   [[nodiscard]] FacetFractions fractions_by_facet_id(int resolution);
 

@@ -29,14 +29,61 @@ Json settings_json(const Classification& result) {
   return settings;
 }
 
+/// As shares of `whole`.
+Json values_json(const RegionValues& values, double whole = 1.0) {
+  Json json;
+  for (const Region region : k_regions) json[std::string(region_name(region))] = share(values[region], whole);
+  return json;
+}
+
 Json faces_json(const std::vector<SourceAreas>& faces) {
   Json list = Json::array();
   for (const SourceAreas& face : faces) {
     Json entry = {{"face", face.source}, {"area", face.areas.total()}};
-    for (const Region region : k_regions) entry[std::string(region_name(region))] = face.areas[region];
+    entry.update(values_json(face.areas));
     list.push_back(std::move(entry));
   }
   return list;
+}
+
+Json comparison_json(const MapComparison& comparison) {
+  const double total = comparison.total();
+  Json areas, shares, excess;
+  for (const Region exact : k_regions) {
+    const std::string name(region_name(exact));
+    const RegionValues& row = comparison.areas[static_cast<std::size_t>(exact)];
+    areas[name] = values_json(row);
+    shares[name] = values_json(row, total);
+    excess[name] = comparison.excess(exact);
+  }
+  return {{"differing_area", comparison.differing()},
+          {"differing_share", share(comparison.differing(), total)},
+          {"error", comparison.error},
+          {"samples", comparison.samples},
+          {"excess", excess},
+          {"areas", areas},
+          {"shares", shares}};
+}
+
+/// A line for every pair of regions that surface has, the exact one first.
+std::string comparison_table(const MapComparison& comparison, const FigureColumn& column,
+                             const std::string& area_unit) {
+  const double total = comparison.total();
+  std::string text =
+      fmt::format("{}\nmeasured by {} samples, ± {:.2g} % of the area\n\n", comparison_text(comparison),
+                  comparison.samples, 100.0 * share(comparison.error, total));
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{:<9}{:<9}{:>17}{:>10}\n", "exact", "by maps", "area " + area_unit, "share");
+  for (const Region exact : k_regions) {
+    for (const Region shown : k_regions) {
+      const double area = comparison.areas[static_cast<std::size_t>(exact)][shown];
+      if (area > 0.0) {
+        fmt::format_to(out, "{:<9}{:<9}{:>16}{:>8.2f} %\n", region_name(exact), region_name(shown),
+                       column.text(area), 100.0 * share(area, total));
+      }
+    }
+  }
+  return text;
 }
 
 /// SGR codes of the paper's colours.
@@ -88,11 +135,7 @@ std::vector<SourceAreas> face_areas(const PartModel& model, const Classification
 }
 
 Json classify_json(const PartModel& model, const Classification& result) {
-  Json areas, fractions;
-  for (const Region region : k_regions) {
-    areas[std::string(region_name(region))] = result.areas[region];
-    fractions[std::string(region_name(region))] = share(result.areas[region], result.total_area);
-  }
+  Json areas = values_json(result.areas);
   areas["total"] = result.total_area;
   areas["near_vertical"] = result.near_vertical_area;
   const UndercutUncertainty& uncertainty = result.uncertainty;
@@ -105,7 +148,7 @@ Json classify_json(const PartModel& model, const Classification& result) {
       {"texel", result.texel},
       {"lateral_tolerance", result.lateral_tolerance},
       {"areas", areas},
-      {"fractions", fractions},
+      {"fractions", values_json(result.areas, result.total_area)},
       {"undercut_uncertainty", uncertainty.total()},
       {"uncertainty_parts",
        {{"rounding", uncertainty.rounding}, {"mesh", uncertainty.mesh}, {"readout", uncertainty.readout}}},
@@ -124,6 +167,7 @@ Json classify_json(const PartModel& model, const Classification& result) {
         {"total", result.timings.total_ms}}}};
   if (model.part.format == format_name(FileFormat::step))
     json["faces"] = faces_json(face_areas(model, result));
+  if (result.maps) json["compare_maps"] = comparison_json(*result.maps);
   return json;
 }
 
@@ -159,6 +203,7 @@ std::string classify_table(const PartModel& model, const Classification& result,
       "         {} rounding, {:.2g}\n",
       identity.agrees() ? "✓" : "✗", areas.text(identity.core), area_unit, areas.text(identity.cavity),
       std::abs(identity.gap), identity.agrees() ? "within" : "more than", identity.gap_limit);
+  if (result.maps) text += "\n" + comparison_table(*result.maps, areas, area_unit);
   return text;
 }
 

@@ -33,7 +33,8 @@ std::span<const Option<MethodSettings>> method_options() {
        "paper's two-pass readback, one region a facet.",
        choice<&S::readout>({"exact", "samples", "facet-id"})},
       {"samples", "--samples", "Samples", "",
-       "Surface samples over the whole part for the samples readout; a facet gets four at least.",
+       "Surface samples over the whole part for the samples readout and --compare-maps; a facet or piece "
+       "gets four at least.",
        IntegerKind<S>{&S::samples, 1000, 100'000'000}},
       {"backend", "--backend", "Backend", "", "How to get an OpenGL context without a window.",
        choice<&S::backend>({"auto", "egl", "osmesa"})},

@@ -66,31 +66,23 @@ ViewSubject PictureMaps::subject() const {
 }
 
 void PictureMaps::scan(const MethodSettings& settings) {
-  if (!scan_part_) {
-    scan_part_ = std::make_unique<const ScanPart>(model_->part.mesh, model_->geometry, model_->frame,
-                                                  model_->edges.concave);
-  }
-  if (!scan_maps_ || scan_maps_->resolution() != settings.resolution) scan_maps_.emplace(settings.resolution);
+  const TriangleMesh& mesh = model_->part.mesh;
+  if (positions_.empty()) positions_ = unit_positions(mesh, model_->frame);
+  if (!scanned_ || scanned_->resolution() != settings.resolution) scanned_.emplace(settings.resolution);
   const MapFrame frame = map_frame(settings.direction);
   direction_ = frame.z;
   const MapSettings map = map_settings(settings, model_->frame.diagonal);
-  scan_maps_->draw_second_depth(*scan_part_, frame,
-                                {.tau_deg = settings.tau_deg, .edge_thickness = map.edge_thickness});
-  std::vector<FacetClass> classes(buffers_.facet_count());
-  for (FacetIndex facet = 0; facet < classes.size(); ++facet) classes[facet] = scan_maps_->facet_class(facet);
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
+  scanned_->draw({mesh, positions_, model_->geometry.normals, model_->edges.concave}, frame, classes,
+                 map.edge_thickness);
   buffers_.set_facet_classes(classes);
-  scan_maps_->copy_entries(true, plus_);
-  scan_maps_->copy_entries(false, minus_);
-  maps_.load(frame, map, plus_, minus_);
+  maps_.load(frame, map, scanned_->facets(true), scanned_->facets(false));
   lacks_depths_ = true;
 }
 
 void PictureMaps::complete_depths() {
   if (!lacks_depths_) return;
-  std::vector<float> plus, minus;
-  scan_maps_->copy_depths(true, plus);
-  scan_maps_->copy_depths(false, minus);
-  maps_.load_depths(plus, minus);
+  maps_.load_depths(scanned_->depths(true), scanned_->depths(false));
   lacks_depths_ = false;
 }
 

@@ -9,7 +9,7 @@
 
 #include "gl/context.hpp"
 #include "mold/exact/split_mesh.hpp"
-#include "mold/scan/scan_maps.hpp"
+#include "mold/second_depth.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_subject.hpp"
 #include "session/part_model.hpp"
@@ -57,9 +57,8 @@ class PictureMaps {
   ShadowMaps maps_;
   glm::dvec3 direction_{0.0, 0.0, 1.0}, split_direction_{0.0};
   std::optional<SplitSurface> split_;
-  std::unique_ptr<const ScanPart> scan_part_;
-  std::optional<ScanMaps> scan_maps_;
-  std::vector<std::uint32_t> plus_, minus_;  // facet + 1 a texel
+  std::vector<glm::vec3> positions_;  // of the vertices, unit frame
+  std::optional<SecondDepthMaps> scanned_;
   bool lacks_depths_ = false;
 };
 

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/check.hpp"
 #include "io/atomic_file.hpp"
+#include "io/border_writer.hpp"
 #include "io/facet_csv.hpp"
 #include "io/mesh_writer.hpp"
 #include "session/classify_report.hpp"
@@ -12,25 +14,26 @@ namespace moldlight {
 
 namespace {
 
-void write_meshes(const OutputPaths& paths, const PartModel& model, const Classification& result,
-                  Palette palette) {
-  if (paths.mesh.empty() && paths.split_folder.empty()) return;
+void write_split(const OutputPaths& paths, const Part& part, const SplitMesh& split, Palette palette) {
+  const TriangleMesh mesh = piece_mesh(split);
   std::vector<Region> regions;
-  regions.reserve(result.facet_fractions.size());
-  for (const auto& fractions : result.facet_fractions) regions.push_back(dominant_region(fractions));
-  const ColouredMesh coloured{
-      .mesh = model.part.mesh, .regions = regions, .palette = palette, .unit = model.part.unit};
+  regions.reserve(split.pieces.size());
+  for (const SplitPiece& piece : split.pieces) regions.push_back(piece.region);
+  const ColouredMesh coloured{.mesh = mesh, .regions = regions, .palette = palette, .unit = part.unit};
   if (!paths.mesh.empty()) write_coloured_mesh(paths.mesh, coloured);
-  if (!paths.split_folder.empty()) {
-    write_region_stls(paths.split_folder, std::filesystem::path(model.part.file).stem().string(), coloured);
-  }
+  if (!paths.split_folder.empty())
+    write_region_stls(paths.split_folder, std::filesystem::path(part.file).stem().string(), coloured);
+  if (!paths.borders.empty()) write_borders(paths.borders, split);
 }
 
 }  // namespace
 
 void write_outputs(const OutputPaths& paths, const PartModel& model, const Classification& result,
                    Palette palette) {
-  write_meshes(paths, model, result, palette);
+  if (paths.need_split()) {
+    CHECK(result.split != nullptr);
+    write_split(paths, model.part, *result.split, palette);
+  }
   if (!paths.facets.empty()) {
     write_facet_csv(paths.facets, {.areas = model.geometry.areas,
                                    .fractions = result.facet_fractions,

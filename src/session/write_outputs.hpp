@@ -15,6 +15,10 @@ struct OutputPaths {
   std::string faces;   // CSV, one row a CAD face or polygon of the file
   std::string mesh;    // .ply, .obj or .stl, coloured by region
   std::string split_folder;
+  std::string borders;  // .obj or .csv, the lines between regions
+
+  /// Whether a file is made of the split mesh, which the classification must have then.
+  [[nodiscard]] bool need_split() const { return !(mesh + split_folder + borders).empty(); }
 };
 
 /// Throws FileError for the first that cannot be written. `palette`: of the mesh.

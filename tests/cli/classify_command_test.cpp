@@ -9,6 +9,7 @@
 #include "cli/small_part.hpp"
 #include "io/part_reader.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "mesh/health.hpp"
 
 namespace moldlight {
 namespace {
@@ -132,22 +133,23 @@ TEST(Classify, FacetTableIsInFileOrderAndAddsUpToTheJson) {
   }
 }
 
-TEST(Classify, WritesMeshesFacetByFacet) {
+TEST(Classify, WritesTheMeshSplitAtTheBordersWhateverTheReadout) {
   const SmallPart part;
-  const TriangleMesh& mesh = part.shape().mesh;
+  const double area = facet_geometry(part.shape().mesh).total_area;
   for (const std::string name : {"out.ply", "out.obj", "out.stl"}) {
-    const auto run = run_moldlight(part.classify({"--mesh", part.output(name)}));
+    auto arguments = part.classify({"--mesh", part.output(name)});
+    arguments[3] = "0.36,0.48,0.8";
+    const auto run = run_moldlight(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    ASSERT_GT(file_bytes(part.output(name)).size(), 50 * mesh.facets.size() / 2) << name;
-    if (name.ends_with(".ply")) continue;
+    const std::string bytes = file_bytes(part.output(name));
+    arguments.insert(arguments.end(), {"--readout", "facet-id"});
+    const auto sampled = run_moldlight(arguments);
+    ASSERT_EQ(sampled.exit_code, 0) << sampled.err;
+    EXPECT_EQ(file_bytes(part.output(name)), bytes) << name;
     const Part back = read_part(part.output(name), {}, Progress());
-    ASSERT_EQ(back.mesh.facets.size(), mesh.facets.size()) << name;
-    for (FacetIndex k = 0; k < mesh.facets.size(); ++k) {
-      for (int corner = 0; corner < 3; ++corner) {
-        EXPECT_LT(glm::distance(back.mesh.corner(k, corner), mesh.corner(k, corner)), 1e-5)
-            << name << " " << k;
-      }
-    }
+    EXPECT_GT(back.mesh.facets.size(), part.shape().mesh.facets.size()) << name;
+    EXPECT_NEAR(facet_geometry(back.mesh).total_area, area, (name == "out.stl" ? 1e-6 : 1e-12) * area);
+    EXPECT_TRUE(health_report(back.mesh, facet_geometry(back.mesh)).closed) << name;
   }
   EXPECT_TRUE(fs::exists(part.output("out.mtl")));
 }
@@ -155,16 +157,69 @@ TEST(Classify, WritesMeshesFacetByFacet) {
 TEST(Classify, SplitsThePartIntoOneStlARegion) {
   const SmallPart part;
   const std::string folder = part.output("pieces/deeper");
-  const auto run = run_moldlight(part.classify({"--split-dir", folder}));
+  const auto run = run_moldlight(part.classify({"--split-dir", folder, "--tolerance", "0.02"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  std::size_t facets = 0, files = 0;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    facets += read_part(entry.path().string(), {}, Progress()).mesh.facets.size();
-    ++files;
-    EXPECT_TRUE(entry.path().filename().string().starts_with("cup_")) << entry.path();
+  for (const Region region : k_regions) {
+    const std::string file = folder + "/cup_" + std::string(region_name(region)) + ".stl";
+    const RegionValues& expected = part.shape().expected;
+    EXPECT_NEAR(facet_geometry(read_part(file, {}, Progress()).mesh).total_area, expected[region],
+                1e-6 * expected.total());
   }
-  EXPECT_EQ(files, 4u);
-  EXPECT_EQ(facets, part.shape().mesh.facets.size());
+}
+
+TEST(Classify, WritesTheBordersOfRegions) {
+  const SmallPart part;
+  for (const std::string name : {"lines.obj", "lines.csv"}) {
+    const auto run = run_moldlight(part.classify({"--borders", part.output(name)}));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  const std::string obj = file_bytes(part.output("lines.obj"));
+  EXPECT_NE(obj.find("\ng core-both\nl "), std::string::npos);
+  std::istringstream lines(file_bytes(part.output("lines.csv")));
+  std::size_t points = 0;
+  std::string line, last;
+  for (std::getline(lines, line); std::getline(lines, line); ++points) last = line;
+  EXPECT_GT(points, 20U);
+  const auto chains = std::stoul(last) + 1;
+  std::size_t polylines = 0;
+  for (std::size_t at = obj.find("\nl "); at != std::string::npos; at = obj.find("\nl ", at + 1)) ++polylines;
+  EXPECT_EQ(polylines, chains);
+}
+
+TEST(Classify, ComparesTheMapsWithExactRegions) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.classify({"--compare-maps", "--json", part.output("a.json")}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = json_of(file_bytes(part.output("a.json")));
+  EXPECT_EQ(json["settings"]["backend"], "OSMesa");
+  const Json& maps = json["compare_maps"];
+  EXPECT_EQ(keys(maps), (std::vector<std::string>{"differing_area", "differing_share", "error", "samples",
+                                                  "excess", "areas", "shares"}));
+  EXPECT_GE(maps["samples"], 20000);
+  const double total = json["areas"]["total"];
+  double differing = 0.0, excess = 0.0;
+  for (const auto& [exact, row] : maps["areas"].items()) {
+    double sum = 0.0;
+    for (const auto& [shown, area] : row.items()) {
+      sum += area.get<double>();
+      if (shown != exact) differing += area.get<double>();
+      EXPECT_NEAR(maps["shares"][exact][shown].get<double>() * total, area.get<double>(), 1e-9 * total);
+    }
+    EXPECT_NEAR(sum, json["areas"][exact].get<double>(), 1e-9 * total) << exact;
+    excess += maps["excess"][exact].get<double>();
+  }
+  EXPECT_NEAR(excess, 0.0, 1e-9 * total);
+  EXPECT_NEAR(maps["differing_area"].get<double>(), differing, 1e-9 * total);
+  EXPECT_NEAR(maps["differing_share"].get<double>() * total, differing, 1e-9 * total);
+  EXPECT_GT(differing, 0.0);
+  EXPECT_GT(maps["error"], 0.0);
+  EXPECT_LT(maps["error"], 0.01 * total);
+  const auto table = run.out.find("\n\nshadow maps: ");
+  ASSERT_NE(table, std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(" % of the area differs, undercut ", table), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\ncore     core ", table), std::string::npos) << run.out;
+  EXPECT_EQ(run_moldlight(part.classify({"--compare-maps"})).out, run.out);
+  EXPECT_FALSE(json_of(run_moldlight(part.classify({"--json", "-"})).out).contains("compare_maps"));
 }
 
 TEST(Classify, SamplesAndFacetIdAreBothThere) {

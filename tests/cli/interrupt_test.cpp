@@ -26,7 +26,8 @@ TEST_P(Interrupt, EndsWith130AndLeavesNothingHalfWritten) {
                                               "10000000",       "--verbose",
                                               "--facets",       kept,
                                               "--json",         part.output("a.json"),
-                                              "--split-dir",    part.output("pieces")};
+                                              "--split-dir",    part.output("pieces"),
+                                              "--borders",      part.output("a.obj")};
   test::Process process(arguments, {});
   ASSERT_TRUE(process.wait_for_error_text("drawing the maps"));
   process.send_signal(GetParam());

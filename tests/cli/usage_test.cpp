@@ -150,6 +150,7 @@ TEST(Usage, OutputsThatCannotBeWrittenEndWithOneBeforeAnyWork) {
       {"--json", part.output("no/such/folder/a.json")},
       {"--facets", part.output("no/such/folder/a.csv")},
       {"--mesh", part.output("no/such/folder/a.ply")},
+      {"--borders", part.output("no/such/folder/a.obj")},
       {"--json", part.folder().path().string()},
       {"--split-dir", file + "/below"},
       {"--split-dir", file}};
@@ -164,7 +165,8 @@ TEST(Usage, OutputsThatCannotBeWrittenEndWithOneBeforeAnyWork) {
 
 TEST(Usage, OutputsWithoutANameAreRefused) {
   const SmallPart part;
-  for (const char* flag : {"--json", "--facets", "--faces", "--mesh", "--split-dir", "--image"}) {
+  for (const char* flag :
+       {"--json", "--facets", "--faces", "--mesh", "--split-dir", "--borders", "--image"}) {
     expect_failure(part.classify({flag, ""}), 2, {flag, "empty"});
   }
   for (const char* flag : {"--json", "--csv", "--image-dir", "--directions-file"}) {
@@ -198,6 +200,9 @@ TEST(Usage, OutputsThatMeetEndWithTwo) {
                  {"--facets"});
   expect_failure(part.classify({"--mesh", part.file()}), 2, {"--mesh", part.file()});
   expect_failure(part.classify({"--mesh", part.output("a.step")}), 2, {"a.step", ".ply"});
+  expect_failure(part.classify({"--borders", part.output("a.ply")}), 2, {"a.ply", ".csv"});
+  expect_failure(part.classify({"--borders", part.file()}), 2, {"--borders", part.file()});
+  expect_failure(part.classify({"--borders", file, "--facets", file}), 2, {"--borders", "--facets"});
   expect_failure(part.classify({"--facets", "-"}), 2, {"--facets"});
   expect_failure({"info", part.file(), "--json", part.file()}, 2, {"--json"});
   EXPECT_FALSE(fs::exists(file));
@@ -212,7 +217,8 @@ TEST(Usage, AFailedRunLeavesNothingBehind) {
   };
   const std::size_t before = entries();
   auto arguments = part.classify({"--json", part.output("a.json"), "--mesh", part.output("a.ply"), "--facets",
-                                  part.output("a.csv"), "--split-dir", part.output("pieces")});
+                                  part.output("a.csv"), "--split-dir", part.output("pieces"), "--borders",
+                                  part.output("b.csv")});
   arguments[1] = part.output("nowhere.stl");
   expect_failure(arguments, 1, {"nowhere.stl"});
   EXPECT_EQ(entries(), before);

@@ -1,5 +1,6 @@
 // What the regions are told by: exactly, or by the shadow maps, whose controls are seen to act.
 #include "gui/window_with_part.hpp"
+#include "session/classifier.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -81,6 +82,82 @@ TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
   click("Mark the difference");
   window.settle();
   EXPECT_GT(differing(marked), 500U);
+}
+
+class MapsAreCompared : public RegionsAre {
+ protected:
+  [[nodiscard]] std::string text() const {
+    return state().figures.maps ? comparison_text(*state().figures.maps) : std::string();
+  }
+  /// What is to be said of the present settings, from the part's file on.
+  [[nodiscard]] std::string expected(std::size_t samples) {
+    const auto model = load_part(part.file(), ReadOptions{}, Progress{});
+    const Classification exact = classify_exact(*model, method(), Progress{}, true);
+    const PieceSamples set = sample_pieces(*exact.split, model->frame, samples);
+    Classifier classifier(window.context(), model);
+    classifier.draw_maps(method());
+    SamplePass pass(window.context().functions());
+    return comparison_text(compare_maps(set, pass.run(set.samples, classifier.buffers(), classifier.maps())));
+  }
+  [[nodiscard]] bool is_shown() { return window.app().controls().contains("map comparison"); }
+  /// Holds a slider at a share of its width, without letting go.
+  void hold(const std::string& control, float share) {
+    const ControlPlace place = window.control(control);
+    drag(place.centre(), {glm::mix(place.min.x, place.max.x, share), place.centre().y}, false);
+  }
+};
+
+TEST_F(MapsAreCompared, ByTheSamplesOfTheSplitMeshWhileTheyTellTheRegions) {
+  EXPECT_EQ(text(), "");
+  EXPECT_FALSE(is_shown());
+  click("by=maps");
+  window.settle();
+  ASSERT_TRUE(state().figures.samples);
+  EXPECT_NEAR(static_cast<double>(state().figures.maps->samples), 20'000.0, 10.0);
+  EXPECT_EQ(text(), expected(20'000));
+  EXPECT_TRUE(is_shown());
+  click("by=exact");
+  window.settle();
+  EXPECT_EQ(text(), "");
+  EXPECT_FALSE(is_shown());
+}
+
+TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
+  slide("Map resolution", 0.05F);
+  window.wait_until_measured();
+  std::string before = text();
+  EXPECT_EQ(before, expected(20'000));
+  for (const auto& [control, share] :
+       std::vector<std::pair<std::string, float>>{{"Edge thickness", 1.0F}, {"Kernel", 0.9F}}) {
+    hold(control, share);
+    // The kernel's width is that of the exact regions too: their samples come while it is still held.
+    window.wait_until_measured();
+    EXPECT_NE(text(), before) << control;
+    EXPECT_EQ(text(), expected(20'000)) << control;
+    before = text();
+    window.set_button(0, false);
+    window.wait_until_measured();
+    EXPECT_EQ(text(), before) << control;
+  }
+}
+
+TEST_F(MapsAreCompared, OnceTheDirectionRests) {
+  click("by=maps");
+  window.settle();
+  const std::string before = text();
+  const glm::vec2 tip = window.control("core arrow").centre();
+  move_to(tip);
+  window.set_button(0, true);
+  window.frames(2);
+  for (int step = 1; step <= 5; ++step) {
+    window.move_mouse(tip + glm::vec2(12 * step, 5 * step));
+    window.frame();
+  }
+  EXPECT_EQ(text(), "") << "the maps of a direction that moves are coarse ones";
+  window.set_button(0, false);
+  window.wait_until_measured();
+  EXPECT_EQ(text(), expected(20'000));
+  EXPECT_NE(text(), before);
 }
 
 }  // namespace

@@ -106,12 +106,9 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
   EXPECT_TRUE(shown.complete);
   EXPECT_FALSE(state().stale);
 
-  const auto context = create_context(Backend::automatic);
-  context->make_current();
-  Classifier classifier(*context, window_.state().model);
   SweepSettings settings = quick_sweep();
   settings.method = window_.state().settings.method;
-  const SweepResult expected = run_sweep(classifier, settings, Progress{}, {});
+  const SweepResult expected = run_sweep(window_.state().model, settings, Progress{}, {});
   ASSERT_EQ(shown.candidates.size(), expected.candidates.size());
   ASSERT_GE(shown.candidates.size(), 2U);
   EXPECT_EQ(shown.evaluated.size(), expected.evaluated.size());
@@ -122,7 +119,7 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
     EXPECT_EQ(a.patches, b.patches);
     MethodSettings method = settings.method;
     method.direction = a.candidate.direction;
-    const Classification classified = classifier.classify(method, Progress{});
+    const Classification classified = classify_exact(*window_.state().model, method, Progress{});
     for (const Region region : k_regions) {
       EXPECT_EQ(a.classification.areas[region], b.classification.areas[region]);
       EXPECT_EQ(a.classification.areas[region], classified.areas[region]);

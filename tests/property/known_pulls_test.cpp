@@ -71,18 +71,15 @@ void expect_pull_found(const std::filesystem::path& file, const glm::dvec3& dire
 void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& direction, std::uint32_t seed) {
   Part part = read_part(file.string(), {}, Progress());
   const glm::dquat rotation = test::random_rotation(seed);
-  Classifier classifier(test::shared_context(),
-                        test::model_of(test::rotated(std::move(part.mesh), rotation)));
+  const auto model = test::model_of(test::rotated(std::move(part.mesh), rotation));
   SweepSettings settings;
   settings.directions = 100;
   settings.refine = 2;
   settings.top = 4;
-  settings.method.resolution = 1024;
-  settings.method.samples = 50'000;
-  const SweepResult result = run_sweep(classifier, settings, Progress{}, {});
+  const SweepResult result = run_sweep(model, settings, Progress{}, {});
   MethodSettings method = settings.method;
   method.direction = glm::normalize(rotation * direction);
-  const Classification pull = classifier.classify(method, Progress{});
+  const Classification pull = classify_exact(*model, method, Progress{});
 
   const Classification& best = result.candidates.front().classification;
   const double found = best.areas[Region::undercut], known = pull.areas[Region::undercut];

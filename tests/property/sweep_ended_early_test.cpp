@@ -20,8 +20,6 @@ class SweepEndedEarly : public testing::Test {
     settings_.directions = 60;
     settings_.refine = 1;
     settings_.top = 4;
-    settings_.method.resolution = 256;
-    settings_.method.samples = 20'000;
   }
 
   /// Cancelled when it reports this stage for the `times`th time.
@@ -31,8 +29,7 @@ class SweepEndedEarly : public testing::Test {
       if (reported == stage && --times == 0) cancelled->cancel();
     });
     cancelled = &progress;
-    Classifier classifier(test::shared_context(), model_);
-    SweepResult result = run_sweep(classifier, settings_, progress, {});
+    SweepResult result = run_sweep(model_, settings_, progress, {});
     EXPECT_FALSE(result.complete) << stage;
     return result;
   }
@@ -69,24 +66,36 @@ TEST_F(SweepEndedEarly, WhileItScoresTheScoresAreListed) {
   EXPECT_TRUE(std::ranges::is_sorted(result.candidates, {}, &SweepCandidate::tie_group));
 }
 
-TEST_F(SweepEndedEarly, WhileItMeasuresTheReportTellsWhatIsMeasured) {
-  const SweepResult result = cancelled_in(sweep_stage::k_final, 2);
+TEST_F(SweepEndedEarly, BeforeItMeasuresTheReportTellsSo) {
+  const SweepResult result = cancelled_in(sweep_stage::k_measuring);
   ASSERT_EQ(result.candidates.size(), 4U);
-  EXPECT_EQ(measured(result), 1) << "the second was under way";
+  EXPECT_EQ(measured(result), 0);
   const auto json = sweep_json(*model_, result);
   for (const auto& candidate : json["candidates"]) {
-    const bool known = candidate["measured"];
-    for (const char* key : {"patches", "projected_undercut", "identity", "uncertainty_parts"}) {
-      EXPECT_EQ(candidate[key].is_null(), !known) << key;
-    }
+    for (const char* key : {"patches", "projected_undercut", "identity", "uncertainty_parts"})
+      EXPECT_TRUE(candidate[key].is_null()) << key;
   }
-  EXPECT_EQ(json["remarks"][0], "Ended early: 3 of the 4 directions listed were not measured, only scored.");
+  EXPECT_EQ(json["remarks"][0], "Ended early: 4 of the 4 directions listed were not measured, only scored.");
+}
+
+TEST_F(SweepEndedEarly, WhileItPolishesWhatIsMeasuredIsListed) {
+  const SweepResult whole = run_sweep(model_, settings_, Progress{}, {});
+  const SweepResult result = cancelled_in(sweep_stage::k_polishing);
+  ASSERT_EQ(result.candidates.size(), 4U);
+  EXPECT_EQ(measured(result), 4);
+  for (const SweepCandidate& candidate : result.candidates) {
+    MethodSettings method = settings_.method;
+    method.direction = candidate.candidate.direction;
+    EXPECT_EQ(candidate.classification.areas.values, classify_exact(*model_, method, {}).areas.values);
+    EXPECT_FALSE(candidate.tilt);
+  }
+  EXPECT_LE(whole.candidates.front().classification.areas[Region::undercut],
+            result.candidates.front().classification.areas[Region::undercut]);
 }
 
 TEST_F(SweepEndedEarly, AtTheTimeLimitTheBestIsMeasured) {
   settings_.time_limit_s = 1e-6;
-  Classifier classifier(test::shared_context(), model_);
-  const SweepResult result = run_sweep(classifier, settings_, Progress{}, {});
+  const SweepResult result = run_sweep(model_, settings_, Progress{}, {});
   EXPECT_FALSE(result.complete);
   ASSERT_EQ(result.candidates.size(), 1U);
   EXPECT_EQ(measured(result), 1);

@@ -26,14 +26,11 @@ SweepSettings quick_settings() {
   settings.directions = 200;
   settings.refine = 3;
   settings.top = 4;
-  settings.method.resolution = 1024;
-  settings.method.samples = 200'000;
   return settings;
 }
 
 SweepResult sweep_of(const TriangleMesh& mesh, const SweepSettings& settings = quick_settings()) {
-  Classifier classifier(test::shared_context(), test::model_of(mesh));
-  SweepResult result = run_sweep(classifier, settings, Progress{}, {});
+  SweepResult result = run_sweep(test::model_of(mesh), settings, Progress{}, {});
   EXPECT_TRUE(result.complete);
   EXPECT_FALSE(result.candidates.empty());
   return result;

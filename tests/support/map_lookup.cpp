@@ -5,81 +5,69 @@
 #include <glm/geometric.hpp>
 
 #include "mold/measure.hpp"
+#include "mold/second_depth.hpp"
+#include "session/classifier.hpp"
 
 namespace moldlight::test {
 
 namespace {
+
 /// As in the shader: rounding of n.p - c at coordinates up to 0.5 in single precision.
 constexpr float k_plane_rounding = 2.5e-7F;
+
+bool outside_of(const PartModel& model, std::uint32_t entry, const glm::vec3& point) {
+  if (entry == 0) return false;
+  const glm::vec3 normal(model.geometry.normals[entry - 1]);
+  const glm::dvec3 corner =
+      (model.part.mesh.corner(entry - 1, 0) - model.frame.center) / model.frame.diagonal;
+  const auto offset = static_cast<float>(glm::dot(model.geometry.normals[entry - 1], corner));
+  return glm::dot(normal, point) - offset > -k_plane_rounding;
+}
+
 }  // namespace
 
-MapLookup::MapLookup(const ScanPart& part, const ScanMaps& maps, double lateral)
-    : part_(part),
-      maps_(maps),
-      direction_(maps.frame().z),
-      map_x_(maps.frame().x),
-      map_y_(maps.frame().y),
-      lateral_(static_cast<float>(lateral)),
-      size_(static_cast<float>(maps.resolution())) {}
+ScannedMaps::ScannedMaps(std::shared_ptr<const PartModel> of_model, const MethodSettings& settings)
+    : model(std::move(of_model)),
+      frame(map_frame(settings.direction)),
+      resolution(settings.resolution),
+      lateral(static_cast<float>(map_settings(settings, model->frame.diagonal).lateral)),
+      classes(facet_classes(model->geometry, frame.z, settings.tau_deg)) {
+  const std::vector<glm::vec3> positions = unit_positions(model->part.mesh, model->frame);
+  SecondDepthMaps maps(resolution);
+  maps.draw({model->part.mesh, positions, model->geometry.normals, model->edges.concave}, frame, classes,
+            settings.edge_thickness);
+  facets = {maps.facets(false), maps.facets(true)};
+}
 
-MapLookup::Place MapLookup::place_of(const glm::vec3& point, FacetIndex facet) const {
-  Place place{point, 0, 0, maps_.facet_class(facet)};
-  if (place.facet_class == FacetClass::near_vertical) {
-    const glm::vec3 normal = part_.normal(facet);
-    place.point += lateral_ * glm::normalize(normal - glm::dot(normal, direction_) * direction_);
+std::uint32_t ScannedMaps::entry(bool plus, int x, int y) const {
+  if (x < 0 || y < 0 || x >= resolution || y >= resolution) return 0;
+  return facets[plus ? 1 : 0][static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution) +
+                              static_cast<std::size_t>(x)];
+}
+
+std::uint8_t accessible_from(const ScannedMaps& maps, const glm::vec3& point, FacetIndex facet) {
+  const PartModel& model = *maps.model;
+  const glm::vec3 direction(maps.frame.z);
+  const FacetClass facet_class = maps.classes[facet];
+  glm::vec3 at = point;
+  if (facet_class == FacetClass::near_vertical) {
+    const glm::vec3 normal(model.geometry.normals[facet]);
+    at += maps.lateral * glm::normalize(normal - glm::dot(normal, direction) * direction);
   }
-  place.x = static_cast<int>(std::floor((glm::dot(place.point, map_x_) + 0.5F) * size_));
-  place.y = static_cast<int>(std::floor((glm::dot(place.point, map_y_) + 0.5F) * size_));
-  return place;
-}
-
-std::uint32_t MapLookup::entry(bool plus, int x, int y) const {
-  const int size = maps_.resolution();
-  return x >= 0 && y >= 0 && x < size && y < size ? maps_.entry(plus, x, y) : 0;
-}
-
-bool MapLookup::outside_of(std::uint32_t entry, const glm::vec3& point) const {
-  if (entry == 0) return false;
-  const FacetPlane& plane = part_.planes()[entry - 1];
-  return plane.x * point.x + plane.y * point.y + plane.z * point.z - plane.offset > -k_plane_rounding;
-}
-
-std::uint8_t MapLookup::accessible_at(const Place& place, int x, int y) const {
-  switch (place.facet_class) {
-    case FacetClass::up:
-      return outside_of(entry(true, x, y), place.point) ? 0 : verdict::k_accessible_plus;
-    case FacetClass::down:
-      return outside_of(entry(false, x, y), place.point) ? 0 : verdict::k_accessible_minus;
-    case FacetClass::near_vertical:
-      break;
-  }
-  const std::uint32_t plus = entry(true, x, y), minus = entry(false, x, y);
-  const bool blocked_plus = outside_of(plus, place.point), blocked_minus = outside_of(minus, place.point);
+  const auto texel = [&](const glm::dvec3& axis) {
+    return static_cast<int>(
+        std::floor((glm::dot(at, glm::vec3(axis)) + 0.5F) * static_cast<float>(maps.resolution)));
+  };
+  const int x = texel(maps.frame.x), y = texel(maps.frame.y);
+  const std::uint32_t plus = maps.entry(true, x, y), minus = maps.entry(false, x, y);
+  const bool blocked_plus = outside_of(model, plus, at), blocked_minus = outside_of(model, minus, at);
+  if (facet_class == FacetClass::up) return blocked_plus ? 0 : verdict::k_accessible_plus;
+  if (facet_class == FacetClass::down) return blocked_minus ? 0 : verdict::k_accessible_minus;
   // Between the two maps' facets, which face away from each other, there is solid: the look-up fell into a
   // ledge.
   if (plus != 0 && minus != 0 && !blocked_plus && !blocked_minus) return 0;
   return static_cast<std::uint8_t>((blocked_plus ? 0 : verdict::k_accessible_plus) |
                                    (blocked_minus ? 0 : verdict::k_accessible_minus));
-}
-
-std::uint8_t MapLookup::accessible_from(const glm::vec3& point, FacetIndex facet) const {
-  const Place place = place_of(point, facet);
-  return accessible_at(place, place.x, place.y);
-}
-
-std::uint8_t MapLookup::verdict(const glm::vec3& point, FacetIndex facet) const {
-  const Place place = place_of(point, facet);
-  const std::uint8_t bits = accessible_at(place, place.x, place.y);
-  bool others = false, undercut_in_doubt = false;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const std::uint8_t beside = accessible_at(place, place.x + dx, place.y + dy);
-      others = others || beside != bits;
-      undercut_in_doubt = undercut_in_doubt || (beside == 0) != (bits == 0);
-    }
-  }
-  return static_cast<std::uint8_t>(bits | (others ? verdict::k_doubtful : 0) |
-                                   (undercut_in_doubt ? verdict::k_undercut_in_doubt : 0));
 }
 
 }  // namespace moldlight::test

@@ -112,6 +112,14 @@ SplitFaults split_faults(const ExactModel& model, const ExactSplit& split) {
     if (used[i] == 0) say(fmt::format("vertex {} in no piece", i));
   }
 
+  std::vector<std::pair<FacetIndex, std::array<VertexIndex, 3>>> sorted;
+  for (const SplitPiece& piece : pieces) {
+    sorted.emplace_back(piece.facet, piece.corners);
+    std::ranges::sort(sorted.back().second);
+  }
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end()) say("two pieces of a facet have the same corners");
+
   const auto [edges, length] = unmatched(sides_of(pieces), vertices);
   const auto [part_edges, part_length] = unmatched(sides_of(mesh.facets), mesh.vertices);
   faults.unmatched_edges = part_edges == 0 ? edges : 0;

@@ -16,6 +16,9 @@ namespace {
 
 constexpr double k_rest_s = 0.15;  // without a change, after which a hand that holds something still rests
 constexpr double k_pale_s = 0.3;   // after which figures of other settings are shown as such
+/// By which shadow maps are compared with exact regions: a look-up of some milliseconds without a graphics
+/// card.
+constexpr std::size_t k_map_samples = 20'000;
 
 }  // namespace
 
@@ -26,12 +29,15 @@ class Measurer::Worker {
   explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
 
   Outcome measure(const Request& request, const Progress& progress) {
-    Outcome outcome{.request = request, .classification = {}, .error = {}};
+    Outcome outcome{.request = request, .classification = {}, .samples = {}, .error = {}};
     try {
       outcome.classification =
           request.settings.readout == Readout::exact
               ? classify_exact(*request.model, request.settings, progress, request.with_split)
               : classifier(request).classify(request.settings, progress, request.with_split);
+      if (const auto& split = outcome.classification->split)
+        outcome.samples =
+            std::make_shared<const PieceSamples>(sample_pieces(*split, request.model->frame, k_map_samples));
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
@@ -87,7 +93,10 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
     take(std::move(*outcome), figures);
     fresh_s_ = now_s;
   }
-  if (split_of_ != exact_inputs(wanted_)) figures.split.reset();
+  if (split_of_ != exact_inputs(wanted_)) {
+    figures.split.reset();
+    figures.samples.reset();
+  }
   const bool still = now_s >= changed_s_ + k_rest_s;
   if (!still) wake_s_ = changed_s_ + k_rest_s;
   wanted_.with_split = !figures.split && (still || !moving);
@@ -118,6 +127,7 @@ void Measurer::take(Outcome outcome, Figures& figures) {
   const ExactInputs inputs = exact_inputs(outcome.request);
   if (figures.shown->split) {
     figures.split = figures.shown->split;
+    figures.samples = std::move(outcome.samples);
     split_of_ = inputs;
   } else if (split_of_ == inputs) {
     figures.shown->split = figures.split;

@@ -13,8 +13,8 @@
 
 namespace moldlight::gui {
 
-/// Figures by exact regions follow settings that move; the split mesh, and figures by another readout, come
-/// once they rest.
+/// Figures by exact regions follow settings that move; the split mesh with its samples, and figures by
+/// another readout, come once they rest.
 class Measurer {
  public:
   /// Makes a context without a window and makes it current on the calling thread (the measurer's).
@@ -23,7 +23,7 @@ class Measurer {
   /// `wake` is called from the measurer's thread when there is something new.
   Measurer(MakeContext make_context, std::function<void()> wake);
 
-  /// Call it every frame. `moving`: a hand is at the settings, or a flight.
+  /// Call it every frame. `moving`: a hand is at settings whose split mesh is not wanted yet, or a flight.
   void update(const AppState& state, Figures& figures, double now_s, bool moving);
   /// When update() wants to be called next without any input; infinity for not at all.
   [[nodiscard]] double wake_s() const { return wake_s_; }
@@ -42,7 +42,8 @@ class Measurer {
   struct Outcome {
     Request request;
     std::optional<Classification> classification;
-    std::string error;  // one line, where there is no classification
+    std::shared_ptr<const PieceSamples> samples;  // with a split mesh
+    std::string error;                            // one line, where there is no classification
   };
   class Worker;
   /// All that exact regions of a part depend on.

@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "gui/direction_ball.hpp"
-#include "gui/feature_directions.hpp"
+#include "gui/loaded_part.hpp"
 #include "gui/panels/direction_map.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/widgets.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "gui/direction.hpp"
-#include "gui/feature_directions.hpp"
+#include "gui/loaded_part.hpp"
 #include "gui/panels/direction_map.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/widgets.hpp"

@@ -21,6 +21,7 @@ Export ExportDialog::chosen() const {
   if (faces_) files.files.faces = base + "-faces.csv";
   if (mesh_) files.files.mesh = base + "." + std::string(k_mesh_formats[mesh_format_]);
   if (split_) files.files.split_folder = base;
+  if (borders_) files.files.borders = base + "-borders.obj";
   if (picture_) files.picture = base + ".png";
   return files;
 }
@@ -53,6 +54,7 @@ void ExportDialog::draw(const PanelContext& context) {
     toggle(ui, "Mesh with coloured regions", mesh_, false);
     if (mesh_) choice(ui, "Format of the mesh", k_mesh_formats, mesh_format_, false);
     toggle(ui, "One STL a region, in a folder", split_, false);
+    toggle(ui, "Lines between regions (OBJ)", borders_, false);
     toggle(ui, "Picture with legend", picture_, false);
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     if (context.state.figures.measuring) hint(ui, "Measuring; the files can be written when it is done.");

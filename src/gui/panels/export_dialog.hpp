@@ -18,7 +18,8 @@ class ExportDialog {
 
   bool open_ = false;
   std::array<char, 1024> base_{};  // path without extension
-  bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, picture_ = true;
+  bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, borders_ = false,
+       picture_ = true;
   int mesh_format_ = 0;
 };
 

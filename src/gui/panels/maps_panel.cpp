@@ -1,5 +1,8 @@
 // The two shadow maps, small and large, the controls of their method, and how far they are from exact.
 #include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
@@ -36,11 +39,31 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
     ImGui::SameLine(0.0F, gap);
   }
   ImGui::BeginGroup();
-  hint(ui, "");
+  draw_map_comparison(context);
   ImGui::EndGroup();
 }
 
 }  // namespace
+
+void draw_map_comparison(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Figures& figures = context.state.figures;
+  if (context.state.settings.look.regions_by != RegionsBy::maps) return;
+  if (!figures.maps) {
+    hint(ui, "shadow maps: compared with exact regions when the direction rests");
+    return;
+  }
+  const MapComparison& maps = *figures.maps;
+  hint(ui, comparison_text(maps));
+  ui.memory->controls["map comparison"] = {from_im(ImGui::GetItemRectMin()),
+                                           from_im(ImGui::GetItemRectMax())};
+  const double error = maps.total() > 0.0 ? 100.0 * maps.error / maps.total() : 0.0;
+  tooltip(ui, "Shadow maps and exact regions",
+          fmt::format(
+              "How much of the area the maps, with the kernel, edge thickness and resolution that are set, "
+              "show in another region than it has. By {} samples: ± {:.2g} % of the area.",
+              grouped(std::to_string(maps.samples)), error));
+}
 
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
   const Ui& ui = context.ui;

@@ -178,6 +178,7 @@ void draw_regions_panel(const PanelContext& context) {
       draw_total(context, legend);
       draw_trust(context, legend);
       draw_by(context);
+      draw_map_comparison(context);
     } else {
       hint(ui, figures.error.empty() ? "Measuring …" : figures.error);
     }

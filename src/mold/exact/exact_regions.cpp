@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "mold/draft.hpp"
 #include "mold/exact/facet_cells.hpp"
@@ -29,7 +30,9 @@ constexpr double k_touch = 1e-13;
 /// |n . d| of walls whose projection is left out of the shadow: subdivided walls, tilted this way and that by
 /// the rounding of a file in single precision, hide each other in thousands of slivers.
 constexpr double k_hardly_tilted = 1e-5;
-constexpr std::size_t k_grain = 256;  // facets a task
+constexpr std::size_t k_grain = 256;          // facets a task
+constexpr std::size_t k_block = 4 * k_grain;  // facets between two looks at the limit
+constexpr double k_sum_rounding = 1e-10;      // of millions of areas whose sum is some units
 
 /// A plane's own coordinates: the first axis is level, the second rises as steeply as the plane does.
 struct PlaneFrame {
@@ -88,7 +91,8 @@ class FacetSplitter {
   std::vector<std::uint32_t> seen_;      // round in which a contour edge was last met
   std::vector<std::uint32_t> seen_facets_;
   std::uint32_t round_ = 0;
-  std::vector<FacetCrossing> segments_;  // shifted
+  std::array<FacetIndex, 2> last_blocker_ = {k_no_facet, k_no_facet};  // along +d, along -d
+  std::vector<FacetCrossing> segments_;                                // shifted
   std::vector<CutSegment> plane_segments_;
   FacetCells cells_;
 };
@@ -133,7 +137,8 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   const auto region_at = [&](const glm::dvec3& point) {
     const auto blocked = [&](Sense sense) {
       return projected_.blocked(
-          {.point = point, .sense = sense, .beside = test.beside, .own = test.beside ? k_no_facet : facet});
+          {.point = point, .sense = sense, .beside = test.beside, .own = test.beside ? k_no_facet : facet},
+          last_blocker_[sense > 0 ? 0 : 1]);
     };
     return region_of(test.plus && !blocked(1), test.minus && !blocked(-1));
   };
@@ -189,7 +194,7 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
         if (seen_facets_[other] == round_) return;
         seen_facets_[other] = round_;
         const ProjectedPart::Extent& extent = projected_.extent(other);
-        if (extent.high >= lowest && extent.low <= highest) add_crossing(other, normal);
+        if (extent.high.z >= lowest && extent.low.z <= highest) add_crossing(other, normal);
       });
     }
   }
@@ -256,21 +261,35 @@ void FacetSplitter::add_crossing(FacetIndex other, const glm::dvec3& normal) {
   }
 }
 
-/// Runs the splitter over all facets; visit(splitter, facet, outcome) is called from several threads.
+using Splitters = tbb::enumerable_thread_specific<FacetSplitter>;
+
+Splitters splitters_for(const ProjectedPart& projected, const ExactQuery& query) {
+  return Splitters([&] { return FacetSplitter(projected, query); });
+}
+
+/// Splits these facets; visit(splitter, facet, outcome) is called from several threads.
 template <typename Visit>
-void split_facets(const ProjectedPart& projected, const ExactQuery& query, bool keep_cells,
+void split_facets(Splitters& splitters, std::span<const FacetIndex> facets, bool keep_cells,
                   const Progress& progress, const Visit& visit) {
-  tbb::enumerable_thread_specific<FacetSplitter> splitters([&] { return FacetSplitter(projected, query); });
-  const std::size_t facets = projected.part().mesh().facets.size();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets, k_grain), [&](const auto& range) {
-    if (progress.cancelled()) return;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets.size(), k_grain), [&](const auto& range) {
     FacetSplitter& splitter = splitters.local();
-    for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      const auto facet = static_cast<FacetIndex>(k);
-      visit(splitter, facet, splitter.split(facet, keep_cells));
+    for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
+      visit(splitter, facets[k], splitter.split(facets[k], keep_cells));
     }
   });
   progress.report("computing regions", 1.0);
+}
+
+/// All facets, those of `first` before the others.
+std::vector<FacetIndex> facet_order(std::size_t count, std::span<const FacetIndex> first) {
+  std::vector<FacetIndex> order(first.begin(), first.end());
+  order.reserve(count);
+  std::vector<bool> is_first(count, false);
+  for (const FacetIndex facet : first) is_first[facet] = true;
+  for (FacetIndex facet = 0; facet < count; ++facet) {
+    if (!is_first[facet]) order.push_back(facet);
+  }
+  return order;
 }
 
 /// Sums in the order of the facets, so that the result does not depend on the number of threads.
@@ -300,22 +319,16 @@ ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcom
 }  // namespace
 
 ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
-  const ProjectedPart projected(part, query.direction);
-  progress.report("computing regions", 0.0);
-  std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
-  split_facets(projected, query, false, progress,
-               [&](const FacetSplitter&, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
-                 outcomes[facet] = outcome;
-               });
-  return summed(part, outcomes);
+  return *exact_areas_within(part, query, {}, progress);
 }
 
 ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
-  const ProjectedPart projected(part, query.direction);
+  const ProjectedPart projected(part, query.direction, progress);
   progress.report("computing regions", 0.0);
+  Splitters splitters = splitters_for(projected, query);
   std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
   SplitAssembly assembly(part);
-  split_facets(projected, query, true, progress,
+  split_facets(splitters, facet_order(outcomes.size(), {}), true, progress,
                [&](const FacetSplitter& splitter, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
                  outcomes[facet] = outcome;
                  assembly.add(facet, splitter.cells());
@@ -324,30 +337,28 @@ ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Pro
 }
 
 std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQuery& query,
-                                             const UndercutLimit& limit) {
-  tbb::task_arena alone(1);
-  return alone.execute([&]() -> std::optional<ExactAreas> {
-    const ProjectedPart projected(part, query.direction);
-    FacetSplitter splitter(projected, query);
-    const std::size_t facets = part.mesh().facets.size();
-    const double least = limit.undercut / (part.frame().diagonal * part.frame().diagonal);
-    std::vector<FacetSplitter::Outcome> outcomes(facets);
-    std::vector<bool> seen(facets, false);
-    double undercut = 0.0;
-    const auto above_limit = [&](FacetIndex facet) {
-      seen[facet] = true;
-      outcomes[facet] = splitter.split(facet, false);
+                                             const UndercutLimit& limit, const Progress& progress) {
+  const ProjectedPart projected(part, query.direction, progress);
+  progress.report("computing regions", 0.0);
+  Splitters splitters = splitters_for(projected, query);
+  std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
+  const std::vector<FacetIndex> order = facet_order(outcomes.size(), limit.first);
+  // A sum in another order than that of the facets may be a little larger.
+  const double square = part.frame().diagonal * part.frame().diagonal;
+  const double most = limit.undercut / square + k_sum_rounding;
+  double undercut = 0.0;
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    end = std::isfinite(most) ? std::min(begin + k_block, order.size()) : order.size();
+    const std::span<const FacetIndex> block(order.data() + begin, end - begin);
+    split_facets(splitters, block, false, progress,
+                 [&](const FacetSplitter&, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
+                   outcomes[facet] = outcome;
+                 });
+    for (const FacetIndex facet : block)
       undercut += outcomes[facet].areas[static_cast<std::size_t>(Region::undercut)];
-      return undercut > least;
-    };
-    for (const FacetIndex facet : limit.first) {
-      if (!seen[facet] && above_limit(facet)) return std::nullopt;
-    }
-    for (FacetIndex facet = 0; facet < facets; ++facet) {
-      if (!seen[facet] && above_limit(facet)) return std::nullopt;
-    }
-    return summed(part, outcomes);
-  });
+    if (undercut > most) return std::nullopt;
+  }
+  return summed(part, outcomes);
 }
 
 }  // namespace moldlight

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,7 +42,7 @@ struct ExactSplit {
   SplitMesh mesh;
 };
 
-/// Both use all cores of the calling thread's TBB arena; the result is the same to the bit for any number of
+/// All use all cores of the calling thread's TBB arena; the result is the same to the bit for any number of
 /// threads. Throw Cancelled.
 [[nodiscard]] ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query,
                                      const Progress& progress);
@@ -50,13 +51,13 @@ struct ExactSplit {
 
 /// When a direction is hopeless: its undercut area is certain to be above `undercut` (model units squared).
 struct UndercutLimit {
-  double undercut = 0.0;
+  double undercut = std::numeric_limits<double>::infinity();
   std::span<const FacetIndex> first;  // facets looked at first, each once: those likely to be undercut
 };
 
-/// exact_areas() to the bit, on the calling thread alone; nothing as soon as the undercut facets seen are
-/// above the limit.
+/// exact_areas() to the bit; nothing as soon as the undercut facets seen are above the limit.
 [[nodiscard]] std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQuery& query,
-                                                           const UndercutLimit& limit);
+                                                           const UndercutLimit& limit,
+                                                           const Progress& progress);
 
 }  // namespace moldlight

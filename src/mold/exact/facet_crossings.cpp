@@ -221,9 +221,8 @@ FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dv
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
       [&](const auto& range) {
-        if (progress.cancelled()) return;
         std::vector<FoundCrossing>& mine = found.local();
-        for (std::size_t k = range.begin(); k < range.end(); ++k) {
+        for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
           const FacetIndex facet = tree.order()[k];
           if (normals[facet] == glm::dvec3(0.0)) continue;
           const auto corners = corners_of(facet);

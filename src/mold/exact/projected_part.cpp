@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -30,7 +31,7 @@ constexpr double k_plane_margin = 1e-7, k_clip_slack = 1e-9;
 constexpr double k_clear_area = 2e-10;
 constexpr std::size_t k_edges_a_task = 64;
 /// An edge that more edges cross counts as seen.
-constexpr std::size_t k_most_cuts = 64;
+constexpr std::size_t k_most_cuts = 256;
 constexpr double k_wall_sine = 0.02;
 constexpr double k_contour_cells = 2.0, k_facet_cells = 1.0;  // cells an item
 /// Edges whose ends agree to so many places per unit lie over one another.
@@ -63,7 +64,7 @@ MapFrame frame_along_walls(const FacetGeometry& geometry, const glm::dvec3& dire
 
 }  // namespace
 
-ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
+ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction, const Progress& progress)
     : part_(&part), frame_(frame_along_walls(part.geometry(), direction)) {
   const TriangleMesh& mesh = part.mesh();
   points_.resize(mesh.vertices.size());
@@ -73,20 +74,17 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
   extents_.resize(mesh.facets.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, extents_.size(), k_grain), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      const double sine = glm::dot(part.geometry().normals[k], frame_.z);
-      const auto& facet = mesh.facets[k];
-      const auto [low, high] = std::minmax({points_[facet[0]].z, points_[facet[1]].z, points_[facet[2]].z});
-      extents_[k] = {.low = static_cast<float>(low) - k_single_rounding,
-                     .high = static_cast<float>(high) + k_single_rounding,
-                     .facing = side_of(sine)};
+      const auto& [a, b, c] = mesh.facets[k];
+      extents_[k] = {
+          .low = glm::vec3(glm::min(glm::min(points_[a], points_[b]), points_[c])) - k_single_rounding,
+          .high = glm::vec3(glm::max(glm::max(points_[a], points_[b]), points_[c])) + k_single_rounding,
+          .facing = side_of(glm::dot(part.geometry().normals[k], frame_.z))};
     }
   });
   box_ = {glm::dvec2(1e300), glm::dvec2(-1e300)};
-  for (const auto& facet : mesh.facets) {
-    for (const VertexIndex vertex : facet) {
-      box_.low = glm::min(box_.low, glm::dvec2(points_[vertex]));
-      box_.high = glm::max(box_.high, glm::dvec2(points_[vertex]));
-    }
+  for (const Extent& extent : extents_) {
+    box_.low = glm::min(box_.low, glm::dvec2(extent.low));
+    box_.high = glm::max(box_.high, glm::dvec2(extent.high));
   }
   tbb::parallel_invoke(
       [&] {
@@ -95,7 +93,7 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction)
         fill_contour_grid();
       },
       [&] { fill_facet_grid(facing::k_up); }, [&] { fill_facet_grid(facing::k_down); });
-  leave_out_hidden_edges();
+  leave_out_hidden_edges(progress);
   fill_contour_grid();
 }
 
@@ -115,11 +113,6 @@ void ProjectedPart::fill_facet_grid(std::uint8_t facing) {
   for (std::uint32_t k = 0; k < extents_.size(); ++k) {
     if (extents_[k].facing == facing) facets.push_back(k);
   }
-  std::sort(facets.begin(), facets.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const float at_a = facing == facing::k_up ? -extents_[a].high : extents_[a].low;
-    const float at_b = facing == facing::k_up ? -extents_[b].high : extents_[b].low;
-    return at_a != at_b ? at_a < at_b : a < b;
-  });
   const TriangleMesh& mesh = part_->mesh();
   const double cells = k_facet_cells * static_cast<double>(facets.size());
   facet_grids_[facing == facing::k_up ? 0 : 1].fill(box_, cells, facets,
@@ -221,20 +214,22 @@ void ProjectedPart::leave_out_covered_edges() {
 
 /// An edge that is hidden hides nothing: what hides it does, on both of its sides. Along the others only the
 /// stretches count that are seen.
-void ProjectedPart::leave_out_hidden_edges() {
-  struct Visible {
+void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
+  struct Found {
     std::uint32_t edge;
     std::array<bool, 2> senses;  // for surface below, above
     Stretch stretch;
   };
-  std::vector<std::vector<Visible>> found((contour_.size() + k_edges_a_task - 1) / k_edges_a_task);
+  std::vector<std::vector<Found>> found((contour_.size() + k_edges_a_task - 1) / k_edges_a_task);
+  // Per thread: the edge that each contour edge was last met by.
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> met(contour_.size(), ~0U);
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t task) {
-    std::vector<Stretch> below, above;
+    Visible visible;
+    const auto& [below, above] = visible;
     const std::size_t end = std::min((task + 1) * k_edges_a_task, contour_.size());
-    for (std::size_t k = task * k_edges_a_task; k < end; ++k) {
+    for (std::size_t k = task * k_edges_a_task; k < end && !progress.cancelled(); ++k) {
       const auto edge = static_cast<std::uint32_t>(k);
-      find_visible(edge, 1, below);
-      find_visible(edge, -1, above);
+      find_visible(edge, met.local(), visible);
       const auto whole = [](const std::vector<Stretch>& v) {
         return v.size() == 1 && v.front().from <= 0.0 && v.front().to >= 1.0;
       };
@@ -246,19 +241,20 @@ void ProjectedPart::leave_out_hidden_edges() {
       for (const Stretch& stretch : above) found[task].push_back({edge, {false, true}, stretch});
     }
   });
+  progress.report("finding contour edges", 1.0);
   const std::vector<ContourEdge> edges = std::move(contour_);
   const std::vector<ContourExtent> extents = std::move(contour_extents_);
   contour_.clear();
   contour_extents_.clear();
-  for (const std::vector<Visible>& some : found) {
-    for (const Visible& visible : some) {
-      ContourEdge edge = edges[visible.edge];
-      ContourExtent extent = extents[visible.edge];
-      if (!visible.senses[0]) extent.for_below = 0;
-      if (!visible.senses[1]) extent.for_above = 0;
-      if (visible.stretch.from > 0.0 || visible.stretch.to < 1.0) {
-        const double share = visible.stretch.to - visible.stretch.from;
-        edge.start += visible.stretch.from * edge.along;
+  for (const std::vector<Found>& some : found) {
+    for (const Found& one : some) {
+      ContourEdge edge = edges[one.edge];
+      ContourExtent extent = extents[one.edge];
+      if (!one.senses[0]) extent.for_below = 0;
+      if (!one.senses[1]) extent.for_above = 0;
+      if (one.stretch.from > 0.0 || one.stretch.to < 1.0) {
+        const double share = one.stretch.to - one.stretch.from;
+        edge.start += one.stretch.from * edge.along;
         edge.along *= share;
         edge.per_length /= share;
         const auto [low, high] = std::minmax({edge.start.z, edge.start.z + edge.along.z});
@@ -272,69 +268,81 @@ void ProjectedPart::leave_out_hidden_edges() {
 }
 
 /// Cuts the edge where contour edges beyond it cross it, and asks for each stretch once.
-void ProjectedPart::find_visible(std::uint32_t number, Sense sense, std::vector<Stretch>& visible) const {
-  visible.clear();
+void ProjectedPart::find_visible(std::uint32_t number, std::vector<std::uint32_t>& met,
+                                 Visible& visible) const {
   const ContourEdge& edge = contour_[number];
   const ContourExtent& extent = contour_extents_[number];
-  if ((sense > 0 ? extent.for_below : extent.for_above) == 0) return;
-  if (extent.pierces) {
-    visible.push_back({0.0, 1.0});
-    return;
-  }
-  const std::uint8_t facings = blockers(sense, false);
+  const std::array<bool, 2> asked = {extent.for_below != 0, extent.for_above != 0};
+  const std::array<std::uint8_t, 2> facings = {blockers(1, false), blockers(-1, false)};
   const glm::dvec3 end = edge.start + edge.along;
-  std::vector<double> cuts = {0.0, 1.0};
+  std::array<std::vector<double>, 2> cuts;
   const std::array<glm::dvec2, 2> footprint = {glm::dvec2(edge.start), glm::dvec2(end)};
-  contour_grid_.for_each_item(footprint, [&](std::uint32_t k) {
+  const auto add_cut = [&](std::uint32_t k) {
     const ContourExtent& other = contour_extents_[k];
-    if (k == number || ((sense > 0 ? other.for_below : other.for_above) & facings) == 0) return;
-    if (sense > 0 ? other.high < extent.low : other.low > extent.high) return;
+    const bool over = asked[0] && (other.for_below & facings[0]) != 0 && other.high >= extent.low &&
+                      cuts[0].size() <= k_most_cuts;
+    const bool under = asked[1] && (other.for_above & facings[1]) != 0 && other.low <= extent.high &&
+                       cuts[1].size() <= k_most_cuts;
+    if (!(over || under) || k == number || met[k] == number) return;
+    met[k] = number;
     const ContourEdge& beyond = contour_[k];
     const double from = glm::dot(beyond.across, glm::dvec2(edge.start - beyond.start));
     const double to = glm::dot(beyond.across, glm::dvec2(end - beyond.start));
-    if (std::min(from, to) > k_clip_slack || std::max(from, to) < -k_clip_slack) return;
-    if (std::abs(from - to) < k_narrowest) return;
+    if ((from > 0.0) == (to > 0.0) || std::abs(from - to) < k_narrowest) return;
     const double at = from / (from - to);
+    if (at <= 0.0 || at >= 1.0) return;
     const glm::dvec3 place = edge.start + at * edge.along - beyond.start;
     const double along = place.x * beyond.across.y - place.y * beyond.across.x;
     if (along < -k_clip_slack || along * beyond.per_length > 1.0 + k_clip_slack * beyond.per_length) return;
-    if (sense * (along * beyond.per_length * beyond.along.z - place.z) < -k_plane_margin) return;
-    if (at > 0.0 && at < 1.0) cuts.push_back(at);
-  });
-  if (cuts.size() > k_most_cuts) {
-    visible.push_back({0.0, 1.0});
-    return;
-  }
-  std::sort(cuts.begin(), cuts.end());
+    const double height = along * beyond.per_length * beyond.along.z - place.z;
+    if (over && height >= -k_plane_margin) cuts[0].push_back(at);
+    if (under && height <= k_plane_margin) cuts[1].push_back(at);
+  };
+  if (!extent.pierces) contour_grid_.for_each_item(footprint, add_cut);
   const double shortest = k_clip_slack * edge.per_length;
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    if (cuts[k + 1] - cuts[k] < shortest) continue;
-    const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
-    if (blocked({.point = edge.start + middle * edge.along, .sense = sense, .clearly = true})) continue;
-    // A little longer, so that stretches that meet leave nothing between them.
-    const Stretch stretch{cuts[k] - shortest, cuts[k + 1] + shortest};
-    if (!visible.empty() && visible.back().to >= stretch.from) {
-      visible.back().to = stretch.to;
-    } else {
-      visible.push_back(stretch);
+  for (const std::size_t side : {0U, 1U}) {
+    std::vector<double>& places = cuts[side];
+    visible[side].clear();
+    if (!asked[side]) continue;
+    if (extent.pierces || places.size() > k_most_cuts) {
+      visible[side].push_back({0.0, 1.0});
+      continue;
+    }
+    places.insert(places.end(), {0.0, 1.0});
+    std::sort(places.begin(), places.end());
+    FacetIndex last = k_no_facet;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      if (places[k + 1] - places[k] < shortest) continue;
+      const glm::dvec3 middle = edge.start + 0.5 * (places[k] + places[k + 1]) * edge.along;
+      if (blocked({.point = middle, .sense = side == 0 ? 1 : -1, .clearly = true}, last)) continue;
+      // A little longer, so that stretches that meet leave nothing between them.
+      const Stretch stretch{places[k] - shortest, places[k + 1] + shortest};
+      if (!visible[side].empty() && visible[side].back().to >= stretch.from) {
+        visible[side].back().to = stretch.to;
+      } else {
+        visible[side].push_back(stretch);
+      }
     }
   }
 }
 
-bool ProjectedPart::blocked(const Ray& ray) const {
+bool ProjectedPart::blocked(const Ray& ray, FacetIndex& last) const {
   const std::uint8_t facings = blockers(ray.sense, ray.beside);
+  const glm::vec3 at(ray.point);
+  const auto hides = [&](FacetIndex facet) {
+    const Extent& extent = extents_[facet];
+    return (ray.sense > 0 ? extent.high.z >= at.z : extent.low.z <= at.z) && at.x >= extent.low.x &&
+           at.x <= extent.high.x && at.y >= extent.low.y && at.y <= extent.high.y && facet != ray.own &&
+           blocks(facet, ray);
+  };
+  if (last != k_no_facet && (extents_[last].facing & facings) != 0 && hides(last)) return true;
   for (const std::uint8_t facing : {facing::k_up, facing::k_down}) {
     if ((facings & facing) == 0) continue;
-    // The outermost come first: where one does not reach beyond the point, no other does.
-    const bool ordered = (ray.sense > 0) == (facing == facing::k_up);
-    for (const std::uint32_t facet :
+    for (const FacetIndex facet :
          facet_grids_[facing == facing::k_up ? 0 : 1].items_at(glm::dvec2(ray.point))) {
-      const Extent& extent = extents_[facet];
-      if (ray.sense > 0 ? extent.high < ray.point.z : extent.low > ray.point.z) {
-        if (ordered) break;
-        continue;
-      }
-      if (facet != ray.own && blocks(facet, ray)) return true;
+      if (!hides(facet)) continue;
+      last = facet;
+      return true;
     }
   }
   return false;

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/progress.hpp"
 #include "mold/exact/exact_part.hpp"
 #include "mold/exact/projection_grid.hpp"
 #include "mold/map_frame.hpp"
@@ -35,7 +36,8 @@ struct ContourEdge {
 /// Coordinates are those of the unit frame, turned so that z is the direction. The part must outlive it.
 class ProjectedPart {
  public:
-  ProjectedPart(const ExactPart& part, const glm::dvec3& direction);
+  /// Throws Cancelled.
+  ProjectedPart(const ExactPart& part, const glm::dvec3& direction, const Progress& progress);
 
   [[nodiscard]] const ExactPart& part() const { return *part_; }
   [[nodiscard]] const MapFrame& frame() const { return frame_; }
@@ -45,7 +47,7 @@ class ProjectedPart {
   }
   /// What is asked of a facet most often.
   struct Extent {
-    float low, high;      // least and greatest z, a little generously
+    glm::vec3 low, high;  // a little generously
     std::uint8_t facing;  // 0 for a facet that is seen edge-on
   };
   [[nodiscard]] const Extent& extent(FacetIndex facet) const { return extents_[facet]; }
@@ -78,20 +80,22 @@ class ProjectedPart {
     FacetIndex own = k_no_facet;  // the facet that the point lies on
     bool clearly = false;         // only what lies beyond it beyond doubt
   };
-  /// True if a blocker lies beyond the point.
-  [[nodiscard]] bool blocked(const Ray& ray) const;
+  /// True if a blocker lies beyond the point. `last`, the one that was found last (or k_no_facet), is asked
+  /// first: what hides a point often hides the next one.
+  [[nodiscard]] bool blocked(const Ray& ray, FacetIndex& last) const;
 
  private:
   void find_contour();
   void fill_contour_grid();
   void fill_facet_grid(std::uint8_t facing);
   void leave_out_covered_edges();
-  void leave_out_hidden_edges();
+  void leave_out_hidden_edges(const Progress& progress);
   struct Stretch {
     double from, to;  // shares of an edge's length
   };
   [[nodiscard]] bool blocks(FacetIndex facet, const Ray& ray) const;
-  void find_visible(std::uint32_t edge, Sense sense, std::vector<Stretch>& visible) const;
+  using Visible = std::array<std::vector<Stretch>, 2>;  // for surface below, above
+  void find_visible(std::uint32_t edge, std::vector<std::uint32_t>& met, Visible& visible) const;
 
   const ExactPart* part_;
   MapFrame frame_;
@@ -101,7 +105,7 @@ class ProjectedPart {
   std::vector<ContourExtent> contour_extents_;
   ProjectionGrid::Box box_;
   ProjectionGrid contour_grid_;
-  std::array<ProjectionGrid, 2> facet_grids_;  // cells list the outermost facets first
+  std::array<ProjectionGrid, 2> facet_grids_;
 };
 
 }  // namespace moldlight

@@ -38,6 +38,7 @@ class ProjectionGrid {
   static constexpr std::uint32_t k_none = ~0U;
   static constexpr std::size_t k_many = 64;        // items of a cell that gets a grid of its own
   static constexpr std::size_t k_most_growth = 8;  // of the number of entries, by such a grid
+  static constexpr std::size_t k_least_cells = 4;  // of such a grid
   static constexpr int k_most_levels = 4;          // of grids in grids
 
   void reset(const Box& box, double cells);
@@ -199,18 +200,17 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
   for (std::size_t cell = 0; cell < cells; ++cell) {
     const auto in_cell = items_between(cell, cell);
     if (in_cell.size() <= k_many) continue;
-    if (nested_of_cell_.empty()) nested_of_cell_.assign(cells, k_none);
-    nested_of_cell_[cell] = static_cast<std::uint32_t>(nested_.size());
     const glm::dvec2 corner(static_cast<double>(cell % columns_), static_cast<double>(cell / columns_));
     const glm::dvec2 low = box_.low + corner / per_cell_;
-    ProjectionGrid& nested = nested_.emplace_back();
+    ProjectionGrid nested;
     nested.shape({low, low + 1.0 / per_cell_}, in_cell.size(), mean_extent(in_cell, corners));
-    nested.fill_level(in_cell, corners, level + 1);
     // Items as large as the cell are no fewer in a part of it.
-    if (nested.items_.size() > k_most_growth * in_cell.size()) {
-      nested_.pop_back();
-      nested_of_cell_[cell] = k_none;
-    }
+    if (nested.columns_ * nested.rows_ < k_least_cells) continue;
+    nested.fill_level(in_cell, corners, level + 1);
+    if (nested.items_.size() > k_most_growth * in_cell.size()) continue;
+    if (nested_of_cell_.empty()) nested_of_cell_.assign(cells, k_none);
+    nested_of_cell_[cell] = static_cast<std::uint32_t>(nested_.size());
+    nested_.push_back(std::move(nested));
   }
 }
 

@@ -19,6 +19,25 @@ constexpr double k_same_point = 1e-11;
 constexpr double k_straight_rad = 1e-7;
 constexpr std::size_t k_grain = 1024;  // facets a task
 
+/// Slivers of two cells that points which became one have folded onto each other: the same corners, wound in
+/// opposite ways.
+void leave_out_folds(std::vector<SplitPiece>& pieces, std::size_t first) {
+  std::vector<std::array<VertexIndex, 3>> corners;
+  for (std::size_t k = first; k < pieces.size(); ++k) {
+    corners.push_back(pieces[k].corners);
+    std::ranges::sort(corners.back());
+  }
+  std::vector<std::array<VertexIndex, 3>> sorted = corners;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) == sorted.end()) return;
+  std::size_t kept = first;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), corners[k]);
+    if (end - begin == 1) pieces[kept++] = pieces[first + k];
+  }
+  pieces.resize(kept);
+}
+
 }  // namespace
 
 SplitAssembly::SplitAssembly(const ExactPart& part)
@@ -90,7 +109,28 @@ SplitMesh SplitAssembly::finish(const Progress& progress) {
   for (const auto& part : parts) count += part.size();
   mesh_.pieces.reserve(count);
   for (const auto& part : parts) mesh_.pieces.insert(mesh_.pieces.end(), part.begin(), part.end());
+  leave_out_unused_vertices();
   return std::move(mesh_);
+}
+
+/// Those that only folds had; the part's own stay.
+void SplitAssembly::leave_out_unused_vertices() {
+  const std::size_t own = part_.mesh().vertices.size();
+  std::vector<VertexIndex> number(mesh_.vertices.size(), 0);
+  std::fill_n(number.begin(), own, 1);
+  for (const SplitPiece& piece : mesh_.pieces) {
+    for (const VertexIndex corner : piece.corners) number[corner] = 1;
+  }
+  if (std::ranges::find(number, 0U) == number.end()) return;
+  VertexIndex kept = 0;
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    if (number[k] != 0) mesh_.vertices[kept] = mesh_.vertices[k];
+    number[k] = std::exchange(kept, kept + number[k]);
+  }
+  mesh_.vertices.resize(kept);
+  for (SplitPiece& piece : mesh_.pieces) {
+    for (VertexIndex& corner : piece.corners) corner = number[corner];
+  }
 }
 
 void SplitAssembly::join_side_points() {
@@ -218,12 +258,14 @@ void SplitAssembly::append_pieces(FacetIndex facet, std::vector<SplitPiece>& pie
   const std::uint32_t number = split_of_facet_[facet];
   if (number != k_none) {
     const SplitFacet& split = split_[number];
+    const std::size_t first = pieces.size();
     for (const FacetCells::Cell& cell : split.cells) {
       polygon.clear();
       append_outline(facet, std::span(split.outlines).subspan(cell.begin, cell.end - cell.begin), &split,
                      polygon);
       triangulate(polygon, {.corners = {}, .facet = facet, .region = cell.region}, pieces);
     }
+    leave_out_folds(pieces, first);
     return;
   }
   const SplitPiece whole{.corners = part_.mesh().facets[facet], .facet = facet, .region = regions_[facet]};

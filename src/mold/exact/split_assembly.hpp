@@ -51,6 +51,7 @@ class SplitAssembly {
                      std::vector<VertexIndex>& polygon) const;
   void triangulate(std::vector<VertexIndex>& polygon, const SplitPiece& like,
                    std::vector<SplitPiece>& pieces) const;
+  void leave_out_unused_vertices();
   [[nodiscard]] bool is_corner(const std::vector<VertexIndex>& polygon, std::size_t k) const;
   [[nodiscard]] std::size_t vertices_on(std::uint32_t edge) const;
 

@@ -58,6 +58,13 @@ std::vector<BorderEdge> border_edges(const SplitMesh& mesh) {
 
 }  // namespace
 
+TriangleMesh piece_mesh(const SplitMesh& split) {
+  TriangleMesh mesh{.vertices = split.vertices, .facets = {}};
+  mesh.facets.reserve(split.pieces.size());
+  for (const SplitPiece& piece : split.pieces) mesh.facets.push_back(piece.corners);
+  return mesh;
+}
+
 std::vector<RegionBorder> region_borders(const SplitMesh& mesh) {
   std::vector<BorderEdge> edges = border_edges(mesh);
   const auto key = [](const BorderEdge& edge) {

@@ -25,6 +25,8 @@ struct SplitMesh {
   std::vector<glm::dvec3> vertices;
   std::vector<SplitPiece> pieces;
 };
+/// The pieces as a mesh of their own: facet k is piece k.
+[[nodiscard]] TriangleMesh piece_mesh(const SplitMesh& split);
 
 /// A line between two regions, as far as it has the same two on its sides.
 struct RegionBorder {

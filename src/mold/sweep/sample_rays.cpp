@@ -15,10 +15,11 @@ void SampleRays::begin(const AccessibilityQuery& query) {
   for (Queue* queue : {&up_, &down_, &beside_}) queue->clear();
 }
 
-void SampleRays::add(const glm::vec3& position, const glm::dvec3& normal, FacetClass facet_class,
-                     double facing) {
+void SampleRays::add(std::size_t number, const glm::vec3& position, const glm::dvec3& normal,
+                     FacetClass facet_class, double facing) {
   const bool beside = facet_class == FacetClass::near_vertical;
   Queue& queue = beside ? beside_ : facet_class == FacetClass::up ? up_ : down_;
+  queue.numbers.push_back(number);
   queue.origins.push_back(beside ? lateral_point(position, normal, query_)
                                  : position + k_start_above * glm::vec3(normal));
   queue.facing.push_back(static_cast<float>(facing));

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double k_basin_separation_deg = 3.0;  // starts are at least so far apart
 constexpr double k_same_basin_deg = 1.0;        // basins nearer than this have met
-constexpr double k_last_step_deg = 0.05;
+constexpr double k_first_step_deg = 2.0, k_last_step_deg = 0.5;
 constexpr int k_probes = 6;  // directions around a basin's best in every round
 constexpr int k_most_rounds = 60;
-constexpr double k_usual_rounds = 12.0;  // of most searches, for the progress alone
+constexpr double k_usual_rounds = 10.0;  // of most searches, for the progress alone
 
 struct Basin {
   glm::dvec3 best;
@@ -27,8 +27,8 @@ struct Basin {
   std::size_t origin = 0;  // contender
 };
 
-std::vector<Basin> basins_to_refine(const BasinSearch& search, std::span<const Contender> contenders,
-                                    std::span<const std::size_t> order, std::size_t most) {
+std::vector<Basin> basins_to_refine(std::span<const Contender> contenders, std::span<const std::size_t> order,
+                                    std::size_t most) {
   std::vector<Basin> basins;
   for (const std::size_t i : order) {
     if (basins.size() >= most) break;
@@ -38,9 +38,9 @@ std::vector<Basin> basins_to_refine(const BasinSearch& search, std::span<const C
     });
     if (!apart) continue;
     basins.push_back({.best = start.candidate.direction,
-                      .score = start.score,
-                      .value = search.judge.value(start.figures),
-                      .step_deg = search.first_step_deg,
+                      .score = {},
+                      .value = 0.0,
+                      .step_deg = k_first_step_deg,
                       .origin = i});
   }
   return basins;
@@ -69,7 +69,7 @@ Probes probes_of_round(const BasinSearch& search, std::span<const Basin> basins,
     const double limit = search.judge.by_undercut_alone() ? basins[b].score.undercut()
                                                           : std::numeric_limits<double>::infinity();
     for (const glm::dvec3& probe : ring_around(basins[b].best, basins[b].step_deg, k_probes, phase_deg)) {
-      probes.tasks.push_back({probe, limit});
+      probes.tasks.push_back({probe, limit, &basins[b].score});
       probes.basin.push_back(b);
     }
   }
@@ -91,13 +91,22 @@ bool adds_nothing(const BasinSearch& search, const Basin& basin, std::span<const
 
 std::vector<Contender> refine_basins(const BasinSearch& search, std::span<const Contender> contenders,
                                      std::span<const std::size_t> order, std::size_t most) {
-  std::vector<Basin> basins = basins_to_refine(search, contenders, order, most);
+  std::vector<Basin> basins = basins_to_refine(contenders, order, most);
   const auto stopped = [&] { return search.watch.stopped(); };
+  std::vector<ScoringTask> starts;
+  for (const Basin& basin : basins) starts.push_back({.direction = basin.best});
+  const auto own = search.rays.score(starts, stopped, {});
+  for (std::size_t b = 0; b < basins.size(); ++b) {
+    if (!own[b]) return {};
+    basins[b].score = *own[b];
+    basins[b].value =
+        search.judge.value(search.judge.scored(contenders[basins[b].origin].candidate, *own[b]));
+  }
   for (int round = 0; round < k_most_rounds && !stopped(); ++round) {
     const Probes probes = probes_of_round(search, basins, round);
     if (probes.tasks.empty()) break;
     search.watch.report(sweep_stage::k_refining, std::min(1.0, round / k_usual_rounds));
-    const auto scores = search.pool.score(probes.tasks, stopped, {});
+    const auto scores = search.rays.score(probes.tasks, stopped, {});
     std::vector<bool> improved(basins.size(), false);
     for (std::size_t i = 0; i < scores.size(); ++i) {
       if (!scores[i]) continue;
@@ -127,7 +136,7 @@ std::vector<Contender> refine_basins(const BasinSearch& search, std::span<const 
                                            line_angle_deg(basin.best, origin.direction)),
                                0.0});
     const DirectionFigures figures = search.judge.scored(refined, basin.score);
-    found.push_back({std::move(refined), basin.score, figures});
+    found.push_back({std::move(refined), basin.score, figures, {}});
   }
   return found;
 }

@@ -15,17 +15,15 @@ namespace moldlight {
 
 struct BasinSearch {
   const DirectionJudge& judge;
-  ScoringPool& pool;
+  ScoringPool& rays;
   const SweepWatch& watch;
   /// Told of every direction tried, in an order that does not depend on the number of threads.
   std::function<void(const EvaluatedDirection&)> evaluated;
-  double first_step_deg = 2.0;
 };
 
 /// Starts at the best contenders in `order` (at most `most`, well apart from each other) and tries six
-/// directions around the best of each, in steps that are halved from the first down to 0.05 degrees.
-/// The contenders' scores must be of the search's pool. Gives what is better than,
-/// or away from, every contender there was; basins that meet go on as one.
+/// directions around the best of each, in steps that are halved from 2 degrees down to a half. Gives what
+/// is better than, or away from, every contender there was; basins that meet go on as one.
 [[nodiscard]] std::vector<Contender> refine_basins(const BasinSearch& search,
                                                    std::span<const Contender> contenders,
                                                    std::span<const std::size_t> order, std::size_t most);

@@ -42,11 +42,6 @@ BatchScorer::~BatchScorer() {
   context_->release_current();
 }
 
-DirectionScore BatchScorer::score(const glm::dvec3& direction) {
-  const ScoringTask task{.direction = direction};
-  return score_all({&task, 1}).front();
-}
-
 void BatchScorer::make_room(std::size_t directions) {
   if (gl_->maps && static_cast<std::size_t>(gl_->maps->capacity()) >= directions) return;
   const auto capacity = static_cast<int>(directions);
@@ -56,25 +51,20 @@ void BatchScorer::make_room(std::size_t directions) {
   gl_->counting.emplace(context_->functions(), part_.samples.samples, capacity);
 }
 
-BatchScorer::Begun BatchScorer::begin(const glm::dvec3& direction, int place) {
+SampleCounts BatchScorer::begin(const glm::dvec3& direction, int place) {
   const FacetGeometry& geometry = part_.model->geometry;
   const MapFrame frame = map_frame(direction);
   const double sine_of_tau = std::sin(glm::radians(settings_.tau_deg));
   const double steep_sine = std::max(sine_of_tau, std::sin(glm::radians(k_steep_deg)));
-  Begun begun;
   for (std::size_t facet = 0; facet < classes_.size(); ++facet) {
     const double sine = glm::dot(geometry.normals[facet], frame.z);
     const FacetClass own = facet_class(sine, sine_of_tau);
-    // What near-vertical facets hide of the projection need not be undercut: they are tested beside
-    // themselves.
-    if (own != FacetClass::near_vertical) begun.projected += geometry.areas[facet] * std::abs(sine);
     const bool left_out = own == FacetClass::near_vertical || std::abs(sine) < steep_sine;
     classes_[facet] =
         static_cast<std::uint8_t>(static_cast<std::uint8_t>(own) | (left_out ? MapBatch::k_left_out : 0));
   }
   gl_->maps->draw(place, frame, classes_);
-  begun.steep = ask_rays(frame.z);
-  return begun;
+  return ask_rays(frame.z);
 }
 
 SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
@@ -84,43 +74,35 @@ SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
     const std::uint8_t marked = classes_[sample.facet];
     if ((marked & MapBatch::k_left_out) == 0) continue;
     const glm::dvec3& normal = model.geometry.normals[sample.facet];
-    sample_rays_.add(sample.position, normal, static_cast<FacetClass>(marked & ~MapBatch::k_left_out),
+    sample_rays_.add(0, sample.position, normal, static_cast<FacetClass>(marked & ~MapBatch::k_left_out),
                      glm::dot(normal, direction));
   }
   sample_rays_.ask(model.rays());
   SampleCounts counts;
-  std::array<std::uint32_t, k_region_count> stratum{};
-  std::uint32_t seen = 0;
-  sample_rays_.for_each([&](bool plus, bool minus, float) {
-    ++stratum[static_cast<std::size_t>(region_of(plus, minus))];
-    if (++seen % SampleCounts::k_stratum != 0) return;
-    counts.add_stratum(stratum);
-    stratum = {};
+  sample_rays_.for_each([&](std::size_t, bool plus, bool minus, float) {
+    ++counts.regions[static_cast<std::size_t>(region_of(plus, minus))];
   });
-  counts.add_stratum(stratum);
   return counts;
 }
 
-std::vector<DirectionScore> BatchScorer::score_all(std::span<const ScoringTask> tasks) {
+std::vector<DirectionScore> BatchScorer::score(std::span<const ScoringTask> tasks) {
   if (tasks.empty()) return {};
   CHECK(tasks.size() <= batch_size_);
   make_room(tasks.size());
-  std::vector<Begun> begun;
+  std::vector<SampleCounts> steep;
   for (const ScoringTask& task : tasks)
-    begun.push_back(begin(task.direction, static_cast<int>(begun.size())));
+    steep.push_back(begin(task.direction, static_cast<int>(steep.size())));
 
   const double total_area = part_.model->geometry.total_area;
   const double square = part_.model->frame.diagonal * part_.model->frame.diagonal;
-  const double shadow_error = shadow_error_share(settings_.map.resolution) * total_area;
   std::vector<DirectionScore> scores;
   for (SampleCounts counts : gl_->counting->run(*gl_->maps, static_cast<int>(tasks.size()))) {
     const std::size_t i = scores.size();
-    counts.add(begun[i].steep);
+    counts.add(steep[i]);
     DirectionScore& score = scores.emplace_back();
     score.areas = counts.areas(total_area);
-    score.undercut_error = counts.undercut_error(total_area);
+    score.undercut_error = 2.0 * counts.undercut(total_area).error;
     score.shadow_area = gl_->maps->shadow(static_cast<int>(i)) * square;
-    score.undercut_bound = std::max(0.0, begun[i].projected - 2.0 * score.shadow_area - shadow_error);
   }
   return scores;
 }

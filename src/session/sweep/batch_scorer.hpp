@@ -37,9 +37,8 @@ class BatchScorer : public DirectionScorer {
   BatchScorer(BatchScorerPart part, const BatchScorerSettings& settings);
   ~BatchScorer() override;
 
-  [[nodiscard]] DirectionScore score(const glm::dvec3& direction) override;
   [[nodiscard]] std::size_t batch_size() const override { return batch_size_; }
-  [[nodiscard]] std::vector<DirectionScore> score_all(std::span<const ScoringTask> tasks) override;
+  [[nodiscard]] std::vector<DirectionScore> score(std::span<const ScoringTask> tasks) override;
 
  private:
   /// What lives in the context and goes before it does.
@@ -49,12 +48,8 @@ class BatchScorer : public DirectionScorer {
     std::optional<SampleCounting> counting;
   };
   void make_room(std::size_t directions);
-  /// What a direction's score is made of on this side of the GL.
-  struct Begun {
-    double projected = 0.0;  // area of up and down facets, projected along the direction
-    SampleCounts steep;      // samples on facets that the GL leaves out
-  };
-  [[nodiscard]] Begun begin(const glm::dvec3& direction, int place);
+  /// Draws a direction's maps, and counts the samples on facets that the GL leaves out.
+  [[nodiscard]] SampleCounts begin(const glm::dvec3& direction, int place);
   [[nodiscard]] SampleCounts ask_rays(const glm::dvec3& direction);
 
   BatchScorerPart part_;

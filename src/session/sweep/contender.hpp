@@ -1,9 +1,12 @@
 // A direction on its way through the sweep.
 #pragma once
 
+#include <memory>
+
 #include "mold/candidates/candidate.hpp"
 #include "mold/sweep/direction_scorer.hpp"
 #include "mold/sweep/ranking.hpp"
+#include "session/sweep/direction_measurer.hpp"
 #include "session/sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -11,7 +14,8 @@ namespace moldlight {
 struct Contender {
   Candidate candidate;
   DirectionScore score;
-  DirectionFigures figures;
+  DirectionFigures figures;                           // as measured, or by the score before
+  std::shared_ptr<const MeasuredDirection> measured;  // none before
 
   [[nodiscard]] bool from_user() const { return candidate.sources.front().kind == CandidateKind::user; }
 };

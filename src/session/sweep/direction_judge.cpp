@@ -76,15 +76,17 @@ DirectionFigures DirectionJudge::scored(const Candidate& candidate, const Direct
   return figures;
 }
 
-DirectionFigures DirectionJudge::classified(const SweepCandidate& candidate) const {
+DirectionFigures DirectionJudge::measured(const Candidate& candidate,
+                                          const MeasuredDirection& measured) const {
+  const Classification& classification = measured.classification;
   DirectionFigures figures;
-  figures[Criterion::undercut] = candidate.classification.areas[Region::undercut];
-  figures[Criterion::patches] = static_cast<double>(candidate.patches);
-  figures[Criterion::draw_depth] = candidate.draw_depth;
-  figures[Criterion::projected_area] = candidate.projected_area;
-  figures[Criterion::undraughted_area] = candidate.undraughted_area;
-  figures.undercut_uncertainty = candidate.classification.uncertainty.total();
-  figures.exact = is_exact(candidate.candidate);
+  figures[Criterion::undercut] = classification.areas[Region::undercut];
+  figures[Criterion::patches] = static_cast<double>(measured.patches);
+  figures[Criterion::draw_depth] = draw_depth(classification.direction);
+  figures[Criterion::projected_area] = classification.shadow_area;
+  figures[Criterion::undraughted_area] = classification.near_vertical_area;
+  figures.undercut_uncertainty = classification.uncertainty.rounding;
+  figures.exact = is_exact(candidate);
   return figures;
 }
 

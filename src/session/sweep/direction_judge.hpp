@@ -7,6 +7,7 @@
 #include "mold/sweep/direction_scorer.hpp"
 #include "mold/sweep/ranking.hpp"
 #include "session/part_model.hpp"
+#include "session/sweep/direction_measurer.hpp"
 #include "session/sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -18,8 +19,9 @@ class DirectionJudge {
 
   /// Figures by a score; patches are not known yet and count as none.
   [[nodiscard]] DirectionFigures scored(const Candidate& candidate, const DirectionScore& score) const;
-  /// Figures by a classification.
-  [[nodiscard]] DirectionFigures classified(const SweepCandidate& candidate) const;
+  /// Figures as measured. What a faulty mesh leaves in doubt makes no ties: it is about the same for all.
+  [[nodiscard]] DirectionFigures measured(const Candidate& candidate,
+                                          const MeasuredDirection& measured) const;
 
   [[nodiscard]] double value(const DirectionFigures& figures) const {
     return objective_value(objective_, figures, measure_);

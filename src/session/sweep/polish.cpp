@@ -1,139 +1,183 @@
 #include "session/sweep/polish.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <optional>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "mold/sweep/sphere_search.hpp"
-#include "session/sweep/basin_search.hpp"
 
 namespace moldlight {
 
 namespace {
 
-// Of the part's area: what is worse than the best by more is not polished.
-constexpr double k_polished_share = 0.003;
-constexpr double k_ring_deg = 0.8, k_step_deg = 0.4;
-constexpr int k_rings = 3;
-constexpr std::size_t k_most_polished = 3, k_most_told_apart = 7;
-// Samples of the coarse pool over the first scoring's, and of the fine one over those.
-constexpr int k_fine_factor = 4;
-
-/// What is said of a direction that a polished one started from.
-CandidateSource polished_source(const Candidate& start, const glm::dvec3& direction) {
-  const CandidateSource& source = start.sources.front();
-  if (source.kind == CandidateKind::refined) return source;
-  return {CandidateKind::refined,
-          fmt::format("downhill from {}, {:.2f}° away", source.reason,
-                      line_angle_deg(start.direction, direction)),
-          0.0};
-}
-
-/// The direction itself, and others evenly around it.
-std::vector<glm::dvec3> directions_around(const glm::dvec3& direction) {
-  std::vector<glm::dvec3> around = {direction};
-  for (int ring = 1; ring <= k_rings; ++ring) {
-    for (const glm::dvec3& probe : ring_around(direction, ring * k_ring_deg, 6 * ring, 0.0)) {
-      around.push_back(half_sphere(probe));
-    }
-  }
-  return around;
-}
-
-/// Contenders with the sources of `like`; empty if stopped.
-std::vector<Contender> scored_by(const Polishing& polishing, ScoringPool& pool, const Candidate& like,
-                                 const std::vector<glm::dvec3>& directions) {
-  std::vector<ScoringTask> tasks;
-  for (const glm::dvec3& direction : directions) tasks.push_back({.direction = direction});
-  const auto scores = pool.score(tasks, [&] { return polishing.watch.stopped(); }, {});
-  std::vector<Contender> scored;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (!scores[k]) return {};
-    const Candidate candidate{.direction = directions[k], .sources = like.sources};
-    scored.push_back({candidate, *scores[k], polishing.judge.scored(candidate, *scores[k])});
-  }
-  return scored;
-}
-
-/// What was found by search and may be the best. Features of the part stay what they are.
-std::vector<std::size_t> contenders_to_polish(const Polishing& polishing,
-                                              std::span<const Contender> contenders,
-                                              std::span<const std::size_t> order) {
-  const DirectionJudge& judge = polishing.judge;
-  const double limit = judge.value(contenders[order.front()].figures) +
-                       judge.value_of_undercut(k_polished_share * polishing.total_area);
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : order) {
-    const Contender& contender = contenders[i];
-    if (contender.figures.exact || judge.value(contender.figures) > limit) continue;
-    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
-      return line_angle_deg(contenders[other].candidate.direction, contender.candidate.direction) >
-             polishing.settings.apart_deg;
-    });
-    if (apart && chosen.size() < k_most_polished) chosen.push_back(i);
-  }
-  return chosen;
-}
-
-/// Pools of the same samples for all directions, of few and of many.
-struct PolishingPools {
-  std::unique_ptr<ScoringPool> coarse, fine;
+// The wide rings mostly cost rays, the narrow ones exact figures.
+struct Ring {
+  double deg;
+  int probes;
 };
+constexpr std::array k_rings = {Ring{2.4, 12}, Ring{1.2, 12}, Ring{0.6, 12},
+                                Ring{0.3, 6},  Ring{0.15, 6}, Ring{0.07, 6}};
+constexpr int k_most_rounds = 20;
+constexpr double k_first_step_deg = 0.025, k_last_step_deg = 5e-5, k_step_ratio = 0.25;
+constexpr int k_step_probes = 6;
+constexpr double k_least_across = 0.02;        // of the part's area: planes that fix the direction
+constexpr double k_gain = 1e-9;                // of the objective; less is rounding
+constexpr double k_across_cosine = 0.9999995;  // within 0.06 degrees
+constexpr double k_same_direction_deg = 0.1;
+/// Of the part's area: for less undercut than this a direction of a feature is not left.
+constexpr double k_feature_share = 2e-5;
+constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
-/// The best direction around the start and downhill of it, the start itself where none is better; empty if
-/// stopped.
-std::optional<glm::dvec3> best_around(const Polishing& polishing, const PolishingPools& pools,
-                                      const Candidate& start) {
-  const auto better = [&](const Contender& a, const Contender& b) {
-    return polishing.judge.value(a.figures) < polishing.judge.value(b.figures);
+class Descent {
+ public:
+  Descent(const Polishing& polishing, const Contender& start) : polishing_(polishing), best_(start) {}
+
+  Contender run() {
+    // Measured and scored once more, since neither undercut facets nor scores of the engine are of use here.
+    const std::array own{ScoringTask{.direction = best_.candidate.direction}};
+    const auto scores = polishing_.rays.score(own, {}, {});
+    const auto measured = measure(own);
+    if (!measured.front()) return best_;
+    best_.score = *scores.front();
+    undercut_facets_ = measured.front()->undercut_facets;
+    const PlanesAcross planes = planes_across();
+    try_directions({planes.mean});
+    bool moved = true;
+    for (int round = 0; moved && round < k_most_rounds; ++round) {
+      moved = false;
+      for (const Ring& ring : k_rings) moved |= try_ring(ring.deg, ring.probes, round % 2 != 0);
+    }
+    // The surface of undercut areas is creased: a turned ring finds the way out of a crease that the first
+    // one missed.
+    const double last_step_deg =
+        planes.share > k_least_across ? k_first_step_deg * k_step_ratio : k_last_step_deg;
+    bool turned = false;
+    for (double step_deg = k_first_step_deg; step_deg > last_step_deg; turned = !turned) {
+      if (!try_ring(step_deg, k_step_probes, turned)) step_deg *= k_step_ratio;
+    }
+    return best_;
+  }
+
+ private:
+  [[nodiscard]] bool is_free() const {
+    return polishing_.judge.by_undercut_alone() && best_.figures[Criterion::undercut] <= 0.0;
+  }
+
+  bool try_ring(double angle_deg, int probes, bool turned) {
+    return try_directions(
+        ring_around(best_.candidate.direction, angle_deg, probes, turned ? 180.0 / probes : 0.0));
+  }
+
+  /// Goes to the best of them if it is better than what there is.
+  bool try_directions(const std::vector<glm::dvec3>& directions) {
+    if (is_free() || polishing_.watch.stopped()) return false;
+    std::vector<Probe> probes = not_surely_worse(directions);
+    std::vector<ScoringTask> tasks;
+    const double limit =
+        polishing_.judge.by_undercut_alone() ? best_.figures[Criterion::undercut] : k_no_limit;
+    for (const Probe& probe : probes) tasks.push_back({probe.direction, limit});
+    const auto measured = measure(tasks);
+    bool moved = false;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      if (!measured[k]) continue;
+      Contender found{.candidate = {probes[k].direction, best_.candidate.sources},
+                      .score = probes[k].score,
+                      .figures = polishing_.judge.measured(best_.candidate, *measured[k]),
+                      .measured = {}};
+      DirectionScore exact;
+      exact.areas = measured[k]->classification.areas;
+      exact.undercut_error = measured[k]->classification.uncertainty.rounding;
+      tell(found.candidate.direction, exact);
+      if (polishing_.judge.value(found.figures) >= polishing_.judge.value(best_.figures) - k_gain) continue;
+      undercut_facets_ = measured[k]->undercut_facets;
+      found.measured = std::make_shared<const MeasuredDirection>(*measured[k]);
+      best_ = std::move(found);
+      moved = true;
+    }
+    return moved;
+  }
+
+  struct Probe {
+    glm::dvec3 direction;
+    DirectionScore score;
   };
-  std::vector<Contender> around =
-      scored_by(polishing, *pools.coarse, start, directions_around(start.direction));
-  if (around.empty()) return std::nullopt;
-  for (std::size_t k = 1; k < around.size(); ++k) {
-    polishing.evaluated(
-        evaluated_direction(around[k].candidate.direction, CandidateKind::refined, around[k].score));
+  /// Directions with their scores by rays; all of them where the undercut is not what counts.
+  [[nodiscard]] std::vector<Probe> not_surely_worse(const std::vector<glm::dvec3>& directions) const {
+    const double limit = polishing_.judge.by_undercut_alone() ? best_.score.undercut() : k_no_limit;
+    std::vector<ScoringTask> tasks;
+    for (const glm::dvec3& direction : directions) tasks.push_back({direction, limit, &best_.score});
+    const auto scores = polishing_.rays.score(tasks, [&] { return polishing_.watch.stopped(); }, {});
+    std::vector<Probe> kept;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      if (!scores[k]) continue;
+      if (scores[k]->given_up) {
+        tell(directions[k], *scores[k]);
+      } else {
+        kept.push_back({directions[k], *scores[k]});
+      }
+    }
+    return kept;
   }
-  std::stable_sort(around.begin() + 1, around.end(), better);
-  around.resize(std::min(around.size(), k_most_told_apart));
-  std::vector<glm::dvec3> directions;
-  for (const Contender& contender : around) directions.push_back(contender.candidate.direction);
-  const BasinSearch search{.judge = polishing.judge,
-                           .pool = *pools.coarse,
-                           .watch = polishing.watch,
-                           .evaluated = polishing.evaluated,
-                           .first_step_deg = k_step_deg};
-  const std::size_t lowest = better(around[1], around[0]) ? 1 : 0;
-  const std::vector<std::size_t> order = {0};
-  for (const Contender& found : refine_basins(search, {&around[lowest], 1}, order, 1)) {
-    directions.push_back(found.candidate.direction);
+
+  void tell(const glm::dvec3& direction, const DirectionScore& score) const {
+    polishing_.evaluated(evaluated_direction(half_sphere(direction), CandidateKind::refined, score));
   }
-  const std::vector<Contender> last = scored_by(polishing, *pools.fine, start, directions);
-  if (last.empty()) return std::nullopt;
-  return std::min_element(last.begin(), last.end(), better)->candidate.direction;
-}
+
+  [[nodiscard]] std::vector<std::optional<MeasuredDirection>> measure(
+      std::span<const ScoringTask> tasks) const {
+    return polishing_.measurer.measure(tasks, undercut_facets_, polishing_.watch.until_cancelled(),
+                                       [&] { return polishing_.watch.stopped(); });
+  }
+
+  /// The mean normal of the planes across the direction is known far better than any one axis or plane's
+  /// normal.
+  struct PlanesAcross {
+    glm::dvec3 mean;  // the direction itself where there are no planes
+    double share;     // of the part's area
+  };
+  [[nodiscard]] PlanesAcross planes_across() const {
+    const FacetGeometry& geometry = polishing_.model.geometry;
+    glm::dvec3 sum(0.0);
+    for (std::size_t facet = 0; facet < geometry.areas.size(); ++facet) {
+      const double sine = glm::dot(geometry.normals[facet], best_.candidate.direction);
+      if (std::abs(sine) > k_across_cosine)
+        sum += std::copysign(geometry.areas[facet], sine) * geometry.normals[facet];
+    }
+    const double area = glm::length(sum);
+    if (area <= 0.0) return {best_.candidate.direction, 0.0};
+    return {sum / area, area / geometry.total_area};
+  }
+
+  const Polishing& polishing_;
+  Contender best_;
+  std::vector<FacetIndex> undercut_facets_;  // of the best; likely to be undercut beside it
+};
 
 }  // namespace
 
-void polish(const Polishing& polishing, std::vector<Contender>& contenders,
-            std::span<const std::size_t> order) {
-  const std::vector<std::size_t> chosen = contenders_to_polish(polishing, contenders, order);
-  if (chosen.empty()) return;
-  const int samples = polishing.settings.scoring_samples * k_fine_factor;
-  const PolishingPools pools{.coarse = polishing.engine.make_same_samples_pool(samples),
-                             .fine = polishing.engine.make_same_samples_pool(samples * k_fine_factor)};
-  for (const std::size_t i : chosen) {
-    const Candidate start = contenders[i].candidate;
-    const std::optional<glm::dvec3> best = best_around(polishing, pools, start);
-    if (!best) return;
-    if (*best == start.direction) continue;
-    const Candidate polished{.direction = *best, .sources = {polished_source(start, *best)}};
-    const std::vector<Contender> again = scored_by(polishing, polishing.closer, polished, {*best});
-    if (again.empty()) return;
-    contenders[i] = again.front();
+std::optional<Contender> polish(const Polishing& polishing, const Contender& start) {
+  Contender best = Descent(polishing, start).run();
+  const double angle_deg = line_angle_deg(start.candidate.direction, best.candidate.direction);
+  if (angle_deg == 0.0) return std::nullopt;
+  CandidateSource& source = best.candidate.sources.front();
+  const bool left_feature = angle_deg > k_same_direction_deg && source.kind != CandidateKind::refined;
+  const double gain = polishing.judge.value(start.figures) - polishing.judge.value(best.figures);
+  if (left_feature &&
+      gain < polishing.judge.value_of_undercut(k_feature_share * polishing.model.geometry.total_area)) {
+    return std::nullopt;
   }
+  if (start.from_user() || left_feature) {
+    const std::string origin = start.from_user() ? "the direction given" : source.reason;
+    best.candidate.sources = {
+        {CandidateKind::refined, fmt::format("downhill from {}, {:.2f}° away", origin, angle_deg), 0.0}};
+    best.figures.exact = false;
+  }
+  return best;
 }
 
 }  // namespace moldlight

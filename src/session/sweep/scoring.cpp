@@ -31,10 +31,10 @@ struct ScoringPool::Workers {
   void score_share(DirectionScorer& scorer) {
     const std::size_t share = (tasks.size() + threads.size() - 1) / threads.size();
     const std::size_t most = std::clamp<std::size_t>(share, 1, scorer.batch_size());
-    for (std::size_t first = next.fetch_add(most); first < tasks.size() && !(*stop)();
+    for (std::size_t first = next.fetch_add(most); first < tasks.size() && !(*stop && (*stop)());
          first = next.fetch_add(most)) {
       const auto batch = tasks.subspan(first, std::min(most, tasks.size() - first));
-      const std::vector<DirectionScore> found = scorer.score_all(batch);
+      const std::vector<DirectionScore> found = scorer.score(batch);
       const std::lock_guard lock(mutex);
       for (std::size_t i = 0; i < found.size(); ++i) {
         (*scores)[first + i] = found[i];

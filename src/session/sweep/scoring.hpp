@@ -26,8 +26,8 @@ class ScoringPool {
   ScoringPool& operator=(const ScoringPool&) = delete;
 
   /// Scores of the tasks, in their order; a scorer gets as many at once as it likes to, but no more than its
-  /// thread's share. `stop` is asked in between: once it says true the rest stays without a score. Rethrows
-  /// what a scorer throws.
+  /// thread's share. `stop`, if there is one, is asked in between: once it says true the rest stays without a
+  /// score. Rethrows what a scorer throws.
   [[nodiscard]] std::vector<std::optional<DirectionScore>> score(std::span<const ScoringTask> tasks,
                                                                  const std::function<bool()>& stop,
                                                                  const Listener& listener);

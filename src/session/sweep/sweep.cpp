@@ -1,27 +1,22 @@
 #include "session/sweep/sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <future>
 #include <limits>
+#include <memory>
 #include <optional>
-
-#include <glm/geometric.hpp>
-#include <tbb/parallel_for.h>
+#include <utility>
 
 #include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
-#include "mold/exact/exact_regions.hpp"
-#include "mold/sweep/patches.hpp"
-#include "mold/sweep/sphere_search.hpp"
 #include "session/method_options.hpp"
 #include "session/sweep/basin_search.hpp"
 #include "session/sweep/contender.hpp"
 #include "session/sweep/direction_judge.hpp"
+#include "session/sweep/direction_measurer.hpp"
 #include "session/sweep/listing.hpp"
 #include "session/sweep/polish.hpp"
 #include "session/sweep/remarks.hpp"
-#include "session/sweep/scoring_engine.hpp"
+#include "session/sweep/scoring_pools.hpp"
 #include "session/sweep/sweep_stages.hpp"
 #include "session/sweep/sweep_watch.hpp"
 #include "session/sweep/tilt_margin.hpp"
@@ -31,38 +26,44 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
-constexpr int k_fine_factor = 8;     // samples of the second scoring over those of the first
 constexpr std::size_t k_contenders_per_listed = 6;
-constexpr double k_first_exact_step_deg = 0.02, k_last_exact_step_deg = 2e-5;
-constexpr int k_exact_probes = 6;
-constexpr double k_across_cosine = 0.9999995;  // within 0.06 degrees
+constexpr std::size_t k_measured_together = 8;
+// Of the part's area: what is worse than the best by more is not polished.
+constexpr double k_polished_share = 0.003;
+constexpr std::size_t k_most_polished = 3;
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
+
+/// The regions of what is listed are exact, whatever the readout that one's classifications have.
+SweepSettings with_exact_figures(SweepSettings settings) {
+  settings.method.readout = Readout::exact;
+  return settings;
+}
 
 class SweepRun {
  public:
-  SweepRun(Classifier& classifier, const SweepSettings& settings, const Progress& progress,
+  SweepRun(std::shared_ptr<const PartModel> model, const SweepSettings& settings, const Progress& progress,
            const SweepListener& listener)
-      : classifier_(classifier),
-        model_(classifier.model()),
-        settings_(settings),
+      : model_(*model),
+        settings_(with_exact_figures(settings)),
         watch_(progress, settings.time_limit_s),
         listener_(listener),
-        judge_(model_, settings),
-        engine_(classifier, settings_),
+        judge_(model_, settings_),
+        pools_(std::move(model), settings_),
+        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs)),
         limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
     validate(settings.method);
   }
 
   SweepResult run() {
     result_.settings = settings_;
-    result_.engine = engine_.description();
-    result_.jobs = engine_.pool().jobs();
+    result_.engine = pools_.description();
+    result_.jobs = ScoringPool::threads(settings_.jobs);
     score_candidates();
     refine();
     keep_contenders();
-    score_closer();
-    classify_best();
-    rank();
+    measure_contenders();
+    polish_best();
+    list();
     result_.remarks = sweep_remarks(model_, result_);
     result_.complete = !watch_.cut_short();
     result_.elapsed_s = watch_.elapsed_s();
@@ -75,29 +76,26 @@ class SweepRun {
   void refine();
   void tell(const EvaluatedDirection& evaluated);
   void keep_contenders();
-  void score_closer();
-  void classify_best();
-  void rank();
+  void measure_contenders();
+  [[nodiscard]] bool surely_hidden(const Contender& contender) const;
+  void measure_batch(std::span<Contender> batch, const std::function<bool()>& stop);
+  void polish_best();
+  [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
+  void list();
+  [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender);
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
   [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
-  /// Both without the tilt margin. The first throws Cancelled, the second is by the contender's score alone.
-  [[nodiscard]] SweepCandidate final_figures(const Contender& contender);
-  [[nodiscard]] SweepCandidate scored_figures(const Contender& contender) const;
-  void complete_figures(const Contender& contender, SweepCandidate& candidate) const;
-  [[nodiscard]] SweepCandidate figures_for_list(const Contender& contender);
-  void settle_exactly(Contender& contender) const;
-  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
 
-  Classifier& classifier_;
   const PartModel& model_;
   const SweepSettings settings_;
   SweepWatch watch_;
   const SweepListener& listener_;
   DirectionJudge judge_;
-  ScoringEngine engine_;
-  ListingLimit limit_;
+  ScoringPools pools_;
+  DirectionMeasurer measurer_;
+  ListingLimit limit_;  // by scores, then by measured areas
   std::vector<Contender> contenders_;
   SweepResult result_;
 };
@@ -141,14 +139,14 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
   };
   // The first directions are scored even when the time is over already: there is a best one to tell.
   const bool is_first = contenders_.empty();
-  const auto scores = engine_.pool().score(
+  const auto scores = pools_.engine().score(
       tasks, [&] { return is_first ? watch_.cancelled() : watch_.stopped(); }, listener);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!scores[i]) continue;
     result_.evaluated.push_back(evaluated(i, *scores[i]));
     const DirectionFigures figures = judge_.scored(batch[i], *scores[i]);
     limit_.add(batch[i].direction, scores[i]->pessimistic());
-    contenders_.push_back({std::move(batch[i]), *scores[i], figures});
+    contenders_.push_back({std::move(batch[i]), *scores[i], figures, {}});
   }
 }
 
@@ -170,7 +168,7 @@ void SweepRun::tell(const EvaluatedDirection& evaluated) {
 
 void SweepRun::refine() {
   const BasinSearch search{.judge = judge_,
-                           .pool = engine_.pool(),
+                           .rays = pools_.rays(),
                            .watch = watch_,
                            .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
   std::vector<Contender> found =
@@ -195,189 +193,166 @@ void SweepRun::keep_contenders() {
   result_.skipped = before - contenders_.size();
 }
 
-void SweepRun::score_closer() {
-  if (contenders_.size() <= 1 || watch_.stopped()) return;
-  const std::unique_ptr<ScoringPool> pool =
-      engine_.make_closer_pool(settings_.scoring_samples * k_fine_factor);
+/// Contenders come by their scores, so that what is measured soon tells of many others that they cannot be
+/// listed.
+void SweepRun::measure_contenders() {
+  std::vector<Contender> open = std::exchange(contenders_, {});
+  limit_ = ListingLimit(top(), settings_.apart_deg);
+  for (std::size_t first = 0; first < open.size();) {
+    watch_.report(sweep_stage::k_measuring, static_cast<double>(first) / static_cast<double>(open.size()));
+    const double limit = listing_limit();
+    std::vector<Contender> batch;
+    for (; first < open.size() && batch.size() < k_measured_together; ++first) {
+      if (!open[first].from_user() &&
+          (open[first].score.optimistic() > limit || surely_hidden(open[first]))) {
+        ++result_.skipped;
+      } else {
+        batch.push_back(std::move(open[first]));
+      }
+    }
+    measure_batch(batch, [this] { return watch_.stopped(); });
+  }
+  // Even when the time is over the best direction so far gets its figures.
+  if (!contenders_.empty() && !contenders_.front().measured && !watch_.cancelled()) {
+    std::vector<Contender> scored = std::exchange(contenders_, {});
+    measure_batch({scored.data(), 1}, [this] { return watch_.cancelled(); });
+  }
+}
+
+/// Beside a better one that is measured.
+bool SweepRun::surely_hidden(const Contender& contender) const {
+  return judge_.by_undercut_alone() && std::ranges::any_of(contenders_, [&](const Contender& other) {
+           return other.measured && contender.score.optimistic() > other.figures[Criterion::undercut] &&
+                  line_angle_deg(contender.candidate.direction, other.candidate.direction) <=
+                      settings_.apart_deg;
+         });
+}
+
+/// Puts what may still be listed among the contenders, measured if there was time.
+void SweepRun::measure_batch(std::span<Contender> batch, const std::function<bool()>& stop) {
+  const double limit = listing_limit();
   std::vector<ScoringTask> tasks;
-  for (const Contender& contender : contenders_)
-    tasks.push_back({.direction = contender.candidate.direction});
-  std::size_t done = 0;
-  const auto listener = [&](std::size_t, const DirectionScore&) {
-    watch_.report(sweep_stage::k_closer, static_cast<double>(++done) / static_cast<double>(tasks.size()));
-  };
-  const auto scores = pool->score(
-      tasks, [this] { return watch_.stopped(); }, listener);
-  for (std::size_t i = 0; i < contenders_.size(); ++i) {
-    if (!scores[i]) continue;
-    contenders_[i].score = *scores[i];
-    contenders_[i].figures = judge_.scored(contenders_[i].candidate, *scores[i]);
+  for (const Contender& contender : batch)
+    tasks.push_back({contender.candidate.direction, contender.from_user() ? k_no_limit : limit});
+  auto measured = measurer_.measure(tasks, {}, watch_.until_cancelled(), stop);
+  const bool stopped = stop();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    Contender& contender = batch[i];
+    if (measured[i]) {
+      contender.figures = judge_.measured(contender.candidate, *measured[i]);
+      measured[i]->undercut_facets = {};
+      contender.measured = std::make_shared<const MeasuredDirection>(std::move(*measured[i]));
+      limit_.add(contender.candidate.direction,
+                 contender.figures[Criterion::undercut] + contender.figures.undercut_uncertainty);
+    } else if (!stopped) {
+      ++result_.skipped;
+      continue;
+    }
+    contenders_.push_back(std::move(contender));
   }
-  if (watch_.stopped()) return;
-  const Polishing polishing{.judge = judge_,
-                            .engine = engine_,
-                            .closer = *pool,
+}
+
+/// Of the best those that lie apart.
+std::vector<std::size_t> SweepRun::contenders_to_polish() const {
+  const std::size_t most = std::min(k_most_polished, static_cast<std::size_t>(settings_.refine));
+  std::vector<std::size_t> chosen;
+  double limit = k_no_limit;
+  for (const std::size_t i : contender_order()) {
+    if (chosen.size() == most) break;
+    const Contender& contender = contenders_[i];
+    if (!contender.measured || judge_.value(contender.figures) > limit) continue;
+    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+      return line_angle_deg(contenders_[other].candidate.direction, contender.candidate.direction) >
+             settings_.apart_deg;
+    });
+    if (!apart) continue;
+    if (chosen.empty())
+      limit = judge_.value(contender.figures) +
+              judge_.value_of_undercut(k_polished_share * model_.geometry.total_area);
+    chosen.push_back(i);
+  }
+  return chosen;
+}
+
+void SweepRun::polish_best() {
+  const Polishing polishing{.model = model_,
+                            .judge = judge_,
+                            .rays = pools_.rays(),
+                            .measurer = measurer_,
                             .watch = watch_,
-                            .settings = settings_,
-                            .total_area = model_.geometry.total_area,
                             .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
-  polish(polishing, contenders_, contender_order());
-}
-
-SweepCandidate SweepRun::final_figures(const Contender& contender) {
-  MethodSettings method = settings_.method;
-  method.direction = contender.candidate.direction;
-  SweepCandidate candidate;
-  candidate.candidate = contender.candidate;
-  candidate.classification = classifier_.classify(method, watch_.until_cancelled());
-  candidate.patches =
-      undercut_patches(candidate.classification.facet_fractions, model_.geometry, model_.adjacency).count;
-  candidate.classification.facet_fractions = {};
-  complete_figures(contender, candidate);
-  return candidate;
-}
-
-SweepCandidate SweepRun::scored_figures(const Contender& contender) const {
-  SweepCandidate candidate;
-  candidate.candidate = contender.candidate;
-  candidate.measured = false;
-  Classification& scored = candidate.classification;
-  scored.settings = settings_.method;
-  scored.settings.direction = scored.direction = contender.candidate.direction;
-  scored.areas = contender.score.areas;
-  scored.total_area = model_.geometry.total_area;
-  scored.near_vertical_area = judge_.near_vertical_area(scored.direction);
-  scored.shadow_area = contender.score.shadow_area;
-  scored.uncertainty.readout = contender.score.undercut_error;
-  scored.warnings = model_.warnings;
-  complete_figures(contender, candidate);
-  return candidate;
-}
-
-void SweepRun::complete_figures(const Contender& contender, SweepCandidate& candidate) const {
-  candidate.projected_area = candidate.classification.shadow_area;
-  candidate.clamp_force = settings_.pressure * candidate.projected_area;
-  candidate.draw_depth = contender.figures[Criterion::draw_depth];
-  candidate.undraughted_area = candidate.classification.near_vertical_area;
-}
-
-SweepCandidate SweepRun::figures_for_list(const Contender& contender) {
-  try {
-    if (!watch_.cancelled()) return final_figures(contender);
-  } catch (const Cancelled&) {
-    static_cast<void>(watch_.cancelled());  // which notes that work was left undone
-  }
-  return scored_figures(contender);
-}
-
-std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
-  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
-  std::vector<std::optional<TiltMargin>> margins;
-  for (const Contender& contender : listed) {
-    margins.push_back(tilt_margin(engine_.same_samples_pool(), contender.candidate.direction, growth,
-                                  [this] { return watch_.stopped(); }));
-  }
-  return margins;
-}
-
-/// Follows the direction downhill by exact areas, in steps far below what the scores tell apart: an axis
-/// found from facets is off by their rounding, and walls along it then tilt.
-void SweepRun::settle_exactly(Contender& contender) const {
-  if (contender.from_user() || !judge_.by_undercut_alone()) return;
-  const ExactPart& part = model_.exact(Progress{});
-  const auto areas_at = [&](const glm::dvec3& direction, double limit, std::span<const FacetIndex> first) {
-    const ExactQuery query{
-        .direction = direction,
-        .tau_deg = settings_.method.tau_deg,
-        .lateral = lateral_tolerance(settings_.method, model_.frame.diagonal) / model_.frame.diagonal};
-    return exact_areas_within(part, query, {.undercut = limit, .first = first});
-  };
-  glm::dvec3 best = contender.candidate.direction;
-  const auto start = areas_at(best, k_no_limit, {});
-  double least = start->areas[Region::undercut];
-  // Facets that are undercut here mostly are so beside it: they settle that a direction is no better.
-  std::vector<FacetIndex> undercut;
-  for (FacetIndex facet = 0; facet < start->facet_fractions.size(); ++facet) {
-    if (start->facet_fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
-      undercut.push_back(facet);
-  }
-  // The mean normal of the planes across the pull is known far better than any one axis or plane's normal.
-  glm::dvec3 across(0.0);
-  for (std::size_t facet = 0; facet < model_.geometry.areas.size(); ++facet) {
-    const double sine = glm::dot(model_.geometry.normals[facet], best);
-    if (std::abs(sine) > k_across_cosine)
-      across += std::copysign(model_.geometry.areas[facet], sine) * model_.geometry.normals[facet];
-  }
-  if (across != glm::dvec3(0.0)) {
-    const glm::dvec3 mean = glm::normalize(across);
-    const auto areas = areas_at(mean, least, undercut);
-    if (areas && areas->areas[Region::undercut] < least) {
-      least = areas->areas[Region::undercut];
-      best = mean;
+  const std::vector<std::size_t> chosen = contenders_to_polish();
+  for (std::size_t k = 0; k < chosen.size() && !watch_.stopped(); ++k) {
+    watch_.report(sweep_stage::k_polishing, static_cast<double>(k) / static_cast<double>(chosen.size()));
+    Contender& start = contenders_[chosen[k]];
+    std::optional<Contender> better = polish(polishing, start);
+    if (!better) continue;
+    // A direction with other sources stands beside the one that it was found from.
+    if (better->candidate.sources.front().kind == start.candidate.sources.front().kind) {
+      start = std::move(*better);
+    } else {
+      contenders_.push_back(std::move(*better));
     }
   }
-  // The surface of undercut areas is creased: a turned ring finds the way out of a crease that the first one
-  // missed.
-  for (double step_deg = k_first_exact_step_deg; step_deg > k_last_exact_step_deg; step_deg *= 0.5) {
-    for (const double phase_deg : {0.0, 180.0 / k_exact_probes}) {
-      if (least <= 0.0 || watch_.stopped()) return;
-      const std::vector<glm::dvec3> ring = ring_around(best, step_deg, k_exact_probes, phase_deg);
-      std::vector<double> found(ring.size(), k_no_limit);
-      tbb::parallel_for(std::size_t{0}, ring.size(), [&](std::size_t k) {
-        if (const auto areas = areas_at(ring[k], least, undercut)) found[k] = areas->areas[Region::undercut];
-      });
-      const auto lowest = std::min_element(found.begin(), found.end());
-      if (*lowest >= least) continue;
-      least = *lowest;
-      best = ring[static_cast<std::size_t>(lowest - found.begin())];
-      break;
-    }
-    contender.candidate.direction = best;
-  }
 }
 
-void SweepRun::classify_best() {
+SweepCandidate SweepRun::listed_candidate(const Contender& contender) {
+  SweepCandidate listed;
+  listed.candidate = contender.candidate;
+  listed.measured = contender.measured != nullptr;
+  Classification& classification = listed.classification;
+  if (listed.measured) {
+    classification = contender.measured->classification;
+    listed.patches = contender.measured->patches;
+  } else {
+    classification.settings = settings_.method;
+    classification.settings.direction = classification.direction = contender.candidate.direction;
+    classification.areas = contender.score.areas;
+    classification.total_area = model_.geometry.total_area;
+    classification.near_vertical_area = judge_.near_vertical_area(classification.direction);
+    classification.shadow_area = contender.score.shadow_area;
+    classification.uncertainty.readout = contender.score.undercut_error;
+    classification.warnings = model_.warnings;
+  }
+  listed.projected_area = classification.shadow_area;
+  listed.clamp_force = settings_.pressure * listed.projected_area;
+  listed.draw_depth = contender.figures[Criterion::draw_depth];
+  listed.undraughted_area = classification.near_vertical_area;
+  return listed;
+}
+
+void SweepRun::list() {
   std::vector<Contender> listed =
       contenders_to_list(judge_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
-  if (!listed.empty() && !watch_.stopped()) settle_exactly(listed.front());
-  // The margins want rays and the figures mostly the GL: together they keep all cores at work.
-  std::future<std::vector<std::optional<TiltMargin>>> margins =
-      std::async(std::launch::async, [&] { return tilt_margins(listed); });
-  for (const Contender& contender : listed) {
-    // Even when the time is over the best direction so far gets its figures.
-    if (watch_.stopped() && !watch_.cancelled() && !result_.candidates.empty()) break;
-    watch_.report(sweep_stage::k_final,
-                  static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
-    result_.candidates.push_back(figures_for_list(contender));
-  }
-  const std::vector<std::optional<TiltMargin>> found = margins.get();
-  for (std::size_t i = 0; i < result_.candidates.size(); ++i) result_.candidates[i].tilt = found[i];
-}
-
-void SweepRun::rank() {
-  const bool all_measured = std::ranges::all_of(result_.candidates, &SweepCandidate::measured);
+  if (watch_.stopped() && !watch_.cancelled())
+    std::erase_if(listed, [](const Contender& contender) { return !contender.measured; });
+  const bool all_measured =
+      std::ranges::all_of(listed, [](const Contender& c) { return c.measured != nullptr; });
   std::vector<DirectionFigures> figures;
-  for (const SweepCandidate& candidate : result_.candidates) {
-    figures.push_back(judge_.classified(candidate));
+  for (const Contender& contender : listed) {
+    figures.push_back(contender.figures);
     if (!all_measured) figures.back()[Criterion::patches] = 0.0;
   }
   const Ranking ranking = judge_.rank(figures);
-  std::vector<SweepCandidate> ranked;
+  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
   for (const std::size_t i : ranking.order) {
-    SweepCandidate& candidate = result_.candidates[i];
-    candidate.rank = ranked.size() + 1;
+    watch_.report(sweep_stage::k_final,
+                  static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
+    SweepCandidate candidate = listed_candidate(listed[i]);
+    candidate.rank = result_.candidates.size() + 1;
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
-    ranked.push_back(std::move(candidate));
+    candidate.tilt = tilt_margin(pools_.rays(), listed[i].candidate.direction, growth,
+                                 [this] { return watch_.stopped(); });
+    result_.candidates.push_back(std::move(candidate));
   }
-  result_.candidates = std::move(ranked);
 }
 
 }  // namespace
 
-SweepResult run_sweep(Classifier& classifier, const SweepSettings& settings, const Progress& progress,
-                      const SweepListener& listener) {
-  return SweepRun(classifier, settings, progress, listener).run();
+SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
+                      const Progress& progress, const SweepListener& listener) {
+  return SweepRun(std::move(model), settings, progress, listener).run();
 }
 
 }  // namespace moldlight

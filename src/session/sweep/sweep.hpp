@@ -6,8 +6,6 @@
 #include <memory>
 
 #include "base/progress.hpp"
-#include "gl/context.hpp"
-#include "session/classifier.hpp"
 #include "session/part_model.hpp"
 #include "session/sweep/sweep_result.hpp"
 
@@ -18,12 +16,12 @@ struct SweepListener {
   std::function<void(const EvaluatedDirection&)> evaluated;
 };
 
-/// Runs a sweep on the calling thread and `settings.jobs` others. `classifier` gives the final figures; its
-/// context must be current here. Cancelling the progress or running into the time limit ends the sweep early:
-/// what is done by then is in the result, which says that it is not complete. After the time limit the best
-/// direction still gets its figures; once cancelled nothing more is measured, and the list is made by the
-/// scores. Throws UsageError, Error.
-[[nodiscard]] SweepResult run_sweep(Classifier& classifier, const SweepSettings& settings,
+/// Runs a sweep on the calling thread and `settings.jobs` others. What is listed has exact figures, whatever
+/// the method's readout. Cancelling the progress or running into the time limit ends the sweep early: what is
+/// done by then is in the result, which says that it is not complete. After the time limit the best direction
+/// still gets its figures; once cancelled nothing more is measured, and the list is made by the scores.
+/// Throws UsageError, Error.
+[[nodiscard]] SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
                                     const Progress& progress, const SweepListener& listener);
 
 }  // namespace moldlight

@@ -41,7 +41,9 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Number of directions spread evenly over the half-sphere.",
        IntegerKind<S>{&S::directions, 0, 100'000}},
       {"refine", "--refine", "Basins to refine", "",
-       "The best so many separate directions are followed downhill in steps of 2 to 0.05 degrees.",
+       "The best so many separate directions are followed downhill; of what is measured then, the first "
+       "three "
+       "at most once more, by exact figures.",
        IntegerKind<S>{&S::refine, 0, 100}},
       {"top", "--top", "Directions listed", "", "The best so many directions get final figures.",
        IntegerKind<S>{&S::top, 1, 1000}},
@@ -50,9 +52,9 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "from a feature of the part.",
        RealKind<S>{&S::apart_deg, 0.0, 45.0, 0.5}},
       {"engine", "--engine", "Engine", "",
-       "How directions are scored before the best get final figures: shadow maps on the GL (many directions "
-       "at a time) or on the CPU, or exact rays.",
-       choice<&S::engine>({"auto", "gl", "cpu", "rays"})},
+       "How directions are scored before the best are measured: by exact rays from surface samples, or by "
+       "shadow maps on the GL, many directions at a time.",
+       choice<&S::engine>({"rays", "gl"})},
       {"scoring_samples", "--scoring-samples", "Scoring samples", "",
        "Surface samples by which a direction is scored.",
        IntegerKind<S>{&S::scoring_samples, 1000, 10'000'000}},

@@ -86,7 +86,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
           with_minus(component_text(candidate.classification.direction[axis], 3));
     }
     row.area = area_text(areas, row.undercut);
-    row.error = with_minus(fmt::format("{:.2g}", candidate.classification.uncertainty.total()));
+    row.error = area_text(areas, candidate.classification.uncertainty.total());
     row.share = fmt::format("{:.2f}", share_pct(model, row.undercut));
     row.tilt = with_minus(tilt_text(candidate));
     row.reasons = reasons(candidate.candidate);

@@ -24,7 +24,8 @@ Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 Json settings_json(const SweepResult& result) {
   Json settings = options_json(method_options(), result.settings.method);
-  settings.erase("direction");
+  // The direction is what is searched for, and the figures are exact.
+  for (const char* key : {"direction", "readout", "samples"}) settings.erase(key);
   settings.update(options_json(sweep_options(), result.settings));
   // The report is the same whatever the number of threads.
   settings.erase("jobs");
@@ -158,7 +159,7 @@ Json sweep_json(const PartModel& model, const SweepResult& result) {
   for (const SweepCandidate& candidate : result.candidates) {
     candidates.push_back(candidate_json(model, candidate));
   }
-  return {{"schema", "moldlight.sweep/1"},     {"part", part_json(model, model.warnings)},
+  return {{"schema", "moldlight.sweep/2"},     {"part", part_json(model, model.warnings)},
           {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
           {"skipped", result.skipped},         {"complete", result.complete},
           {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},

@@ -14,10 +14,9 @@
 
 namespace moldlight {
 
-/// How directions are scored before the best get their final figures: by shadow maps on the GL, in batches,
-/// by maps that are scan-converted on the CPU, or by exact rays. Automatic takes what is faster, cpu or rays,
-/// for the error that the scoring samples stand for.
-enum class SweepEngine : std::uint8_t { automatic, gl, cpu, rays };
+/// How directions are scored before the best are measured: by exact rays from surface samples on the
+/// processor, or by shadow maps on the GL, in batches.
+enum class SweepEngine : std::uint8_t { rays, gl };
 
 /// Every source of candidates but the user.
 [[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
@@ -30,7 +29,7 @@ struct SweepSettings {
   int refine = 8;                                            // best basins to refine, [0, 100]
   double apart_deg = 3.0;  // a direction so near to a better one is not listed, save exact ties, [0, 45]
   int top = 10;            // directions that get final figures, [1, 1000]
-  SweepEngine engine = SweepEngine::automatic;
+  SweepEngine engine = SweepEngine::rays;
   int scoring_samples = 10'000;  // surface samples for scoring, [1000, 10000000]
   int scoring_resolution = 512;  // map resolution for scoring, [64, 8192]
   bool thorough = false;         // score every direction to the end, also one that cannot be listed

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numeric>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "mold/sweep/sphere_search.hpp"
@@ -12,93 +12,99 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_sides = 8;
-/// Sides asked first, those that grew most before: mostly they settle it.
-constexpr std::size_t k_asked_first = 2;
-constexpr double k_first_lean_deg = 0.05;
+constexpr std::size_t k_sides = 8;
+constexpr double k_first_lean_deg = 0.05, k_lean_ratio = 4.0;
 constexpr double k_relative_precision = 0.1;
 
-/// Asks for leans of one direction, whether the undercut has grown too much towards any side.
-class LeanProbe {
+/// Leans of one direction.
+class Leans {
  public:
-  LeanProbe(ScoringPool& pool, const glm::dvec3& direction, const std::function<bool()>& stop)
-      : pool_(pool), direction_(direction), stop_(stop) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-  }
+  Leans(ScoringPool& pool, const glm::dvec3& direction, const std::function<bool()>& stop)
+      : pool_(pool), direction_(direction), stop_(stop) {}
 
   /// Sets the limit; false if stopped.
   bool measure_own(double growth) {
-    const auto own = scores({{direction_}});
-    if (!own) return false;
-    limit_ = own->front() + growth;
+    const auto own = pool_.score(std::array{ScoringTask{.direction = direction_}}, stop_, {});
+    if (!own.front()) return false;
+    own_ = *own.front();
+    limit_ = own_.undercut() + growth;
     return true;
   }
 
-  enum class Answer : std::uint8_t { within, grown, stopped };
-  Answer ask(double lean_deg) {
-    const std::vector<glm::dvec3> ring = ring_around(direction_, lean_deg, k_sides, 0.0);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return undercuts_[a] > undercuts_[b]; });
-    for (std::size_t first = 0; first < order_.size(); first = first == 0 ? k_asked_first : order_.size()) {
-      const std::size_t end = first == 0 ? k_asked_first : order_.size();
-      std::vector<ScoringTask> tasks;
-      for (std::size_t k = first; k < end; ++k) tasks.push_back({ring[order_[k]], limit_});
-      const auto found = scores(tasks);
-      if (!found) return Answer::stopped;
-      for (std::size_t k = first; k < end; ++k) undercuts_[order_[k]] = (*found)[k - first];
-      const auto worst = std::max_element(found->begin(), found->end());
-      if (*worst <= limit_) continue;
-      toward_ = ring[order_[first + static_cast<std::size_t>(worst - found->begin())]];
-      return Answer::grown;
-    }
-    return Answer::within;
+  struct Lean {
+    std::size_t side;
+    double deg;
+  };
+  [[nodiscard]] glm::dvec3 direction(const Lean& lean) const {
+    return ring_around(direction_, lean.deg, k_sides, 0.0)[lean.side];
   }
-
-  /// The lean that was last seen to have grown too much.
-  [[nodiscard]] const glm::dvec3& toward() const { return toward_; }
+  /// By how much the undercut is above the limit, a figure a lean; empty if stopped.
+  [[nodiscard]] std::vector<double> excess(const std::vector<Lean>& leans) const {
+    std::vector<ScoringTask> tasks;
+    for (const Lean& lean : leans) tasks.push_back({direction(lean), limit_, &own_, true});
+    std::vector<double> excess;
+    for (const auto& score : pool_.score(tasks, stop_, {})) {
+      if (!score) return {};
+      excess.push_back(score->undercut() - limit_);
+    }
+    return excess;
+  }
 
  private:
-  [[nodiscard]] std::optional<std::vector<double>> scores(const std::vector<ScoringTask>& tasks) {
-    std::vector<double> undercuts;
-    for (const auto& score : pool_.score(tasks, stop_, {})) {
-      if (!score) return std::nullopt;
-      undercuts.push_back(score->undercut());
-    }
-    return undercuts;
-  }
-
   ScoringPool& pool_;
-  glm::dvec3 direction_, toward_{0.0};
+  glm::dvec3 direction_;
   const std::function<bool()>& stop_;
-  double limit_ = std::numeric_limits<double>::infinity();
-  std::array<std::size_t, k_sides> order_{};
-  std::array<double, k_sides> undercuts_{};  // as last asked
+  DirectionScore own_;
+  double limit_ = 0.0;
 };
 
 }  // namespace
 
 std::optional<TiltMargin> tilt_margin(ScoringPool& pool, const glm::dvec3& direction, double growth,
                                       const std::function<bool()>& stop) {
-  LeanProbe probe(pool, direction, stop);
-  if (!probe.measure_own(growth)) return std::nullopt;
+  Leans leans(pool, direction, stop);
+  if (!leans.measure_own(growth)) return std::nullopt;
 
   // Wider and wider, until some side has grown too much.
-  double good_deg = 0.0, bad_deg = k_first_lean_deg;
+  double within_deg = 0.0, deg = k_first_lean_deg;
+  std::vector<std::size_t> grown;  // sides, the worst first
   while (true) {
-    const LeanProbe::Answer answer = probe.ask(bad_deg);
-    if (answer == LeanProbe::Answer::stopped) return std::nullopt;
-    if (answer == LeanProbe::Answer::grown) break;
-    good_deg = bad_deg;
-    if (good_deg >= k_widest_tilt_deg) return TiltMargin{k_widest_tilt_deg, direction};
-    bad_deg = std::min(2.0 * bad_deg, k_widest_tilt_deg);
+    std::vector<Leans::Lean> ring;
+    for (std::size_t side = 0; side < k_sides; ++side) ring.push_back({side, deg});
+    const std::vector<double> excess = leans.excess(ring);
+    if (excess.empty()) return std::nullopt;
+    for (std::size_t side = 0; side < k_sides; ++side) {
+      if (excess[side] > 0.0) grown.push_back(side);
+    }
+    std::ranges::stable_sort(grown, std::greater{}, [&](std::size_t side) { return excess[side]; });
+    if (!grown.empty()) break;
+    if (deg >= k_widest_tilt_deg) return TiltMargin{k_widest_tilt_deg, direction};
+    within_deg = deg;
+    deg = std::min(k_lean_ratio * deg, k_widest_tilt_deg);
   }
-  while (bad_deg - good_deg > k_relative_precision * bad_deg && bad_deg > 0.1 * k_first_lean_deg) {
-    const double middle_deg = 0.5 * (good_deg + bad_deg);
-    const LeanProbe::Answer answer = probe.ask(middle_deg);
-    if (answer == LeanProbe::Answer::stopped) return std::nullopt;
-    (answer == LeanProbe::Answer::grown ? bad_deg : good_deg) = middle_deg;
+  // The worst side is narrowed down; another one matters where it grows within that.
+  double good_deg = within_deg, bad_deg = deg;
+  glm::dvec3 toward(0.0);
+  for (const std::size_t side : grown) {
+    if (side != grown.front()) {
+      const std::vector<double> excess = leans.excess({{side, good_deg}});
+      if (excess.empty()) return std::nullopt;
+      if (excess.front() <= 0.0) continue;
+      bad_deg = std::exchange(good_deg, within_deg);
+    }
+    while (bad_deg - good_deg > k_relative_precision * bad_deg && bad_deg > 0.1 * k_first_lean_deg) {
+      const double quarter_deg = 0.25 * (bad_deg - good_deg);
+      std::vector<Leans::Lean> between;
+      for (const double k : {1.0, 2.0, 3.0}) between.push_back({side, good_deg + k * quarter_deg});
+      const std::vector<double> excess = leans.excess(between);
+      if (excess.empty()) return std::nullopt;
+      const auto first = std::ranges::find_if(excess, [](double value) { return value > 0.0; });
+      if (first != excess.end()) bad_deg = between[static_cast<std::size_t>(first - excess.begin())].deg;
+      if (first != excess.begin()) good_deg = bad_deg - quarter_deg;
+    }
+    toward = leans.direction({side, bad_deg});
   }
-  return TiltMargin{good_deg, probe.toward()};
+  return TiltMargin{good_deg, toward};
 }
 
 }  // namespace moldlight

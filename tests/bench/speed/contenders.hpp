@@ -8,10 +8,8 @@
 
 #include "bench/speed/bench_settings.hpp"
 #include "bench/speed/truth.hpp"
-#include "mold/scan/scan_part.hpp"
 #include "mold/surface_samples.hpp"
 #include "session/part_model.hpp"
-#include "session/settings.hpp"
 #include "session/sweep/scoring.hpp"
 
 namespace moldlight::bench {
@@ -21,30 +19,21 @@ class Contenders {
   Contenders(const std::string& path, const BenchSettings& settings);
 
   [[nodiscard]] const std::shared_ptr<const PartModel>& model() const { return model_; }
-  [[nodiscard]] const ScanPart& scan_part() const { return scan_part_; }
   [[nodiscard]] const Truth& truth() const { return truth_; }
   [[nodiscard]] std::size_t facets() const { return model_->part.mesh.facets.size(); }
 
   /// Pools on `jobs` threads (0: all cores); none may outlive this.
-  [[nodiscard]] std::unique_ptr<ScoringPool> scan_pool(int resolution, double samples, int jobs) const;
   [[nodiscard]] std::unique_ptr<ScoringPool> ray_pool(std::uint64_t samples, int jobs);
   [[nodiscard]] std::unique_ptr<ScoringPool> gl_pool(int resolution, int samples, int jobs);
-  /// The GL one direction at a time, every doubt settled by rays.
-  [[nodiscard]] std::unique_ptr<ScoringPool> gl_classifier_pool(int resolution, int samples, int jobs) const;
-
-  /// How many ray samples have the error: from the errors of some numbers of samples, which fall as their
-  /// 0.75th power.
-  [[nodiscard]] std::uint64_t ray_samples_for(double error);
+  /// On all cores.
+  [[nodiscard]] double exact_undercut(const glm::dvec3& direction) const;
 
   static constexpr double k_tau_deg = 1.0;
   /// Lateral tolerance in the unit frame: the default of the final figures.
   static constexpr double k_lateral = 1.0 / 2048.0;
 
  private:
-  [[nodiscard]] MethodSettings gl_method(int resolution, int samples) const;
-
   std::shared_ptr<const PartModel> model_;
-  ScanPart scan_part_;
   std::deque<SurfaceSamples> sample_sets_;  // of the pools; their places do not change
   Truth truth_;
 };

@@ -16,8 +16,7 @@ struct SweepFigures {
   std::size_t facets = 0;
   double ms = 0.0, core_ms = 0.0;  // a direction on all cores: by the clock, and spent by them together
   double error = 0.0;
-  double over_paper = 0.0, over_rays = 0.0;        // how many times as long the rivals take
-  double of_limit = 0.0, map_pair_of_limit = 0.0;  // how many times as long as the limit
+  double over_paper = 0.0, over_exact = 0.0;  // how many times as long the others take
   /// One thread over all threads: by the clock, and what it would be if every thread had a core for itself.
   double threads_gain = 0.0, threads_gain_undisturbed = 0.0;
 };
@@ -25,8 +24,5 @@ struct SweepFigures {
 /// Prints a row an engine. Needs `context` current on this thread.
 [[nodiscard]] SweepFigures print_sweep_rows(const std::string& name, Contenders& contenders,
                                             const gl::Context& context, const BenchSettings& settings);
-
-/// Prints for each error wanted what maps and rays take and which of them `auto` chooses.
-void print_choice_rows(const std::string& name, Contenders& contenders, const BenchSettings& settings);
 
 }  // namespace moldlight::bench

@@ -1,4 +1,4 @@
-// What the undercut areas are, by far more exact rays than any contestant casts, and how far others are off.
+// What the undercut areas are, by exact regions, and how far others are off.
 #pragma once
 
 #include <cstdint>

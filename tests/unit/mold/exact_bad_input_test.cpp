@@ -551,15 +551,16 @@ TEST(ExactAreasWithin, IsExactAreasToTheBitOrNothing) {
       reversed[facet] = static_cast<FacetIndex>(reversed.size()) - 1 - facet;
     const double undercut = whole.areas[Region::undercut];
     for (const double limit : {undercut * (1.0 + 1e-9), 1e9}) {
-      const auto found = exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed});
+      const auto found = exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed}, {});
       ASSERT_TRUE(found) << shape.name;
       EXPECT_EQ(found->areas.values, whole.areas.values);
       EXPECT_EQ(found->facet_fractions, whole.facet_fractions);
       EXPECT_EQ(found->projected_core, whole.projected_core);
     }
     for (const double limit : {0.0, undercut * 0.5, undercut * (1.0 - 1e-6)}) {
-      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = {}})) << shape.name;
-      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed}))
+      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = {}}, {}))
+          << shape.name;
+      EXPECT_FALSE(exact_areas_within(model.part(), query, {.undercut = limit, .first = reversed}, {}))
           << shape.name;
     }
   }

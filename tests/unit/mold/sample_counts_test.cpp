@@ -1,41 +1,34 @@
 // Areas and errors from counted samples.
 #include "mold/sweep/sample_counts.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace moldlight {
 namespace {
 
-TEST(SampleCounts, StrataOfOneKindAddNoSpread) {
-  SampleCounts counts;
-  counts.add_stratum({16, 0, 0, 0});
-  counts.add_stratum({0, 0, 0, 16});
-  counts.add_stratum({0, 0, 0, 0});
-  EXPECT_EQ(counts.spread, 0U);
+TEST(SampleCounts, AreasAreSharesOfTheSamples) {
+  SampleCounts counts{.regions = {16, 0, 0, 10}};
+  counts.add({.regions = {0, 4, 2, 0}});
   EXPECT_EQ(counts.total(), 32U);
   EXPECT_DOUBLE_EQ(counts.areas(8.0)[Region::core], 4.0);
-  EXPECT_DOUBLE_EQ(counts.areas(8.0)[Region::undercut], 4.0);
-  EXPECT_DOUBLE_EQ(counts.undercut_error(8.0), 8.0 * 2.0 / 32.0) << "one sample more of either kind";
+  EXPECT_DOUBLE_EQ(counts.areas(8.0)[Region::cavity], 1.0);
+  EXPECT_DOUBLE_EQ(counts.areas(8.0)[Region::undercut], 2.5);
 }
 
-TEST(SampleCounts, ErrorGrowsWithMixedStrataAndDoubt) {
-  SampleCounts mixed;
-  mixed.add_stratum({0, 8, 0, 8});
-  EXPECT_EQ(mixed.spread, 64U);
-  SampleCounts few;
-  few.add_stratum({1, 0, 0, 2});
-  EXPECT_EQ(few.spread, 11U) << "16 * 2 * 1 / 3, rounded up";
-  few.add(mixed);
-  EXPECT_EQ(few.spread, 75U);
-  EXPECT_EQ(few.total(), 19U);
-  const double sure = few.undercut_error(1.0);
-  few.undercut_in_doubt = 5;
-  EXPECT_GT(few.undercut_error(1.0), sure);
+TEST(SampleCounts, TheErrorIsThatOfIndependentSamplesWithOneMoreOfEitherKind) {
+  const SampleCounts none{.regions = {98, 0, 0, 0}};
+  EXPECT_DOUBLE_EQ(none.undercut(8.0).area, 8.0 * 0.01);
+  EXPECT_DOUBLE_EQ(none.undercut(8.0).error, 8.0 * std::sqrt(0.01 * 0.99 / 100.0));
+  const SampleCounts half{.regions = {0, 49, 0, 49}};
+  EXPECT_DOUBLE_EQ(half.undercut(8.0).area, 4.0);
+  EXPECT_DOUBLE_EQ(half.undercut(8.0).error, 8.0 * 0.05);
 }
 
 TEST(SampleCounts, NothingCountedSaysNothing) {
   EXPECT_EQ(SampleCounts{}.areas(3.0).total(), 0.0);
-  EXPECT_EQ(SampleCounts{}.undercut_error(3.0), 3.0);
+  EXPECT_GT(SampleCounts{}.undercut(3.0).error, 1.0);
 }
 
 }  // namespace

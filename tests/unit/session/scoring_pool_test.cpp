@@ -15,18 +15,18 @@ class BatchingScorer : public DirectionScorer {
   BatchingScorer(std::size_t batch_size, std::atomic<std::size_t>& largest)
       : batch_size_(batch_size), largest_(&largest) {}
 
-  [[nodiscard]] DirectionScore score(const glm::dvec3& direction) override {
-    DirectionScore score;
-    score.areas[Region::undercut] = direction.x;
-    score.given_up = direction.x > limit();
-    return score;
-  }
   [[nodiscard]] std::size_t batch_size() const override { return batch_size_; }
-  [[nodiscard]] std::vector<DirectionScore> score_all(std::span<const ScoringTask> tasks) override {
+  [[nodiscard]] std::vector<DirectionScore> score(std::span<const ScoringTask> tasks) override {
     for (std::size_t seen = *largest_;
          tasks.size() > seen && !largest_->compare_exchange_weak(seen, tasks.size());) {
     }
-    return DirectionScorer::score_all(tasks);
+    std::vector<DirectionScore> scores;
+    for (const ScoringTask& task : tasks) {
+      DirectionScore& score = scores.emplace_back();
+      score.areas[Region::undercut] = task.direction.x;
+      score.given_up = task.direction.x > task.give_up_above;
+    }
+    return scores;
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "session/sweep/tilt_margin.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -20,10 +21,13 @@ const double k_farthest_deg = k_growth_deg / std::cos(glm::radians(22.5));  // b
 class LeaningScorer : public DirectionScorer {
  public:
   explicit LeaningScorer(const glm::dvec3& side) : side_(side) {}
-  [[nodiscard]] DirectionScore score(const glm::dvec3& direction) override {
-    DirectionScore score;
-    score.areas[Region::undercut] = std::max(0.0, glm::degrees(std::asin(glm::dot(direction, side_))));
-    return score;
+  [[nodiscard]] std::vector<DirectionScore> score(std::span<const ScoringTask> tasks) override {
+    std::vector<DirectionScore> scores;
+    for (const ScoringTask& task : tasks) {
+      scores.emplace_back().areas[Region::undercut] =
+          std::max(0.0, glm::degrees(std::asin(glm::dot(task.direction, side_))));
+    }
+    return scores;
   }
 
  private:
@@ -41,10 +45,11 @@ TEST(TiltMargin, IsFoundTowardsWhicheverSide) {
   for (double side_deg = 0.0; side_deg < 360.0; side_deg += 15.0) {
     const auto margin = margin_towards(side_at(side_deg), k_growth_deg);
     ASSERT_TRUE(margin);
+    const std::array past{ScoringTask{.direction = margin->toward}};
     EXPECT_LE(margin->deg, k_farthest_deg) << side_deg;
     EXPECT_GE(margin->deg, 0.89 * k_growth_deg) << side_deg;
     EXPECT_GT(line_angle_deg(margin->toward, {0, 0, 1}), 1.001 * margin->deg) << "a lean that is past it";
-    EXPECT_GT(LeaningScorer(side_at(side_deg)).score(margin->toward).undercut(), k_growth_deg) << side_deg;
+    EXPECT_GT(LeaningScorer(side_at(side_deg)).score(past).front().undercut(), k_growth_deg) << side_deg;
   }
 }
 

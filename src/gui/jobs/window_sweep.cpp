@@ -1,0 +1,129 @@
+#include "gui/jobs/window_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+#include <sys/resource.h>
+
+#include "session/sweep/sweep.hpp"
+#include "session/sweep/sweep_stages.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+/// Between two frames of a running sweep: often enough to look alive, seldom enough to leave it the cores.
+constexpr double k_frame_s = 0.05;
+/// Directions put on the map in one frame, so that the window stays quick.
+constexpr std::size_t k_most_a_frame = 300;
+constexpr double k_least_told_s = 0.5, k_least_told_share = 0.04;
+constexpr int k_niceness = 5;
+
+/// The window's own thread goes first. On Linux this is a matter of the calling thread and those it starts.
+void stand_back() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
+
+}  // namespace
+
+void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s) {
+  drop();
+  sweep = {};
+  if (!state.model) return;
+  SweepSettings settings = state.sweep_choices.options;
+  settings.method = method_ = state.settings.method;
+  model_ = state.model;
+  scored_ = 0;
+  started_s_ = scoring_s_ = now_s;
+  sweep.map.emplace(even_set_reach_deg(settings.directions));
+  sweep.running.emplace();
+  scored_by_job_ = std::make_shared<Scored>();
+  job_.start([model = model_, settings, scored = scored_by_job_](const Progress& progress) {
+    stand_back();
+    return run_sweep(model, settings, progress, {.evaluated = [&scored](const EvaluatedDirection& direction) {
+                       const std::lock_guard lock(scored->mutex);
+                       scored->directions.push_back(direction);
+                     }});
+  });
+}
+
+void WindowSweep::drop() {
+  pictured_.reset();
+  waiting_.clear();
+  put_ = 0;
+  job_.give_up();
+}
+
+void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s) {
+  wake_s_ = k_never;
+  if (model_ != state.model) {
+    drop();
+    model_ = state.model;
+    sweep = {};
+  }
+  const bool runs = job_.running(), ending = job_.cancelled();
+  const JobStatus status = job_.status();
+  auto outcome = job_.take();  // before its last directions, so that none is left behind
+  if (runs) {
+    std::vector<EvaluatedDirection> more;
+    {
+      const std::lock_guard lock(scored_by_job_->mutex);
+      more.swap(scored_by_job_->directions);
+    }
+    scored_ += more.size();
+    waiting_.insert(waiting_.end(), more.begin(), more.end());
+    tell_progress(status, sweep, now_s);
+    sweep.running->ending = ending;
+    if (outcome) {
+      sweep.running.reset();
+      sweep.error = std::move(outcome->error);
+      if (outcome->result)
+        pictured_ = sweep.result = std::make_shared<const SweepResult>(std::move(*outcome->result));
+    }
+    wake_s_ = now_s + k_frame_s;
+  }
+  take_directions(sweep);
+  if (put_ < waiting_.size()) wake_s_ = now_s;
+  if (sweep.map) {
+    // The direction is what is searched for.
+    MethodSettings method = state.settings.method;
+    method.direction = method_.direction;
+    sweep.stale = !(method == method_);
+  }
+}
+
+void WindowSweep::take_directions(SweepState& sweep) {
+  if (!sweep.map) return;
+  const std::size_t end = std::min(waiting_.size(), put_ + k_most_a_frame);
+  for (; put_ < end; ++put_) sweep.map->add(waiting_[put_]);
+  if (put_ < waiting_.size()) return;
+  waiting_.clear();
+  put_ = 0;
+}
+
+void WindowSweep::tell_progress(const JobStatus& status, SweepState& sweep, double now_s) {
+  SweepProgress& progress = *sweep.running;
+  progress.stage = status.stage;
+  progress.share = std::max(progress.share, sweep_share_done(status.stage, status.fraction));
+  if (scored_ == 0) scoring_s_ = now_s;
+  if (status.stage == sweep_stage::k_scoring) {
+    progress.scored = scored_;
+    if (status.fraction > 0.0) {
+      progress.all = std::max(
+          scored_, static_cast<std::size_t>(std::lround(static_cast<double>(scored_) / status.fraction)));
+    }
+    if (now_s > scoring_s_) progress.per_second = static_cast<double>(scored_) / (now_s - scoring_s_);
+  } else {
+    progress.scored = std::max(progress.scored, scored_);
+  }
+  const double elapsed_s = now_s - started_s_;
+  progress.left_s.reset();
+  if (elapsed_s > k_least_told_s && progress.share > k_least_told_share) {
+    progress.left_s = elapsed_s * (1.0 - progress.share) / progress.share;
+  }
+}
+
+}  // namespace moldlight::gui

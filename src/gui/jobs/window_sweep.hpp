@@ -1,0 +1,52 @@
+// Runs the window's sweep: one at a time, in the background, given up when the part goes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "gui/app_state.hpp"
+#include "gui/jobs/job.hpp"
+
+namespace moldlight::gui {
+
+class WindowSweep {
+ public:
+  explicit WindowSweep(std::function<void()> wake) : job_(std::move(wake)) {}
+
+  /// Starts the sweep that the choices ask for, of the part that is shown, with its method. What an earlier
+  /// one found goes.
+  void start(const AppState& state, SweepState& sweep, double now_s);
+  /// Ends the sweep early; its result is what is done.
+  void cancel() { job_.cancel(); }
+  /// Call it every frame.
+  void update(const AppState& state, SweepState& sweep, double now_s);
+  /// The last sweep's result, once, for pictures of what it found.
+  [[nodiscard]] std::shared_ptr<const SweepResult> take_result() { return std::exchange(pictured_, nullptr); }
+  /// When update() wants to be called next without any input; infinity for not at all.
+  [[nodiscard]] double wake_s() const { return wake_s_; }
+
+ private:
+  void drop();
+  void take_directions(SweepState& sweep);
+  void tell_progress(const JobStatus& status, SweepState& sweep, double now_s);
+
+  /// Directions scored and not yet seen by the window, in the order in which their scores came.
+  struct Scored {
+    std::mutex mutex;
+    std::vector<EvaluatedDirection> directions;
+  };
+  std::shared_ptr<const PartModel> model_;
+  Job<SweepResult> job_;
+  std::shared_ptr<Scored> scored_by_job_;
+  std::vector<EvaluatedDirection> waiting_;      // to be put on the map
+  std::size_t put_ = 0;                          // of them
+  std::shared_ptr<const SweepResult> pictured_;  // the result whose pictures were not taken yet
+  MethodSettings method_;                        // of the sweep
+  std::size_t scored_ = 0;
+  double started_s_ = 0.0, scoring_s_ = 0.0, wake_s_ = 0.0;
+};
+
+}  // namespace moldlight::gui

@@ -1,0 +1,38 @@
+// A part as the window takes it, with the directions that its own shape suggests: the direction snaps to them
+// while Ctrl is held.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/view_geometry.hpp"
+#include "session/part_model.hpp"
+
+namespace moldlight::gui {
+
+struct FeatureDirection {
+  glm::dvec3 direction{0, 0, 1};  // unit; its opposite is meant too
+  std::string reason;
+};
+
+/// A part and what its pictures need, ready for the GL; copies share it.
+struct LoadedPart {
+  std::string path;
+  std::shared_ptr<const PartModel> model;
+  std::shared_ptr<const ViewGeometry> geometry;
+  /// The axes of the file, axes of round walls, normals of large planes, directions along much wall area.
+  std::vector<FeatureDirection> features;
+};
+
+/// Throws what the reading throws (FileError, Cancelled, …).
+[[nodiscard]] LoadedPart load_for_window(const std::string& path, const ReadOptions& options,
+                                         const Progress& progress);
+
+/// The nearest feature or its opposite, however far; the direction itself where there is no feature.
+[[nodiscard]] glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features,
+                                    const glm::dvec3& direction);
+
+}  // namespace moldlight::gui

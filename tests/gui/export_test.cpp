@@ -1,0 +1,49 @@
+// The window's export writes what `classify` writes.
+#include "gui/window_with_part.hpp"
+#include "session/write_outputs.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+class Exports : public WindowWithPart {};
+
+TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
+  // Along a direction that cuts facets.
+  PartNotes notes;
+  notes.method = method();
+  notes.method.direction = {0.36, 0.48, 0.8};
+  window.app().set_notes(notes);
+  window.app().open(part.file());
+  window.wait_until_loaded();
+  window.wait_until_measured();
+  ASSERT_EQ(method(), notes.method);
+  ASSERT_GT(state().figures.split->pieces.size(), state().model->part.mesh.facets.size());
+  key({.key = 'E', .ctrl = true});
+  window.frames(3);
+  for (const char* more : {"One STL a region, in a folder", "Lines between regions (OBJ)"}) click(more);
+  click("Export");
+  for (int i = 0; i < 2000 && state().toasts.empty(); ++i) window.frame();
+  ASSERT_EQ(state().toasts.size(), 1U);
+  EXPECT_EQ(state().toasts.front().text, "Exported");
+
+  OutputPaths expected;
+  expected.mesh = part.output("expected.ply");
+  expected.split_folder = part.output("expected");
+  expected.borders = part.output("expected.obj");
+  write_outputs(expected, *state().model, classify_exact(*state().model, method(), Progress{}, true),
+                state().settings.look.palette);
+  const auto same = [&](const std::string& ours, const std::string& theirs) {
+    const std::string bytes = moldlight::test::file_bytes(part.output(ours));
+    EXPECT_GT(bytes.size(), 100U) << ours;
+    EXPECT_TRUE(bytes == moldlight::test::file_bytes(part.output(theirs))) << ours;
+  };
+  same("cup-regions.ply", "expected.ply");
+  same("cup-regions-borders.obj", "expected.obj");
+  for (const char* region : {"core", "cavity", "undercut"}) {
+    const std::string file = std::string("/cup_") + region + ".stl";
+    same("cup-regions" + file, "expected" + file);
+  }
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test
