@@ -99,6 +99,8 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   check_outputs(flags);
   const SweepSettings settings = sweep_settings(flags, progress);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  // Before the sweep, so that a backend that is not there is told at once.
+  const auto context = flags.image_folder.empty() ? nullptr : create_context(settings.method.backend);
   SweepMeter meter;
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
     return meter.text(stage, fraction, columns);
@@ -110,7 +112,6 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   write_outputs(flags, *model, result, console);
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    const auto context = create_context(settings.method.backend);
     if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }

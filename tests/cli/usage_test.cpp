@@ -1,4 +1,5 @@
 // Command lines that make no sense, and places that cannot be written to: found out at once, in one line.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -234,6 +235,19 @@ TEST(Usage, ABackendThatIsNotThereSaysWhatWasTried) {
   if (run.exit_code == 0) GTEST_SKIP() << "this EGL does not ask for vendors";
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("EGL"), std::string::npos) << run.err;
+  EXPECT_EQ(run.error_lines(), 1u) << run.err;
+}
+
+TEST(Usage, ABackendForPicturesThatIsNotThereEndsASweepBeforeItBegins) {
+  const SmallPart part;
+  test::ProcessSettings settings;
+  settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"};
+  auto arguments = part.sweep({"--image-dir", part.output("pictures")});
+  *std::ranges::find(arguments, "osmesa") = "egl";
+  const auto run = run_moldlight(arguments, settings);
+  if (run.exit_code == 0) GTEST_SKIP() << "this EGL does not ask for vendors";
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");  // no list of directions
   EXPECT_EQ(run.error_lines(), 1u) << run.err;
 }
 
