@@ -79,11 +79,11 @@ double mesh_doubt(const ExactPart& part, const ExactAreas& areas, const Adjacenc
                   const PartErrors& errors) {
   const double gap = std::abs(areas.projected_core - areas.projected_cavity);
   double doubt = errors.faulty_area + (gap > errors.shadow_gap + areas.projected_doubt ? gap : 0.0);
-  if (!part.crossings().empty()) {
+  if (part.any_crossings()) {
     const UndercutPatches patches = undercut_patches(areas.facet_fractions, part.geometry(), adjacency);
     std::vector<bool> is_crossed(patches.count, false);
     for (FacetIndex facet = 0; facet < patches.of_facet.size(); ++facet) {
-      if (!part.crossed(facet)) continue;
+      if (part.crossings(facet).empty()) continue;
       if (patches.of_facet[facet] != k_no_facet) {
         is_crossed[patches.of_facet[facet]] = true;
       } else {

@@ -19,7 +19,7 @@ namespace {
 void add_warnings(const PartModel& model, const ExactPart& part, Classification& result) {
   std::size_t crossed = 0;
   for (FacetIndex facet = 0; facet < part.mesh().facets.size(); ++facet) {
-    crossed += part.crossed(facet) ? 1 : 0;
+    crossed += part.crossings(facet).empty() ? 0 : 1;
   }
   if (crossed > 0) {
     result.warnings.push_back(fmt::format(

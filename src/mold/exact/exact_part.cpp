@@ -27,10 +27,8 @@ ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, co
   }
   find_edges();
   progress.report("finding crossings", 0.0);
-  FacetCrossings found = facet_crossings(mesh, positions_, geometry.normals, progress);
-  crossings_ = std::move(found.crossings);
-  first_crossing_ = std::move(found.first);
-  regular_ = regular_ && crossings_.empty();
+  encounters_ = facet_encounters(mesh, positions_, geometry.normals, progress);
+  regular_ = regular_ && !any_crossings();
 }
 
 void ExactPart::find_edges() {

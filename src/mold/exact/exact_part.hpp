@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -42,11 +43,13 @@ class ExactPart {
   /// Edge of each side of a facet (side k runs from corner k to corner k + 1); k_no_edge for a facet with two
   /// equal corners.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& side_edges() const { return side_edges_; }
-  /// Crossings of facet k: [first_crossing[k], first_crossing[k + 1]).
-  [[nodiscard]] const std::vector<FacetCrossing>& crossings() const { return crossings_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& first_crossing() const { return first_crossing_; }
-  [[nodiscard]] bool crossed(FacetIndex facet) const {
-    return first_crossing_[facet + 1] > first_crossing_[facet];
+  /// Where other facets cross a facet, and which stand close in front of it.
+  [[nodiscard]] std::span<const FacetCrossing> crossings(FacetIndex facet) const {
+    return encounters_.crossings.of(facet);
+  }
+  [[nodiscard]] bool any_crossings() const { return !encounters_.crossings.items.empty(); }
+  [[nodiscard]] std::span<const FacetIndex> in_front(FacetIndex facet) const {
+    return encounters_.in_front.of(facet);
   }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }
@@ -62,8 +65,7 @@ class ExactPart {
   std::vector<glm::dvec3> positions_;
   std::vector<ExactEdge> edges_;
   std::vector<std::array<std::uint32_t, 3>> side_edges_;
-  std::vector<FacetCrossing> crossings_;
-  std::vector<std::uint32_t> first_crossing_;
+  FacetEncounters encounters_;
   bool regular_ = true, closed_ = true;
 };
 

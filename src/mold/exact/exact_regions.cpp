@@ -25,11 +25,13 @@ namespace {
 // lies below a facet's plane by less than the first is kept, as bodies that touch hide each other.
 constexpr double k_plane_margin = 1e-7;
 constexpr double k_clip_slack = 1e-9;
-/// A curtain that enters a facet by less than this only touches it.
-constexpr double k_touch = 1e-13;
+/// A curtain that enters a facet by less than the first only touches it; nearer than the second, it may run
+/// between the facet and its neighbour.
+constexpr double k_touch = 1e-13, k_near = 1e-8;
 /// |n . d| of walls whose projection is left out of the shadow: subdivided walls, tilted this way and that by
 /// the rounding of a file in single precision, hide each other in thousands of slivers.
 constexpr double k_hardly_tilted = 1e-5;
+constexpr unsigned k_all_sides = 7;           // bits
 constexpr std::size_t k_grain = 256;          // facets a task
 constexpr std::size_t k_block = 4 * k_grain;  // facets between two looks at the limit
 constexpr double k_sum_rounding = 1e-10;      // of millions of areas whose sum is some units
@@ -62,7 +64,11 @@ class FacetSplitter {
         sine_of_tau_(std::sin(glm::radians(query.tau_deg))),
         square_(projected.part().frame().diagonal * projected.part().frame().diagonal),
         seen_(projected.contour().size(), 0),
-        seen_facets_(projected.part().mesh().facets.size(), 0) {}
+        seen_facets_(projected.part().mesh().facets.size(), 0),
+        known_(seen_facets_.size()) {}
+
+  /// From here on facets share regions with each other alone.
+  void begin_task(std::uint32_t number) { task_ = number + 1; }
 
   struct Outcome {
     std::array<double, k_region_count> areas{};  // unit frame squared
@@ -80,6 +86,9 @@ class FacetSplitter {
   void gather(FacetIndex facet, const FacetTest& test);
   void add_curtain(const ContourEdge& edge, Sense sense);
   void add_crossing(FacetIndex other, const glm::dvec3& normal);
+  void close_sides_at(const std::array<double, 3>& heights);
+  template <typename RegionAt>
+  [[nodiscard]] Region region_of_whole(FacetIndex facet, const FacetTest& test, const RegionAt& region_at);
 
   const ProjectedPart& projected_;
   const ExactQuery& query_;
@@ -91,6 +100,15 @@ class FacetSplitter {
   std::vector<std::uint32_t> seen_;      // round in which a contour edge was last met
   std::vector<std::uint32_t> seen_facets_;
   std::uint32_t round_ = 0;
+  unsigned closed_sides_ = 0;  // bits: sides of the facet that a curtain may run along
+  /// Regions of whole facets, by kind of test, and the task that they were found in.
+  struct Known {
+    std::uint32_t task = 0;
+    std::array<std::uint8_t, 3> regions{};       // 0: not known
+    std::array<std::uint8_t, 3> closed_sides{};  // bits
+  };
+  std::vector<Known> known_;
+  std::uint32_t task_ = 0;
   std::array<FacetIndex, 2> last_blocker_ = {k_no_facet, k_no_facet};  // along +d, along -d
   std::vector<FacetCrossing> segments_;                                // shifted
   std::vector<CutSegment> plane_segments_;
@@ -144,7 +162,7 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   };
   gather(facet, test);
   if (segments_.empty()) {
-    cells_.keep_whole(region_at((corners_[0] + corners_[1] + corners_[2]) / 3.0),
+    cells_.keep_whole(region_of_whole(facet, test, region_at),
                       projected_.part().geometry().areas[facet] / square_);
     return;
   }
@@ -162,10 +180,43 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
              [&](const glm::dvec2& place) { return region_at(plane_.in_space(place)); });
 }
 
+/// Where no curtain runs between a facet and its neighbour both are in one region.
+template <typename RegionAt>
+Region FacetSplitter::region_of_whole(FacetIndex facet, const FacetTest& test, const RegionAt& region_at) {
+  const ExactPart& part = projected_.part();
+  const std::size_t kind = test.beside ? 2 : test.plus ? 0 : 1;
+  const auto region_of_neighbour = [&](std::uint32_t side) -> std::uint8_t {
+    const std::uint32_t number = part.side_edges()[facet][side];
+    if ((closed_sides_ >> side & 1) != 0 || number == ExactPart::k_no_edge || part.any_crossings()) return 0;
+    const ExactEdge& edge = part.edges()[number];
+    if (edge.kind == EdgeKind::irregular) return 0;
+    const FacetIndex other = edge.left == facet ? edge.right : edge.left;
+    const Known& known = known_[other];
+    if (known.task != task_ || known.regions[kind] == 0) return 0;
+    const auto& sides = part.side_edges()[other];
+    const auto others_side = static_cast<unsigned>(std::ranges::find(sides, number) - sides.begin());
+    if ((known.closed_sides[kind] >> others_side & 1) != 0) return 0;
+    // Points beside are next to each other if the facets lie in one plane.
+    const glm::dvec3 bend = part.geometry().normals[facet] - part.geometry().normals[other];
+    return test.beside && glm::length(bend) * query_.lateral > 0.5 * k_near ? 0 : known.regions[kind];
+  };
+  std::uint8_t region = 0;
+  for (std::uint32_t side = 0; side < 3 && region == 0; ++side) region = region_of_neighbour(side);
+  if (region == 0)
+    region = static_cast<std::uint8_t>(
+        1 + static_cast<int>(region_at((corners_[0] + corners_[1] + corners_[2]) / 3.0)));
+  Known& known = known_[facet];
+  if (known.task != task_) known = {task_, {}, {}};
+  known.regions[kind] = region;
+  known.closed_sides[kind] = static_cast<std::uint8_t>(closed_sides_);
+  return static_cast<Region>(region - 1);
+}
+
 void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   segments_.clear();
   const ExactPart& part = projected_.part();
-  if (part.geometry().areas[facet] <= 0.0) return;
+  closed_sides_ = part.geometry().areas[facet] > 0.0 ? 0 : k_all_sides;
+  if (closed_sides_ != 0) return;
   const double lowest = std::min({corners_[0].z, corners_[1].z, corners_[2].z}) - k_plane_margin;
   const double highest = std::max({corners_[0].z, corners_[1].z, corners_[2].z}) + k_plane_margin;
   const std::array<glm::dvec2, 3> footprint = {glm::dvec2(corners_[0]), glm::dvec2(corners_[1]),
@@ -182,21 +233,32 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
     if (hangs) add_curtain(projected_.contour()[k], 1);
     if (stands) add_curtain(projected_.contour()[k], -1);
   });
-  for (std::uint32_t k = part.first_crossing()[facet]; k < part.first_crossing()[facet + 1]; ++k) {
-    const FacetCrossing& crossing = part.crossings()[k];
+  for (const FacetCrossing& crossing : part.crossings(facet)) {
     segments_.push_back(
         {projected_.turned(crossing.start) + shift_, projected_.turned(crossing.end) + shift_});
   }
-  if (test.beside && shift_ != glm::dvec3(0.0)) {
-    const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
-    for (const ProjectionGrid& facets : projected_.facet_grids()) {
-      facets.for_each_item(footprint, [&](std::uint32_t other) {
-        if (seen_facets_[other] == round_) return;
-        seen_facets_[other] = round_;
-        const ProjectedPart::Extent& extent = projected_.extent(other);
-        if (extent.high.z >= lowest && extent.low.z <= highest) add_crossing(other, normal);
-      });
-    }
+  if (!test.beside || shift_ == glm::dvec3(0.0)) return;
+  const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
+  const double height = glm::dot(normal, shift_);
+  if (height >= k_least_in_front && glm::length(shift_) <= k_most_in_front) {
+    for (const FacetIndex other : part.in_front(facet)) add_crossing(other, normal);
+    return;
+  }
+  for (const ProjectionGrid& facets : projected_.facet_grids()) {
+    facets.for_each_item(footprint, [&](std::uint32_t other) {
+      if (seen_facets_[other] == round_) return;
+      seen_facets_[other] = round_;
+      const ProjectedPart::Extent& extent = projected_.extent(other);
+      if (extent.high.z >= lowest && extent.low.z <= highest) add_crossing(other, normal);
+    });
+  }
+}
+
+/// By the corners' heights over a plane in which something may run.
+void FacetSplitter::close_sides_at(const std::array<double, 3>& heights) {
+  for (unsigned side = 0; side < 3; ++side) {
+    if (std::abs(heights[side]) < k_near && std::abs(heights[(side + 1) % 3]) < k_near)
+      closed_sides_ |= 1U << side;
   }
 }
 
@@ -207,10 +269,10 @@ void FacetSplitter::add_curtain(const ContourEdge& edge, Sense sense) {
     heights[k] =
         edge.across.x * (corners_[k].x - edge.start.x) + edge.across.y * (corners_[k].y - edge.start.y);
   }
-  if (std::max({heights[0], heights[1], heights[2]}) <= k_touch ||
-      std::min({heights[0], heights[1], heights[2]}) >= -k_touch) {
-    return;
-  }
+  const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
+  if (lowest > k_near || highest < -k_near) return;
+  close_sides_at(heights);
+  if (highest <= k_touch || lowest >= -k_touch) return;
   std::array<glm::dvec3, 2> ends{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3 && count < 2; ++k) {
@@ -247,16 +309,17 @@ void FacetSplitter::add_crossing(FacetIndex other, const glm::dvec3& normal) {
                                              projected_.point(vertices[2])};
   std::array<double, 3> heights{};
   for (std::size_t k = 0; k < 3; ++k) heights[k] = glm::dot(normal, corners[k] - corners_[0]);
-  if (std::max({heights[0], heights[1], heights[2]}) <= 0.0 ||
-      std::min({heights[0], heights[1], heights[2]}) >= 0.0) {
-    return;
-  }
+  const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
+  if (lowest > k_near || highest < -k_near) return;
+  const glm::dvec3 normal_of_other = projected_.turned(projected_.part().geometry().normals[other]);
+  std::array<double, 3> over_other{};
+  for (std::size_t k = 0; k < 3; ++k) over_other[k] = glm::dot(normal_of_other, corners_[k] - corners[0]);
+  close_sides_at(over_other);
+  if (highest <= 0.0 || lowest >= 0.0) return;
   FacetCrossing crossing;
-  if (triangle_crossing({.a = corners_.data(),
-                         .b = corners.data(),
-                         .normal_b = projected_.turned(projected_.part().geometry().normals[other]),
-                         .slack = k_clip_slack},
-                        crossing)) {
+  if (triangle_crossing(
+          {.a = corners_.data(), .b = corners.data(), .normal_b = normal_of_other, .slack = k_clip_slack},
+          crossing)) {
     segments_.push_back(crossing);
   }
 }
@@ -271,9 +334,11 @@ Splitters splitters_for(const ProjectedPart& projected, const ExactQuery& query)
 template <typename Visit>
 void split_facets(Splitters& splitters, std::span<const FacetIndex> facets, bool keep_cells,
                   const Progress& progress, const Visit& visit) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets.size(), k_grain), [&](const auto& range) {
+  tbb::parallel_for(std::size_t{0}, (facets.size() + k_grain - 1) / k_grain, [&](std::size_t task) {
     FacetSplitter& splitter = splitters.local();
-    for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
+    splitter.begin_task(static_cast<std::uint32_t>(task));
+    const std::size_t end = std::min((task + 1) * k_grain, facets.size());
+    for (std::size_t k = task * k_grain; k < end && !progress.cancelled(); ++k) {
       visit(splitter, facets[k], splitter.split(facets[k], keep_cells));
     }
   });

@@ -63,26 +63,31 @@ class BoxTree {
   };
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<FacetIndex>& order() const { return order_; }
-  [[nodiscard]] const Box& box(FacetIndex facet) const { return boxes_[facet]; }
 
-  /// Calls visit(other) for every facet whose box overlaps that of `facet` and whose number is higher.
+  [[nodiscard]] bool overlap(FacetIndex a, FacetIndex b) const {
+    return moldlight::overlap(boxes_[a], boxes_[b]);
+  }
+
+  /// Calls visit(other) for every facet whose box is within `distance` of that of `facet` and whose number is
+  /// higher.
   template <typename Visit>
-  void for_each_overlap(FacetIndex facet, const Visit& visit) const {
-    const Box& box = boxes_[facet];
+  void for_each_near(FacetIndex facet, double distance, const Visit& visit) const {
+    const Box box{boxes_[facet].low - static_cast<float>(distance),
+                  boxes_[facet].high + static_cast<float>(distance)};
     std::array<std::uint32_t, 64> stack{};
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
       const std::uint32_t number = stack[--depth];
       const Node& node = nodes_[number];
-      if (!overlap(node.box, box)) continue;
+      if (!moldlight::overlap(node.box, box)) continue;
       if (!node.leaf) {
         stack[depth++] = 2 * number + 2;
         stack[depth++] = 2 * number + 1;
         continue;
       }
       for (std::uint32_t k = node.begin; k < node.end; ++k) {
-        if (order_[k] > facet && overlap(boxes_[order_[k]], box)) visit(order_[k]);
+        if (order_[k] > facet && moldlight::overlap(boxes_[order_[k]], box)) visit(order_[k]);
       }
     }
   }
@@ -129,10 +134,28 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
-struct FoundCrossing {
+/// What a facet has to do with another one.
+template <typename Item>
+struct Found {
   FacetIndex facet, other;
-  FacetCrossing crossing;
+  Item item;
 };
+
+template <typename Item>
+FacetLists<Item> by_facet(std::vector<Found<Item>>& found, std::size_t facets) {
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
+  });
+  FacetLists<Item> lists;
+  lists.first.assign(facets + 1, 0);
+  lists.items.reserve(found.size());
+  for (const Found<Item>& one : found) {
+    lists.items.push_back(one.item);
+    ++lists.first[one.facet + 1];
+  }
+  std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  return lists;
+}
 
 int shared_corners(const std::array<VertexIndex, 3>& a, const std::array<VertexIndex, 3>& b) {
   int count = 0;
@@ -143,18 +166,22 @@ int shared_corners(const std::array<VertexIndex, 3>& a, const std::array<VertexI
 /// Where the corners of a triangle lie over a plane.
 struct Heights {
   std::array<bool, 3> touches{};
-  bool above = false, below = false;
+  bool above = false, below = false, in_front = false;
 };
 
 Heights heights_over(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& origin,
                      const glm::dvec3& normal) {
   Heights heights;
+  double lowest = 1e300, highest = -1e300;
   for (std::size_t k = 0; k < 3; ++k) {
     const double height = glm::dot(normal, corners[k] - origin);
-    heights.above |= height > k_touch;
-    heights.below |= height < -k_touch;
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
     heights.touches[k] = std::abs(height) <= k_touch;
   }
+  heights.above = highest > k_touch;
+  heights.below = lowest < -k_touch;
+  heights.in_front = highest > k_least_in_front && lowest < k_most_in_front;
   return heights;
 }
 
@@ -210,58 +237,60 @@ bool triangle_crossing(const CrossingQuery& query, FacetCrossing& crossing) {
   return clipped(query, ends, crossing);
 }
 
-FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
-                               std::span<const glm::dvec3> normals, const Progress& progress) {
+FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
+                                 std::span<const glm::dvec3> normals, const Progress& progress) {
   const BoxTree tree(mesh, positions);
   const auto corners_of = [&](FacetIndex facet) {
     const auto& corners = mesh.facets[facet];
     return std::array<glm::dvec3, 3>{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
   };
-  tbb::enumerable_thread_specific<std::vector<FoundCrossing>> found;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
-      [&](const auto& range) {
-        std::vector<FoundCrossing>& mine = found.local();
-        for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
-          const FacetIndex facet = tree.order()[k];
-          if (normals[facet] == glm::dvec3(0.0)) continue;
-          const auto corners = corners_of(facet);
-          tree.for_each_overlap(facet, [&](FacetIndex other) {
-            if (normals[other] == glm::dvec3(0.0)) return;
-            if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
-            const auto other_corners = corners_of(other);
-            const Heights here_over = heights_over(corners, other_corners[0], normals[other]);
-            const Heights there_over = heights_over(other_corners, corners[0], normals[facet]);
-            FacetCrossing crossing;
-            if (edge_inside(there_over, {other_corners.data(), corners.data(), normals[facet], -k_inside},
-                            crossing))
-              mine.push_back({facet, other, crossing});
-            if (edge_inside(here_over, {corners.data(), other_corners.data(), normals[other], -k_inside},
-                            crossing))
-              mine.push_back({other, facet, crossing});
-            if (!(here_over.above && here_over.below && there_over.above && there_over.below)) return;
-            const CrossingQuery here{corners.data(), other_corners.data(), normals[other], 0.0};
-            if (!triangle_crossing(here, crossing)) return;
-            mine.push_back({facet, other, crossing});
-            const CrossingQuery there{other_corners.data(), corners.data(), normals[facet], 0.0};
-            if (triangle_crossing(there, crossing)) mine.push_back({other, facet, crossing});
-          });
-        }
-      });
+  struct Lists {
+    std::vector<Found<FacetCrossing>> crossings;
+    std::vector<Found<FacetIndex>> in_front;
+  };
+  const auto add_crossings = [&](FacetIndex facet, FacetIndex other, const Heights& here_over,
+                                 const Heights& there_over, std::vector<Found<FacetCrossing>>& found) {
+    if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
+    const auto corners = corners_of(facet), other_corners = corners_of(other);
+    FacetCrossing crossing;
+    if (edge_inside(there_over, {other_corners.data(), corners.data(), normals[facet], -k_inside}, crossing))
+      found.push_back({facet, other, crossing});
+    if (edge_inside(here_over, {corners.data(), other_corners.data(), normals[other], -k_inside}, crossing))
+      found.push_back({other, facet, crossing});
+    if (!(here_over.above && here_over.below && there_over.above && there_over.below)) return;
+    const CrossingQuery here{corners.data(), other_corners.data(), normals[other], 0.0};
+    if (!triangle_crossing(here, crossing)) return;
+    found.push_back({facet, other, crossing});
+    const CrossingQuery there{other_corners.data(), corners.data(), normals[facet], 0.0};
+    if (triangle_crossing(there, crossing)) found.push_back({other, facet, crossing});
+  };
+  tbb::enumerable_thread_specific<Lists> found;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
+                    [&](const auto& range) {
+                      Lists& mine = found.local();
+                      for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
+                        const FacetIndex facet = tree.order()[k];
+                        if (normals[facet] == glm::dvec3(0.0)) continue;
+                        const auto corners = corners_of(facet);
+                        tree.for_each_near(facet, k_most_in_front, [&](FacetIndex other) {
+                          if (normals[other] == glm::dvec3(0.0)) return;
+                          const auto other_corners = corners_of(other);
+                          const Heights here_over = heights_over(corners, other_corners[0], normals[other]);
+                          const Heights there_over = heights_over(other_corners, corners[0], normals[facet]);
+                          if (there_over.in_front) mine.in_front.push_back({facet, other, other});
+                          if (here_over.in_front) mine.in_front.push_back({other, facet, facet});
+                          if (tree.overlap(facet, other))
+                            add_crossings(facet, other, here_over, there_over, mine.crossings);
+                        });
+                      }
+                    });
   progress.report("finding crossings", 1.0);
-  std::vector<FoundCrossing> all;
-  for (const std::vector<FoundCrossing>& part : found) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end(), [](const FoundCrossing& a, const FoundCrossing& b) {
-    return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
-  });
-  FacetCrossings result;
-  result.first.assign(mesh.facets.size() + 1, 0);
-  for (const FoundCrossing& crossing : all) {
-    result.crossings.push_back(crossing.crossing);
-    ++result.first[crossing.facet + 1];
+  Lists all;
+  for (const Lists& some : found) {
+    all.crossings.insert(all.crossings.end(), some.crossings.begin(), some.crossings.end());
+    all.in_front.insert(all.in_front.end(), some.in_front.begin(), some.in_front.end());
   }
-  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  return result;
+  return {by_facet(all.crossings, mesh.facets.size()), by_facet(all.in_front, mesh.facets.size())};
 }
 
 }  // namespace moldlight

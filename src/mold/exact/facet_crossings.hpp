@@ -1,4 +1,5 @@
-// Where the facets of a mesh cross each other: overlapping bodies and surfaces that run through themselves.
+// Where the facets of a mesh cross each other, as overlapping bodies do, and which stand close in front of
+// others.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +18,33 @@ struct FacetCrossing {
   glm::dvec3 start, end;
 };
 
-struct FacetCrossings {
-  std::vector<FacetCrossing> crossings;  // by facet
-  std::vector<std::uint32_t> first;      // facets + 1 entries: those of facet k are [first[k], first[k + 1])
+/// Items of every facet, those of one after those of another.
+template <typename Item>
+struct FacetLists {
+  std::vector<Item> items;
+  std::vector<std::uint32_t> first;  // facets + 1 entries
+
+  [[nodiscard]] std::span<const Item> of(FacetIndex facet) const {
+    return {items.data() + first[facet], first[facet + 1] - first[facet]};
+  }
 };
 
-/// Every pair of facets that cross in a segment, found by a tree of boxes; facets that touch or lie in one
-/// plane do not cross. `positions` in the unit frame, `normals` of the facets. Uses all cores; the result
-/// does not depend on them. Throws Cancelled.
-[[nodiscard]] FacetCrossings facet_crossings(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
-                                             std::span<const glm::dvec3> normals, const Progress& progress);
+struct FacetEncounters {
+  /// Where others cross a facet in a segment; facets that touch or lie in one plane do not cross.
+  FacetLists<FacetCrossing> crossings;
+  /// Others that reach over a facet's plane, on its outer side, near it.
+  FacetLists<FacetIndex> in_front;
+};
+
+/// Heights over a facet that in_front tells of: others of which some lies above the first and some below the
+/// second, no farther beside it than the second. Unit frame.
+inline constexpr double k_least_in_front = 1.0 / 8192.0, k_most_in_front = 1.001 / 2048.0;
+
+/// Pairs of facets by a tree of boxes. `positions` in the unit frame, `normals` of the facets. Uses all
+/// cores; the result does not depend on them. Throws Cancelled.
+[[nodiscard]] FacetEncounters facet_encounters(const TriangleMesh& mesh,
+                                               std::span<const glm::dvec3> positions,
+                                               std::span<const glm::dvec3> normals, const Progress& progress);
 
 /// The part of triangle `a` that lies in triangle `b`, where their planes cross; false if there is none.
 /// `normal_b` is b's unit normal. The segment may reach beyond `b` by its `slack`.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -99,8 +98,8 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction,
 
 void ProjectedPart::fill_contour_grid() {
   const double cells = k_contour_cells * static_cast<double>(contour_.size());
-  std::vector<std::uint32_t> all(contour_.size());
-  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t k = 0; k < contour_.size(); ++k) all.push_back(k);
   contour_grid_.fill(box_, cells, all, [&](std::size_t k, glm::dvec2* corners) {
     corners[0] = glm::dvec2(contour_[k].start);
     corners[1] = glm::dvec2(contour_[k].start + contour_[k].along);
@@ -147,8 +146,9 @@ void ProjectedPart::find_contour() {
                                 .high = static_cast<float>(high) + k_single_rounding,
                                 .for_below = ends,
                                 .for_above = ends,
-                                .pierces = edge.kind == EdgeKind::irregular || part_->crossed(edge.left) ||
-                                           part_->crossed(edge.right)});
+                                .pierces = edge.kind == EdgeKind::irregular ||
+                                           !part_->crossings(edge.left).empty() ||
+                                           !part_->crossings(edge.right).empty()});
   }
 }
 
@@ -338,10 +338,10 @@ bool ProjectedPart::blocked(const Ray& ray, FacetIndex& last) const {
   if (last != k_no_facet && (extents_[last].facing & facings) != 0 && hides(last)) return true;
   for (const std::uint8_t facing : {facing::k_up, facing::k_down}) {
     if ((facings & facing) == 0) continue;
-    for (const FacetIndex facet :
+    for (const FacetIndex item :
          facet_grids_[facing == facing::k_up ? 0 : 1].items_at(glm::dvec2(ray.point))) {
-      if (!hides(facet)) continue;
-      last = facet;
+      if (!hides(item)) continue;
+      last = item;
       return true;
     }
   }

@@ -18,11 +18,11 @@ namespace moldlight {
 /// the rest.
 class ProjectionGrid {
  public:
-  /// About `cells` cells over the box from `low` to `high`, nearly square, filled with the items 0 … count -
-  /// 1; corners(k, out) writes the 2 or 3 corners of item k and returns how many, 0 to leave it out.
   struct Box {
     glm::dvec2 low{0.0}, high{1.0};
   };
+  /// About `cells` cells over the box from `low` to `high`, nearly square, filled with these items;
+  /// corners(number, out) writes the 2 or 3 corners of an item and returns how many.
   template <typename Corners>
   void fill(const Box& box, double cells, std::span<const std::uint32_t> items, const Corners& corners);
 
@@ -80,7 +80,8 @@ class ProjectionGrid {
   Box box_;
   glm::dvec2 per_cell_{1.0};  // cells per length
   std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> first_, items_;
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> items_;
   std::vector<std::uint32_t> nested_of_cell_;  // empty if no cell has a grid of its own
   std::vector<ProjectionGrid> nested_;
 };
@@ -109,10 +110,11 @@ void ProjectionGrid::for_each_span(std::span<const glm::dvec2> corners, const Vi
     return;
   }
   const std::size_t bottom = row(least.y), top = row(most.y);
-  if (bottom == top || column(least.x) == column(most.x)) {
-    for (std::size_t r = bottom; r <= top; ++r) {
-      visit(r * columns_ + column(least.x), r * columns_ + column(most.x));
-    }
+  const std::size_t left_column = column(least.x), right_column = column(most.x);
+  if (bottom == top || left_column == right_column ||
+      (top - bottom == 1 && right_column - left_column == 1)) {
+    for (std::size_t r = bottom; r <= top; ++r)
+      visit(r * columns_ + left_column, r * columns_ + right_column);
     return;
   }
   const std::size_t count = corners.size() == 2 ? 1 : 3;
@@ -174,7 +176,8 @@ template <typename Corners>
 void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level) {
   const std::size_t cells = columns_ * rows_;
   struct Span {
-    std::uint32_t first, last, item;
+    std::uint32_t first, last;
+    std::uint32_t item;
   };
   std::vector<Span> spans;
   spans.reserve(2 * items.size());

@@ -1,5 +1,7 @@
 #include "session/sweep/direction_measurer.hpp"
 
+#include <utility>
+
 #include <tbb/parallel_for.h>
 
 #include "base/error.hpp"
