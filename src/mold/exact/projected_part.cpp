@@ -31,6 +31,8 @@ constexpr double k_clear_area = 2e-10;
 constexpr std::size_t k_edges_a_task = 64;
 /// An edge that more edges cross counts as seen.
 constexpr std::size_t k_most_cuts = 256;
+/// One that takes more facets to hide is cut.
+constexpr int k_most_covering = 16;
 constexpr double k_wall_sine = 0.02;
 constexpr double k_contour_cells = 2.0, k_facet_cells = 1.0;  // cells an item
 /// Edges whose ends agree to so many places per unit lie over one another.
@@ -221,15 +223,17 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
     Stretch stretch;
   };
   std::vector<std::vector<Found>> found((contour_.size() + k_edges_a_task - 1) / k_edges_a_task);
-  // Per thread: the edge that each contour edge was last met by.
-  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> met(contour_.size(), ~0U);
+  tbb::enumerable_thread_specific<EdgeSearch> searches(
+      EdgeSearch{std::vector<std::uint32_t>(contour_.size(), ~0U), {}});
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t task) {
+    EdgeSearch& search = searches.local();
+    search.hidden_by = {k_no_facet, k_no_facet};  // so that no thread's past shows
     Visible visible;
     const auto& [below, above] = visible;
     const std::size_t end = std::min((task + 1) * k_edges_a_task, contour_.size());
     for (std::size_t k = task * k_edges_a_task; k < end && !progress.cancelled(); ++k) {
       const auto edge = static_cast<std::uint32_t>(k);
-      find_visible(edge, met.local(), visible);
+      find_visible(edge, search, visible);
       const auto whole = [](const std::vector<Stretch>& v) {
         return v.size() == 1 && v.front().from <= 0.0 && v.front().to >= 1.0;
       };
@@ -267,12 +271,56 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
   }
 }
 
+/// Share of the edge, from `from` on, that a facet hides beyond doubt; empty if it does not hide its begin.
+double ProjectedPart::hidden_until(FacetIndex facet, const ContourEdge& edge, Sense sense,
+                                   double from) const {
+  const auto& corners = part_->mesh().facets[facet];
+  const double turn = extents_[facet].facing == facing::k_up ? 1.0 : -1.0;
+  const double twice_area = twice_area_of(facet);
+  std::array<std::array<double, 4>, 2> room{};  // at both ends: inside the three sides, and beyond
+  for (std::size_t end = 0; end < 2; ++end) {
+    const glm::dvec3 point = edge.start + (end == 0 ? from : 1.0) * edge.along;
+    double rise = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3& a = points_[corners[k]];
+      const glm::dvec3& b = points_[corners[(k + 1) % 3]];
+      const double span = (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x);
+      room[end][k] = span * turn;
+      rise += span * (points_[corners[(k + 2) % 3]].z - point.z);
+    }
+    room[end][3] = rise * turn * sense - k_plane_margin * twice_area;
+  }
+  double until = 1.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (room[0][k] < 0.0) return from;
+    if (room[1][k] < 0.0) until = std::min(until, room[0][k] / (room[0][k] - room[1][k]));
+  }
+  return from + until * (1.0 - from);
+}
+
+/// True if facets hide the whole edge, one after the other; asks a few of them only.
+bool ProjectedPart::surely_hidden(const ContourEdge& edge, Sense sense, FacetIndex& last) const {
+  const double step = k_clip_slack * edge.per_length;
+  double from = 0.0;
+  for (int facets = 0; facets < k_most_covering && from < 1.0; ++facets) {
+    const double at = std::min(from + step, 1.0);
+    if (!blocked({.point = edge.start + at * edge.along, .sense = sense, .clearly = true}, last))
+      return false;
+    const double until = hidden_until(last, edge, sense, at);
+    if (until <= from) return false;
+    from = until;
+  }
+  return from >= 1.0;
+}
+
 /// Cuts the edge where contour edges beyond it cross it, and asks for each stretch once.
-void ProjectedPart::find_visible(std::uint32_t number, std::vector<std::uint32_t>& met,
-                                 Visible& visible) const {
+void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visible& visible) const {
   const ContourEdge& edge = contour_[number];
   const ContourExtent& extent = contour_extents_[number];
-  const std::array<bool, 2> asked = {extent.for_below != 0, extent.for_above != 0};
+  auto& [met, hidden_by] = search;
+  const std::array<bool, 2> asked = {
+      extent.for_below != 0 && (extent.pierces || !surely_hidden(edge, 1, hidden_by[0])),
+      extent.for_above != 0 && (extent.pierces || !surely_hidden(edge, -1, hidden_by[1]))};
   const std::array<std::uint8_t, 2> facings = {blockers(1, false), blockers(-1, false)};
   const glm::dvec3 end = edge.start + edge.along;
   std::array<std::vector<double>, 2> cuts;
@@ -298,7 +346,7 @@ void ProjectedPart::find_visible(std::uint32_t number, std::vector<std::uint32_t
     if (over && height >= -k_plane_margin) cuts[0].push_back(at);
     if (under && height <= k_plane_margin) cuts[1].push_back(at);
   };
-  if (!extent.pierces) contour_grid_.for_each_item(footprint, add_cut);
+  if (!extent.pierces && (asked[0] || asked[1])) contour_grid_.for_each_item(footprint, add_cut);
   const double shortest = k_clip_slack * edge.per_length;
   for (const std::size_t side : {0U, 1U}) {
     std::vector<double>& places = cuts[side];
@@ -368,8 +416,7 @@ bool ProjectedPart::blocks(FacetIndex facet, const Ray& ray) const {
   }
   const double rise = spans[0] * (at[0]->z - ray.point.z) + spans[1] * (at[1]->z - ray.point.z) +
                       spans[2] * (at[2]->z - ray.point.z);
-  const double twice_area =
-      2.0 * part_->geometry().areas[facet] / (part_->frame().diagonal * part_->frame().diagonal);
+  const double twice_area = twice_area_of(facet);
   // Where the blockers face the ray, one that touches the point hides it; else it may be the same surface
   // twice.
   const double distance = ray.clearly ? k_plane_margin : part_->closed() ? k_touch : -k_touch;

@@ -94,8 +94,19 @@ class ProjectedPart {
     double from, to;  // shares of an edge's length
   };
   [[nodiscard]] bool blocks(FacetIndex facet, const Ray& ray) const;
+  [[nodiscard]] double hidden_until(FacetIndex facet, const ContourEdge& edge, Sense sense,
+                                    double from) const;
+  [[nodiscard]] bool surely_hidden(const ContourEdge& edge, Sense sense, FacetIndex& last) const;
+  [[nodiscard]] double twice_area_of(FacetIndex facet) const {
+    return 2.0 * part_->geometry().areas[facet] / (part_->frame().diagonal * part_->frame().diagonal);
+  }
   using Visible = std::array<std::vector<Stretch>, 2>;  // for surface below, above
-  void find_visible(std::uint32_t edge, std::vector<std::uint32_t>& met, Visible& visible) const;
+  /// One thread's.
+  struct EdgeSearch {
+    std::vector<std::uint32_t> met;         // the edge that each contour edge was last met by
+    std::array<FacetIndex, 2> hidden_by{};  // the facets that hid the edge before
+  };
+  void find_visible(std::uint32_t edge, EdgeSearch& search, Visible& visible) const;
 
   const ExactPart* part_;
   MapFrame frame_;
