@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/stl_reader.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 #include "mesh/weld.hpp"
 

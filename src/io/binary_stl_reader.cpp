@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/memory_check.hpp"
-#include "io/stl_reader.hpp"
+#include "io/readers.hpp"
 #include "mesh/weld.hpp"
 
 namespace moldlight {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "io/stl_reader.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {

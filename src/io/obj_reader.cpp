@@ -1,10 +1,9 @@
-#include "io/obj_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "io/polygon_part_builder.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {

@@ -1,8 +1,7 @@
-#include "io/off_reader.hpp"
-
 #include <vector>
 
 #include "io/polygon_part_builder.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {

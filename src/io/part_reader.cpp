@@ -4,13 +4,8 @@
 #include <utility>
 
 #include "io/file_format.hpp"
-#include "io/obj_reader.hpp"
-#include "io/off_reader.hpp"
-#include "io/ply_reader.hpp"
 #include "io/read_context.hpp"
-#include "io/step_reader.hpp"
-#include "io/stl_reader.hpp"
-#include "io/threemf_reader.hpp"
+#include "io/readers.hpp"
 #include "mesh/part_selection.hpp"
 #include "mesh/repair.hpp"
 

@@ -1,5 +1,3 @@
-#include "io/ply_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +7,7 @@
 
 #include "io/ply_header.hpp"
 #include "io/polygon_part_builder.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {

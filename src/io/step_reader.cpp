@@ -1,5 +1,3 @@
-#include "io/step_reader.hpp"
-
 #include <csignal>
 #include <filesystem>
 #include <optional>
@@ -8,6 +6,7 @@
 #include <unistd.h>
 
 #include "io/child_process.hpp"
+#include "io/readers.hpp"
 #include "io/step_result.hpp"
 #include "io/text_scanner.hpp"
 #include "mesh/weld.hpp"

@@ -1,9 +1,8 @@
-#include "io/threemf_reader.hpp"
-
 #include <set>
 #include <vector>
 
 #include "io/memory_check.hpp"
+#include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 #include "io/threemf_model.hpp"
 #include "io/xml_parser.hpp"

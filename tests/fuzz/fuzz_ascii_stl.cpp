@@ -1,5 +1,5 @@
 #include "fuzz/fuzz_reader.hpp"
-#include "io/stl_reader.hpp"
+#include "io/readers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return moldlight::fuzz::run_reader(moldlight::read_ascii_stl, data, size);

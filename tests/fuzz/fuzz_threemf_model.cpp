@@ -1,7 +1,7 @@
 // The model document of a 3MF package, put into a package that is sound otherwise: zip checksums stop nearly
 // every mutation of a packed one.
 #include "fuzz/fuzz_reader.hpp"
-#include "io/threemf_reader.hpp"
+#include "io/readers.hpp"
 #include "support/zip_bytes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,0 +1,46 @@
+// The readers of part files, a function a format. Strict: what the format does not allow is a FileError that
+// names the place.
+#pragma once
+
+#include <string_view>
+
+#include "io/read_context.hpp"
+#include "mesh/part.hpp"
+
+namespace moldlight {
+
+/// True where the size is that of a binary STL with the facet count in its header.
+[[nodiscard]] bool binary_stl_size_fits(std::string_view bytes);
+/// Binary STL: one body, named by nothing. Coordinates are the file's floats, exactly.
+[[nodiscard]] Part read_binary_stl(const ReadContext& context);
+/// ASCII STL: one body a solid that has facets. Normals are not looked at: the corners' order tells the
+/// outer side.
+[[nodiscard]] Part read_ascii_stl(const ReadContext& context);
+
+/// Wavefront OBJ: facets are numbered in the order of the file's polygons ('f' lines). Objects are the
+/// bodies, or groups where there are no objects. Materials, textures, normals, points, lines and
+/// free-form surfaces are left out; no other file is opened. facet_source holds polygon numbers from 0.
+[[nodiscard]] Part read_obj(const ReadContext& context);
+
+/// PLY, ASCII and both binary orders: one body. Further elements and properties are passed over.
+/// facet_source holds face numbers from 0 where some face is no triangle.
+[[nodiscard]] Part read_ply(const ReadContext& context);
+
+/// OFF and its kin with colours and normals (COFF, NOFF, …), in text: one body. A vertex or a face a
+/// line; what follows the coordinates or the corners on it is passed over. facet_source as for PLY.
+[[nodiscard]] Part read_off(const ReadContext& context);
+
+/// 3MF, production extension included: one body for every use of a mesh, in the order of the build items.
+/// The unit is the root model's. No file beside the archive is opened, and references that nest or
+/// multiply without end are stopped.
+[[nodiscard]] Part read_threemf(const ReadContext& context);
+
+/// STEP, through the program moldlight-step, which lies beside moldlight and is built with OpenCASCADE.
+/// Solids are the bodies; facet_source holds CAD face numbers from 0; lengths are in the file's unit.
+/// Throws FileError also where this build has no STEP support, and where the file breaks the reading
+/// program.
+[[nodiscard]] Part read_step(const ReadContext& context);
+/// The part in a StepResult as bytes, which are not trusted. Throws FileError.
+[[nodiscard]] Part part_of_step_result(const ReadContext& context, std::string_view bytes);
+
+}  // namespace moldlight
