@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "mesh/edge_table.hpp"
@@ -112,10 +111,7 @@ class ChainWalk {
       chain.facet = std::min(chain.facet, edge.facet);
       chain.length += glm::distance(mesh_.vertices[edge.low], mesh_.vertices[edge.high]);
     }
-    for (const VertexIndex vertex : chain.vertices) {
-      chain.bounds.min = glm::min(chain.bounds.min, mesh_.vertices[vertex]);
-      chain.bounds.max = glm::max(chain.bounds.max, mesh_.vertices[vertex]);
-    }
+    for (const VertexIndex vertex : chain.vertices) chain.bounds.add(mesh_.vertices[vertex]);
     for (std::size_t i = begin + 1; i < path_.size(); ++i) place_on_path_[path_[i]] = k_none;
     path_.resize(begin + 1);
     path_edges_.resize(begin);

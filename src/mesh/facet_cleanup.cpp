@@ -1,8 +1,10 @@
+// Steps of a repair that drop, split and turn facets.
 #include <algorithm>
 
 #include <glm/geometric.hpp>
 
 #include "mesh/edge_table.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "mesh/repair_steps.hpp"
 
 namespace moldlight {
@@ -41,9 +43,8 @@ std::vector<HalfEdgeIndex> opposite_half_edges(const TriangleMesh& mesh) {
   return opposite;
 }
 
-bool has_area(const TriangleMesh& mesh, FacetIndex facet) {
-  const glm::dvec3& a = mesh.corner(facet, 0);
-  return glm::length(glm::cross(mesh.corner(facet, 1) - a, mesh.corner(facet, 2) - a)) > 0.0;
+double twice_area(const TriangleMesh& mesh, FacetIndex facet) {
+  return glm::length(twice_area_vector(mesh, facet));
 }
 
 int longest_edge(const TriangleMesh& mesh, FacetIndex facet) {
@@ -57,6 +58,24 @@ int longest_edge(const TriangleMesh& mesh, FacetIndex facet) {
     }
   }
   return longest;
+}
+
+/// A facet next to another; `agrees` where they run through the edge in opposite senses.
+struct Neighbour {
+  FacetIndex facet = k_no_facet;
+  bool agrees = true;
+};
+
+std::vector<std::array<Neighbour, 3>> neighbours_of(const TriangleMesh& mesh) {
+  std::vector<std::array<Neighbour, 3>> neighbours(mesh.facets.size());
+  EdgeTable(mesh).for_each_edge([&](VertexIndex, std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    const HalfEdgeIndex a = uses[0].half_edge, b = uses[1].half_edge;
+    const bool agrees = start_vertex(mesh, a) != start_vertex(mesh, b);
+    neighbours[facet_of(a)][a % 3] = {facet_of(b), agrees};
+    neighbours[facet_of(b)][b % 3] = {facet_of(a), agrees};
+  });
+  return neighbours;
 }
 
 }  // namespace
@@ -75,11 +94,11 @@ std::size_t flatten_facets_without_area(MeshInRepair& state) {
     std::vector<bool> changed(mesh.facets.size(), false);
     const std::size_t before = flattened;
     for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-      if (changed[facet] || is_collapsed(mesh.facets[facet]) || has_area(mesh, facet)) continue;
+      if (changed[facet] || is_collapsed(mesh.facets[facet]) || twice_area(mesh, facet) > 0.0) continue;
       const HalfEdgeIndex edge = 3 * facet + static_cast<HalfEdgeIndex>(longest_edge(mesh, facet));
       if (opposite[edge] == k_no_half_edge) continue;
       const FacetIndex across = facet_of(opposite[edge]);
-      if (changed[across] || !has_area(mesh, across)) continue;
+      if (changed[across] || twice_area(mesh, across) <= 0.0) continue;
       const VertexIndex from = start_vertex(mesh, edge), to = end_vertex(mesh, edge);
       const VertexIndex third = mesh.facets[facet][(edge % 3 + 2) % 3];
       const VertexIndex tip = mesh.facets[across][(opposite[edge] % 3 + 2) % 3];
@@ -134,6 +153,35 @@ std::size_t count_open_edges(const TriangleMesh& mesh) {
   std::size_t count = 0;
   EdgeTable(mesh).for_each_edge(
       [&](VertexIndex, std::span<const EdgeUse> uses) { count += uses.size() == 1 ? 1 : 0; });
+  return count;
+}
+
+std::size_t make_winding_consistent(TriangleMesh& mesh) {
+  const std::vector<std::array<Neighbour, 3>> neighbours = neighbours_of(mesh);
+  std::vector<bool> seen(mesh.facets.size(), false), turned(mesh.facets.size(), false);
+  std::size_t count = 0;
+  std::vector<FacetIndex> patch;
+  for (FacetIndex first = 0; first < mesh.facets.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = true;
+    patch.assign(1, first);
+    double area_kept = 0.0, area_turned = 0.0;
+    for (std::size_t next = 0; next < patch.size(); ++next) {
+      const FacetIndex facet = patch[next];
+      (turned[facet] ? area_turned : area_kept) += 0.5 * twice_area(mesh, facet);
+      for (const Neighbour& neighbour : neighbours[facet]) {
+        if (neighbour.facet == k_no_facet || seen[neighbour.facet]) continue;
+        seen[neighbour.facet] = true;
+        turned[neighbour.facet] = turned[facet] != !neighbour.agrees;
+        patch.push_back(neighbour.facet);
+      }
+    }
+    for (const FacetIndex facet : patch) {
+      if (turned[facet] == (area_turned > area_kept)) continue;
+      std::swap(mesh.facets[facet][1], mesh.facets[facet][2]);
+      ++count;
+    }
+  }
   return count;
 }
 

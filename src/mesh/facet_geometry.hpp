@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {
@@ -13,6 +15,12 @@ struct FacetGeometry {
   std::vector<double> areas;        // model units squared
   double total_area = 0.0;
 };
+
+/// Along the outward normal, as long as twice the area.
+[[nodiscard]] inline glm::dvec3 twice_area_vector(const TriangleMesh& mesh, FacetIndex facet) {
+  const glm::dvec3& a = mesh.corner(facet, 0);
+  return glm::cross(mesh.corner(facet, 1) - a, mesh.corner(facet, 2) - a);
+}
 
 [[nodiscard]] FacetGeometry facet_geometry(const TriangleMesh& mesh);
 

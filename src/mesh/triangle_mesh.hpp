@@ -33,6 +33,8 @@ struct Bounds {
   glm::dvec3 min{std::numeric_limits<double>::infinity()};
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
 
+  /// Makes the box as large as it must be to hold the point.
+  void add(const glm::dvec3& point);
   [[nodiscard]] glm::dvec3 center() const;
   /// Length of the box's diagonal; 0 for a mesh without facets.
   [[nodiscard]] double diagonal() const;

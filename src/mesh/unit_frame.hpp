@@ -23,9 +23,17 @@ struct UnitFrame {
 };
 
 /// Frame of a part with these bounds; a part of no extent keeps its scale.
-[[nodiscard]] UnitFrame unit_frame(const Bounds& bounds);
+[[nodiscard]] inline UnitFrame unit_frame(const Bounds& bounds) {
+  const double diagonal = bounds.diagonal();
+  return {.center = bounds.center(), .diagonal = diagonal > 0.0 ? diagonal : 1.0};
+}
 
 /// Every vertex of the mesh in the unit frame.
-[[nodiscard]] std::vector<glm::vec3> unit_positions(const TriangleMesh& mesh, const UnitFrame& frame);
+[[nodiscard]] inline std::vector<glm::vec3> unit_positions(const TriangleMesh& mesh, const UnitFrame& frame) {
+  std::vector<glm::vec3> positions;
+  positions.reserve(mesh.vertices.size());
+  for (const glm::dvec3& vertex : mesh.vertices) positions.push_back(frame.to_unit(vertex));
+  return positions;
+}
 
 }  // namespace moldlight

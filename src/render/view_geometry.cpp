@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "mesh/creases.hpp"
+#include "mesh/edges.hpp"
 
 namespace moldlight {
 

@@ -6,7 +6,6 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 
 #include "io/file_format.hpp"
 #include "io/text_scanner.hpp"
@@ -32,10 +31,7 @@ BodyFigures measure_body(const PartModel& model, const Body& body) {
   const TriangleMesh& mesh = model.part.mesh;
   for (FacetIndex facet = body.first_facet; facet < body.first_facet + body.facet_count; ++facet) {
     measured.area += model.geometry.areas[facet];
-    for (int corner = 0; corner < 3; ++corner) {
-      measured.bounds.min = glm::min(measured.bounds.min, mesh.corner(facet, corner));
-      measured.bounds.max = glm::max(measured.bounds.max, mesh.corner(facet, corner));
-    }
+    for (int corner = 0; corner < 3; ++corner) measured.bounds.add(mesh.corner(facet, corner));
   }
   return measured;
 }

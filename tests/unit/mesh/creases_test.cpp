@@ -1,11 +1,10 @@
 // Creases split vertices; below them the surface is smooth.
-#include "mesh/creases.hpp"
-
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "mesh/edges.hpp"
 #include "support/boxes.hpp"
 #include "support/shapes.hpp"
 
