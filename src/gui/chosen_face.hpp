@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "mold/source_areas.hpp"
+#include "mold/measure.hpp"
 #include "render/view_geometry.hpp"
 #include "session/classification.hpp"
 #include "session/part_model.hpp"

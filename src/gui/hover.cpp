@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mold/accessibility.hpp"
+#include "mold/exact_rays.hpp"
 #include "session/classifier.hpp"
 
 namespace moldlight::gui {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "mold/measure.hpp"
 #include "mold/region.hpp"
-#include "mold/source_areas.hpp"
 
 namespace moldlight {
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -19,7 +20,6 @@ namespace {
 /// precision.
 constexpr float k_start_below = 5e-7F;
 constexpr std::size_t k_rays_at_once = 256;
-constexpr float k_unlimited = std::numeric_limits<float>::infinity();
 
 /// Drops hits of facets that face away from the ray's origin.
 void keep_facing(const RTCFilterFunctionNArguments* arguments) {
@@ -31,7 +31,7 @@ void keep_facing(const RTCFilterFunctionNArguments* arguments) {
   if (facing >= 0.0F) arguments->valid[0] = 0;
 }
 
-RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float reach) {
+RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction) {
   RTCRay ray{};
   ray.org_x = origin.x;
   ray.org_y = origin.y;
@@ -40,7 +40,7 @@ RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float reach
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
   ray.tnear = 0.0F;
-  ray.tfar = reach;
+  ray.tfar = std::numeric_limits<float>::infinity();
   ray.mask = ~0U;
   return ray;
 }
@@ -61,12 +61,6 @@ struct ExactRays::Scene {
   ~Scene() {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  [[nodiscard]] bool occluded(RTCRay ray, bool facing_only) const {
-    RTCIntersectContext context = make_context(facing_only);
-    rtcOccluded1(scene, &context, &ray);
-    return ray.tfar < 0.0F;
   }
 };
 
@@ -103,12 +97,11 @@ ExactRays::ExactRays(ExactRays&&) noexcept = default;
 ExactRays& ExactRays::operator=(ExactRays&&) noexcept = default;
 
 bool ExactRays::surface_point_blocked(const glm::vec3& origin, const glm::vec3& normal,
-                                      const glm::vec3& direction, float reach) const {
-  return scene_->occluded(make_ray(origin - k_start_below * normal, direction, reach), true);
-}
-
-bool ExactRays::blocked(const glm::vec3& origin, const glm::vec3& direction) const {
-  return scene_->occluded(make_ray(origin, direction, k_unlimited), false);
+                                      const glm::vec3& direction) const {
+  RTCIntersectContext context = make_context(true);
+  RTCRay ray = make_ray(origin - k_start_below * normal, direction);
+  rtcOccluded1(scene_->scene, &context, &ray);
+  return ray.tfar < 0.0F;
 }
 
 void ExactRays::blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,
@@ -117,7 +110,7 @@ void ExactRays::blocked(std::span<const glm::vec3> origins, const glm::vec3& dir
   std::array<RTCRay, k_rays_at_once> rays;
   for (std::size_t done = 0; done < origins.size(); done += k_rays_at_once) {
     const std::size_t count = std::min(k_rays_at_once, origins.size() - done);
-    for (std::size_t i = 0; i < count; ++i) rays[i] = make_ray(origins[done + i], direction, k_unlimited);
+    for (std::size_t i = 0; i < count; ++i) rays[i] = make_ray(origins[done + i], direction);
     RTCIntersectContext context = make_context(false);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded1M(scene_->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRay));
@@ -129,11 +122,16 @@ std::optional<ExactRays::Hit> ExactRays::first_hit(const glm::vec3& origin, cons
                                                    bool facing_only) const {
   RTCIntersectContext context = make_context(facing_only);
   RTCRayHit rayhit{};
-  rayhit.ray = make_ray(origin, direction, k_unlimited);
+  rayhit.ray = make_ray(origin, direction);
   rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &rayhit);
   if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return Hit{rayhit.hit.primID, rayhit.ray.tfar};
+}
+
+glm::vec3 lateral_point(const glm::vec3& point, const glm::dvec3& normal, const AccessibilityQuery& query) {
+  const glm::dvec3 level = normal - glm::dot(normal, query.direction) * query.direction;
+  return glm::vec3(glm::dvec3(point) + query.lateral * glm::normalize(level));
 }
 
 }  // namespace moldlight

@@ -1,9 +1,8 @@
-// Exact visibility along straight rays (Embree): settles what the maps leave in doubt and finds what blocks a
-// point.
+// Exact visibility along straight rays (Embree): scores directions, finds what blocks a point and what is
+// seen from where.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,18 +23,13 @@ class ExactRays {
   ExactRays& operator=(ExactRays&&) noexcept;
 
   /// True if the ray from a point of a facet with unit normal `normal`, which faces along `direction`, runs
-  /// into the solid within `reach` (in the direction's length). Only facets that face the ray count, so the
-  /// point's own facet never hides it; the ray starts below the facet by the rounding of coordinates, so that
-  /// a surface which touches the facet does.
+  /// into the solid. Only facets that face the ray count, so the point's own facet never hides it; the ray
+  /// starts below the facet by the rounding of coordinates, so that a surface which touches the facet does.
   [[nodiscard]] bool surface_point_blocked(const glm::vec3& origin, const glm::vec3& normal,
-                                           const glm::vec3& direction,
-                                           float reach = std::numeric_limits<float>::infinity()) const;
+                                           const glm::vec3& direction) const;
 
-  /// True if the ray from a point off the surface meets any facet.
-  [[nodiscard]] bool blocked(const glm::vec3& origin, const glm::vec3& direction) const;
-
-  /// blocked() for many rays of one direction at once, several times as fast; `answers[i]` is 1 for a blocked
-  /// ray. Keep neighbouring origins next to each other.
+  /// Asks for many rays of one direction from points off the surface at once, several times as fast as one by
+  /// one; `answers[i]` is 1 for a ray that meets any facet. Keep neighbouring origins next to each other.
   void blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,
                std::span<std::uint8_t> answers) const;
 
@@ -51,5 +45,16 @@ class ExactRays {
   struct Scene;
   std::unique_ptr<Scene> scene_;
 };
+
+/// How a point beside a near-vertical facet is found. Unit frame.
+struct AccessibilityQuery {
+  glm::dvec3 direction{0, 0, 1};  // parting direction, unit
+  double lateral = 0.0;           // lateral tolerance
+};
+
+/// The point from which a near-vertical facet's accessibility is tested: `point` moved by the lateral
+/// tolerance along the part of `normal` that is perpendicular to the direction.
+[[nodiscard]] glm::vec3 lateral_point(const glm::vec3& point, const glm::dvec3& normal,
+                                      const AccessibilityQuery& query);
 
 }  // namespace moldlight

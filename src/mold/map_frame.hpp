@@ -1,5 +1,7 @@
-// The frame of the two shadow maps of a parting direction.
+// Parting directions and the frames about them.
 #pragma once
+
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -19,5 +21,10 @@ struct MapFrame {
 /// so that walls along the coordinate axes do not fall on whole rows of texels at once: the error of one wall
 /// is then not that of all. Throws UsageError for a zero or non-finite direction.
 [[nodiscard]] MapFrame map_frame(const glm::dvec3& direction);
+
+/// `count` unit directions at `angle_deg` from a unit direction, evenly around it; the first lies at
+/// `phase_deg` from an axis that depends on the direction alone.
+[[nodiscard]] std::vector<glm::dvec3> ring_around(const glm::dvec3& direction, double angle_deg, int count,
+                                                  double phase_deg);
 
 }  // namespace moldlight

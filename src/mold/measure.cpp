@@ -1,6 +1,8 @@
 #include "mold/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "base/check.hpp"
 
@@ -31,6 +33,49 @@ RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& 
     }
   }
   return areas;
+}
+
+std::vector<SourceAreas> region_areas_by_source(std::span<const std::uint32_t> facet_sources,
+                                                std::span<const double> facet_areas,
+                                                const FacetFractions& fractions) {
+  CHECK(facet_sources.size() == facet_areas.size() && facet_areas.size() == fractions.size());
+  // Facets of one source stand together in most files, but not in all.
+  std::vector<std::uint32_t> order(facet_sources.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return facet_sources[a] < facet_sources[b]; });
+  std::vector<SourceAreas> sums;
+  for (const std::uint32_t facet : order) {
+    if (sums.empty() || sums.back().source != facet_sources[facet])
+      sums.push_back({facet_sources[facet], {}});
+    for (const Region region : k_regions) {
+      sums.back().areas[region] += facet_areas[facet] * fractions[facet][static_cast<std::size_t>(region)];
+    }
+  }
+  return sums;
+}
+
+void SampleCounts::add(const SampleCounts& other) {
+  for (std::size_t k = 0; k < k_region_count; ++k) regions[k] += other.regions[k];
+}
+
+std::uint32_t SampleCounts::total() const {
+  return std::accumulate(regions.begin(), regions.end(), std::uint32_t{0});
+}
+
+RegionValues SampleCounts::areas(double total_area) const {
+  RegionValues areas;
+  const double count = total();
+  if (count <= 0.0) return areas;
+  for (const Region region : k_regions)
+    areas[region] = total_area * regions[static_cast<std::size_t>(region)] / count;
+  return areas;
+}
+
+SampleCounts::Estimate SampleCounts::undercut(double total_area) const {
+  const double count = total() + 2.0;
+  const double share = (regions[static_cast<std::size_t>(Region::undercut)] + 1.0) / count;
+  return {total_area * share, total_area * std::sqrt(share * (1.0 - share) / count)};
 }
 
 }  // namespace moldlight

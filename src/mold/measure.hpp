@@ -1,8 +1,10 @@
-// From what is known of surface samples to fractions and areas.
+// From what is known of surface samples and facets to fractions and areas.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh/facet_geometry.hpp"
 #include "mold/region.hpp"
@@ -26,5 +28,31 @@ inline constexpr std::uint8_t k_accessible_minus = 2;
 
 /// Model units squared.
 [[nodiscard]] RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry);
+
+struct SourceAreas {
+  std::uint32_t source = 0;  // number of the CAD face or polygon
+  RegionValues areas;        // model units squared
+};
+
+/// Sums facet areas by source; one entry a facet in each span. Sources in ascending order, those that no
+/// facet has left out.
+[[nodiscard]] std::vector<SourceAreas> region_areas_by_source(std::span<const std::uint32_t> facet_sources,
+                                                              std::span<const double> facet_areas,
+                                                              const FacetFractions& fractions);
+
+/// Samples of equal weight, as sample_surface_evenly() gives them, by region.
+struct SampleCounts {
+  std::array<std::uint32_t, k_region_count> regions{};
+
+  void add(const SampleCounts& other);
+  [[nodiscard]] std::uint32_t total() const;
+  [[nodiscard]] RegionValues areas(double total_area) const;
+  /// Undercut area and its standard error, as for independent samples, which even ones beat; one more of
+  /// either kind is counted, so that none seen is not none there.
+  struct Estimate {
+    double area = 0.0, error = 0.0;
+  };
+  [[nodiscard]] Estimate undercut(double total_area) const;
+};
 
 }  // namespace moldlight

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mold/candidates/candidate.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -98,13 +100,7 @@ std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry, const A
     if (wall.turn_deg >= k_least_turn_deg && wall.area > best.area) best = wall;
   }
   if (best.area <= 0.0) return std::nullopt;
-  glm::dvec3 axis = glm::normalize(best.turning);
-  for (const int component : {2, 1, 0}) {
-    if (std::abs(axis[component]) < 1e-9) continue;
-    if (axis[component] < 0.0) axis = -axis;
-    break;
-  }
-  return axis;
+  return half_sphere(glm::normalize(best.turning));
 }
 
 }  // namespace moldlight

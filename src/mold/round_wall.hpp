@@ -12,7 +12,7 @@ namespace moldlight {
 
 /// Unit axis of the round wall around `facet`: facets, joined over edges that bend by less than 45 degrees,
 /// whose normals have one angle to the axis and turn about it by 60 degrees at least. Nothing where there is
-/// none. Of the two senses the one with z > 0 (y > 0, x > 0 on the equator).
+/// none. On the half-sphere of half_sphere().
 [[nodiscard]] std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry,
                                                         const Adjacency& adjacency, FacetIndex facet);
 

@@ -23,6 +23,13 @@ std::uint64_t scatter(std::uint64_t x) {
 
 double fraction(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
+SurfaceSample sample_at(const TriangleMesh& mesh, FacetIndex facet, const UnitFrame& frame,
+                        std::uint64_t number) {
+  return {frame.to_unit(
+              triangle_place(number).in(mesh.corner(facet, 0), mesh.corner(facet, 1), mesh.corner(facet, 2))),
+          facet};
+}
+
 }  // namespace
 
 TrianglePlace triangle_place(std::uint64_t index) {
@@ -42,14 +49,30 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, const FacetGeometry& geo
   }
   set.samples.reserve(set.first.back());
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const glm::dvec3& a = mesh.corner(facet, 0);
-    const glm::dvec3 ab = mesh.corner(facet, 1) - a;
-    const glm::dvec3 ac = mesh.corner(facet, 2) - a;
     const std::uint64_t start = scatter(facet);
     for (std::uint64_t i = set.first[facet]; i < set.first[facet + 1]; ++i) {
-      const TrianglePlace place = triangle_place(start + (i - set.first[facet]));
-      set.samples.push_back({frame.to_unit(a + place.u * ab + place.v * ac), facet});
+      set.samples.push_back(sample_at(mesh, facet, frame, start + (i - set.first[facet])));
     }
+  }
+  return set;
+}
+
+SurfaceSamples sample_surface_evenly(const TriangleMesh& mesh, const FacetGeometry& geometry,
+                                     const UnitFrame& frame, std::uint64_t count) {
+  SurfaceSamples set;
+  set.first.reserve(mesh.facets.size() + 1);
+  set.first.push_back(0);
+  set.samples.reserve(count);
+  double area_before = 0.0;
+  const double step = geometry.total_area / static_cast<double>(std::max<std::uint64_t>(count, 1));
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const double area = geometry.areas[facet];
+    while (set.samples.size() < count &&
+           (static_cast<double>(set.samples.size()) + 0.5) * step < area_before + area) {
+      set.samples.push_back(sample_at(mesh, facet, frame, set.samples.size()));
+    }
+    area_before += area;
+    set.first.push_back(set.samples.size());
   }
   return set;
 }

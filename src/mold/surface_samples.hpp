@@ -30,6 +30,10 @@ struct SurfaceSamples {
 /// numbers fill the triangle evenly (additive recurrence of the plastic number, Roberts 2018, folded).
 struct TrianglePlace {
   double u = 0.0, v = 0.0;
+
+  [[nodiscard]] glm::dvec3 in(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+    return a + u * (b - a) + v * (c - a);
+  }
 };
 [[nodiscard]] TrianglePlace triangle_place(std::uint64_t index);
 
@@ -38,5 +42,10 @@ struct TrianglePlace {
 /// folded into the triangle, from a start that depends on the facet's number alone.
 [[nodiscard]] SurfaceSamples sample_surface(const TriangleMesh& mesh, const FacetGeometry& geometry,
                                             const UnitFrame& frame, std::uint64_t wanted);
+
+/// Samples of equal weight: `count` over the whole part in proportion to area, none on facets too small to
+/// get one. Facet boundaries are passed over, so that many small facets share a sample.
+[[nodiscard]] SurfaceSamples sample_surface_evenly(const TriangleMesh& mesh, const FacetGeometry& geometry,
+                                                   const UnitFrame& frame, std::uint64_t count);
 
 }  // namespace moldlight

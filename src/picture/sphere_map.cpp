@@ -9,7 +9,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 #include "mold/sweep/undercut_scale.hpp"
 #include "picture/label_places.hpp"
 

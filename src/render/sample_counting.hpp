@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
-#include "mold/sweep/sample_counts.hpp"
 #include "render/map_batch.hpp"
 
 namespace moldlight {

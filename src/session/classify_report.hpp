@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mold/source_areas.hpp"
+#include "mold/measure.hpp"
 #include "session/classification.hpp"
 #include "session/part_model.hpp"
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 #include "session/sweep/direction_measurer.hpp"
 #include "session/sweep/scoring.hpp"
 #include "session/sweep/sweep.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mold/accessibility.hpp"
+#include "mold/exact_rays.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
@@ -59,10 +59,15 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
       const glm::dvec3 corner(model.frame.to_unit(model.part.mesh.corner(facet, 0)));
       const glm::dvec3 point = line.origin + line.direction * (glm::dot(normal, corner - line.origin) /
                                                                glm::dot(normal, line.direction));
-      const Accessibility exact =
-          exact_accessibility(model.rays(), glm::vec3(point), normal,
-                              facet_class(normal, direction, picture.method.tau_deg), query);
-      const unsigned bits = (exact.plus ? 1U : 0U) | (exact.minus ? 2U : 0U);
+      const FacetClass own = facet_class(normal, direction, picture.method.tau_deg);
+      const auto accessible = [&](bool plus) {
+        const glm::vec3 along(plus ? direction : -direction), from(point);
+        if (own == FacetClass::near_vertical)
+          return !model.rays().first_hit(lateral_point(from, normal, query), along, false);
+        return plus == (own == FacetClass::up) &&
+               !model.rays().surface_point_blocked(from, glm::vec3(normal), along);
+      };
+      const unsigned bits = (accessible(true) ? 1U : 0U) | (accessible(false) ? 2U : 0U);
       errors.region += bits == regions[pixel] ? 0.0 : 1.0;
     }
   }

@@ -24,6 +24,19 @@ namespace moldlight {
 [[nodiscard]] std::vector<Candidate> plane_candidates(const std::vector<NormalCell>& cells, double total_area,
                                                       std::size_t most);
 
+/// A patch of a cylinder or cone: its normals have the same angle to one axis.
+struct CurvedPatch {
+  glm::dvec3 axis{0, 0, 1};  // unit, least-variance direction of the normals
+  double area = 0.0;
+  double sine_to_axis = 0.0;  // mean of n . axis: 0 for a cylinder
+  bool full_turn = false;     // the normals go most of the way round
+};
+
+/// Patches that turn by 60 degrees at least, each facet in one patch at most. Facets that lie in one plane
+/// are one strip of a patch; neighbouring strips are up to 40 degrees apart.
+[[nodiscard]] std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry,
+                                                      const Adjacency& adjacency);
+
 /// Axes of cylinders, cones and holes, full turns first, at most `most` of them.
 [[nodiscard]] std::vector<Candidate> revolution_candidates(const FacetGeometry& geometry,
                                                            const Adjacency& adjacency, std::size_t most);

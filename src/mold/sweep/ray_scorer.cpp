@@ -104,27 +104,4 @@ DirectionScore RayScorer::score_one(const ScoringTask& task) {
   return score;
 }
 
-SurfaceSamples sample_surface_evenly(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                                     const UnitFrame& frame, std::uint64_t count) {
-  SurfaceSamples set;
-  set.first.reserve(mesh.facets.size() + 1);
-  set.first.push_back(0);
-  set.samples.reserve(count);
-  double area_before = 0.0;
-  const double step = geometry.total_area / static_cast<double>(std::max<std::uint64_t>(count, 1));
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const double area = geometry.areas[facet];
-    const glm::dvec3& a = mesh.corner(facet, 0);
-    const glm::dvec3 ab = mesh.corner(facet, 1) - a, ac = mesh.corner(facet, 2) - a;
-    while (set.samples.size() < count &&
-           (static_cast<double>(set.samples.size()) + 0.5) * step < area_before + area) {
-      const TrianglePlace place = triangle_place(set.samples.size());
-      set.samples.push_back({frame.to_unit(a + place.u * ab + place.v * ac), facet});
-    }
-    area_before += area;
-    set.first.push_back(set.samples.size());
-  }
-  return set;
-}
-
 }  // namespace moldlight

@@ -7,9 +7,9 @@
 
 #include "mesh/facet_geometry.hpp"
 #include "mold/exact_rays.hpp"
+#include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
 #include "mold/sweep/direction_scorer.hpp"
-#include "mold/sweep/sample_counts.hpp"
 #include "mold/sweep/sample_rays.hpp"
 
 namespace moldlight {
@@ -50,10 +50,5 @@ class RayScorer : public DirectionScorer {
   double tau_deg_, lateral_;
   SampleRays sample_rays_;
 };
-
-/// Samples for RayScorer: `count` over the whole part in proportion to area, none on facets too small to get
-/// one. Facet boundaries are passed over, so that many small facets share a sample.
-[[nodiscard]] SurfaceSamples sample_surface_evenly(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                                                   const UnitFrame& frame, std::uint64_t count);
 
 }  // namespace moldlight

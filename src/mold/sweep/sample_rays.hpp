@@ -9,7 +9,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "mold/accessibility.hpp"
 #include "mold/draft.hpp"
 #include "mold/exact_rays.hpp"
 #include "mold/region.hpp"

@@ -23,8 +23,6 @@ double undercut_scale(double area, double worst) {
   return worst > 0.0 ? std::sqrt(std::clamp(area / worst, 0.0, 1.0)) : 0.0;
 }
 
-double undercut_at_scale(double place, double worst) { return place * place * worst; }
-
 Colour undercut_scale_colour(double place) {
   const double at = std::clamp(place, 0.0, 1.0) * (k_stops.size() - 1);
   const std::size_t k = std::min(static_cast<std::size_t>(at), k_stops.size() - 2);

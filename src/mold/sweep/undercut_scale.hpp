@@ -9,8 +9,6 @@ namespace moldlight {
 /// Place of an area on the scale, [0, 1]: the square root of its share of `worst`, which spreads the small
 /// areas that matter.
 [[nodiscard]] double undercut_scale(double area, double worst);
-/// The area at a place on the scale.
-[[nodiscard]] double undercut_at_scale(double place, double worst);
 /// `place` in [0, 1].
 [[nodiscard]] Colour undercut_scale_colour(double place);
 

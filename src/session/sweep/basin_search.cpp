@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 #include "session/sweep/sweep_stages.hpp"
 
 namespace moldlight {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 
 namespace moldlight {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 
 namespace moldlight {
 

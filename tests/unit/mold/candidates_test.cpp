@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "mold/candidates/candidate_sources.hpp"
-#include "mold/candidates/curved_patches.hpp"
 #include "mold/candidates/find_candidates.hpp"
 #include "mold/candidates/symmetric_eigen.hpp"
 #include "support/mesh_edits.hpp"

@@ -50,10 +50,12 @@ TEST(DirectionField, CountsOppositesAsOneAcrossTheRim) {
   }
 }
 
-TEST(UndercutScale, GoesBackAndDarkens) {
+TEST(UndercutScale, IsTheSquareRootAndDarkens) {
   EXPECT_EQ(undercut_scale(5.0, 0.0), 0.0);
-  for (const double area : {0.0, 0.3, 17.0})
-    EXPECT_NEAR(undercut_at_scale(undercut_scale(area, 17.0), 17.0), area, 1e-12);
+  for (const double area : {0.0, 0.3, 17.0}) {
+    const double place = undercut_scale(area, 17.0);
+    EXPECT_NEAR(place * place * 17.0, area, 1e-12);
+  }
   const auto lightness = [](const Colour& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
   for (int k = 0; k < 40; ++k) {
     EXPECT_GT(lightness(undercut_scale_colour(k / 40.0)), lightness(undercut_scale_colour((k + 1) / 40.0)))

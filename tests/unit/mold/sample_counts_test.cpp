@@ -1,9 +1,9 @@
 // Areas and errors from counted samples.
-#include "mold/sweep/sample_counts.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "mold/measure.hpp"
 
 namespace moldlight {
 namespace {
