@@ -5,10 +5,10 @@
 namespace moldlight::gl {
 
 ColourTarget::ColourTarget(const Functions& gl, const glm::ivec2& size)
-    : gl_(&gl), size_(size), texture_(make_texture_2d(gl, GL_RGBA8, size.x, size.y)) {
-  const GLuint name = texture_.name();
-  framebuffer_ = make_framebuffer(gl, {.colours = {&name, 1}});
-}
+    : gl_(&gl),
+      size_(size),
+      texture_(make_texture_2d(gl, GL_RGBA8, size.x, size.y)),
+      framebuffer_(make_framebuffer(gl, texture_)) {}
 
 std::vector<std::uint8_t> ColourTarget::read() const { return read_colours(*gl_, framebuffer(), size_); }
 

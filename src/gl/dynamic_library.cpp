@@ -1,8 +1,7 @@
-#include "gl/dynamic_library.hpp"
-
 #include <dlfcn.h>
 
 #include "base/error.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "gl/dynamic_library.hpp"
 #include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {

@@ -35,33 +35,17 @@ struct PixelLayout {
 // TexImage2D wants a client format even without data, and it must suit the internal one.
 PixelLayout pixel_layout(GLenum internal_format) {
   switch (internal_format) {
-    case GL_DEPTH_COMPONENT16:
-    case GL_DEPTH_COMPONENT24:
     case GL_DEPTH_COMPONENT32F:
       return {GL_DEPTH_COMPONENT, GL_FLOAT};
-    case GL_DEPTH24_STENCIL8:
-      return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
     case GL_R8UI:
-    case GL_R16UI:
     case GL_R32UI:
       return {GL_RED_INTEGER, GL_UNSIGNED_INT};
-    case GL_R32I:
-      return {GL_RED_INTEGER, GL_INT};
     case GL_RG32UI:
       return {GL_RG_INTEGER, GL_UNSIGNED_INT};
-    case GL_RGBA8UI:
-    case GL_RGBA16UI:
     case GL_RGBA32UI:
       return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
     case GL_R8:
       return {GL_RED, GL_UNSIGNED_BYTE};
-    case GL_R16F:
-    case GL_R32F:
-      return {GL_RED, GL_FLOAT};
-    case GL_RG16F:
-    case GL_RG32F:
-      return {GL_RG, GL_FLOAT};
-    case GL_RGBA16F:
     case GL_RGBA32F:
       return {GL_RGBA, GL_FLOAT};
     default:
@@ -175,6 +159,11 @@ Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments
   gl.ReadBuffer(draw_buffers.front());
   check_complete(gl, attachments.colours.size(), attachments.depth != 0);
   return framebuffer;
+}
+
+Framebuffer make_framebuffer(const Functions& gl, const Texture& colour, const Texture* depth) {
+  const GLuint name = colour.name();
+  return make_framebuffer(gl, {.colours = {&name, 1}, .depth = depth != nullptr ? depth->name() : 0});
 }
 
 Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,

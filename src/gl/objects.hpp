@@ -83,6 +83,8 @@ struct Attachments {
 };
 /// A complete framebuffer, left bound to GL_FRAMEBUFFER; throws Error where the driver refuses it.
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments);
+[[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Texture& colour,
+                                           const Texture* depth = nullptr);
 /// The same for one layer of an array texture and a 2-D depth texture.
 [[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
                                                  const Texture& depth);

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "gl/dynamic_library.hpp"
 #include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {

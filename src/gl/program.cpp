@@ -5,7 +5,6 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "gl/shader_text.hpp"
 
 namespace moldlight::gl {
 
@@ -70,7 +69,6 @@ std::map<std::string, GLint, std::less<>> active_uniforms(const Functions& gl, G
 Program::Program(const Functions& gl, const ProgramSources& sources, std::span<const ShaderFile> files)
     : gl_(&gl), program_(gl, gl.CreateProgram()), name_(sources.vertex) {
   const std::pair<GLenum, std::string_view> stages[] = {{GL_VERTEX_SHADER, sources.vertex},
-                                                        {GL_GEOMETRY_SHADER, sources.geometry},
                                                         {GL_FRAGMENT_SHADER, sources.fragment}};
   std::vector<Shader> shaders;
   for (const auto& [stage, path] : stages) {
@@ -78,10 +76,6 @@ Program::Program(const Functions& gl, const ProgramSources& sources, std::span<c
     if (stage != GL_VERTEX_SHADER) name_.append(" + ").append(path);
     shaders.push_back(compile(gl, stage, expand_shader(path, sources.defines, files)));
     gl.AttachShader(program_.name(), shaders.back().name());
-  }
-  if (!sources.feedback.empty()) {
-    gl.TransformFeedbackVaryings(program_.name(), static_cast<GLsizei>(sources.feedback.size()),
-                                 sources.feedback.data(), GL_INTERLEAVED_ATTRIBS);
   }
   gl.LinkProgram(program_.name());
   GLint linked = GL_FALSE;

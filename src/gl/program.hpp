@@ -5,8 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -14,19 +12,16 @@
 #include <glm/vec4.hpp>
 
 #include "gl/objects.hpp"
-#include "gl/shader_sources.hpp"
+#include "gl/shader_text.hpp"
 
 namespace moldlight::gl {
 
-/// Paths below shaders/; `geometry` and `fragment` may be empty. Lines `#include "common/x.glsl"` are
-/// replaced by that file (once a stage). `defines` become `#define NAME VALUE` after the #version line.
-/// `feedback` names the outputs captured by transform feedback, interleaved.
+/// Paths below shaders/; `fragment` may be empty. Lines `#include "common/x.glsl"` are replaced by that file
+/// (once a stage). `defines` become `#define NAME VALUE` after the #version line.
 struct ProgramSources {
   std::string_view vertex;
   std::string_view fragment = {};
-  std::string_view geometry = {};
-  std::vector<std::pair<std::string, std::string>> defines = {};
-  std::vector<const char*> feedback = {};
+  Defines defines = {};
 };
 
 /// Leaves no program in use, so that none is kept alive by that.

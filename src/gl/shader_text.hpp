@@ -1,5 +1,5 @@
-// From an embedded shader file to the text that the driver compiles, and from the driver's log back to file
-// and line.
+// The text of the files below shaders/, embedded at build time; from it to what the driver compiles, and from
+// the driver's log back to file and line.
 #pragma once
 
 #include <span>
@@ -8,9 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "gl/shader_sources.hpp"
-
 namespace moldlight::gl {
+
+struct ShaderFile {
+  std::string_view path;  // below shaders/, with forward slashes
+  std::string_view text;
+};
+
+[[nodiscard]] std::span<const ShaderFile> shader_files();
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 

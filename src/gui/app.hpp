@@ -28,7 +28,7 @@
 #include "gui/scene.hpp"
 #include "gui/store/user_state.hpp"
 #include "gui/viewport.hpp"
-#include "render/backdrop_pass.hpp"
+#include "render/screen_passes.hpp"
 
 namespace moldlight::gui {
 

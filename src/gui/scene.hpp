@@ -9,8 +9,8 @@
 #include "gl/context.hpp"
 #include "gui/app_state.hpp"
 #include "gui/loaded_part.hpp"
-#include "render/map_picture.hpp"
 #include "render/sample_pass.hpp"
+#include "render/screen_passes.hpp"
 #include "session/map_comparison.hpp"
 #include "session/picture_maps.hpp"
 

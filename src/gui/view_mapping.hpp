@@ -7,7 +7,7 @@
 
 #include "gui/app_state.hpp"
 #include "gui/scene.hpp"
-#include "render/parting_arrow.hpp"
+#include "render/view_geometry.hpp"
 
 namespace moldlight::gui {
 

@@ -21,9 +21,7 @@ std::vector<std::uint8_t> FacetIdPass::run(const PartBuffers& part, const MapFra
   const int size = settings.resolution;
   const gl::Texture facets = gl::make_texture_2d(*gl_, GL_R32UI, size, size);
   const gl::Texture depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, size, size);
-  const GLuint colour = facets.name();
-  const gl::Framebuffer framebuffer =
-      gl::make_framebuffer(*gl_, {.colours = {&colour, 1}, .depth = depth.name()});
+  const gl::Framebuffer framebuffer = gl::make_framebuffer(*gl_, facets, &depth);
   gl_->Viewport(0, 0, size, size);
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);

@@ -14,6 +14,14 @@ constexpr std::size_t k_most_facets = 4'000'000;
 
 int layer_of(int place, bool plus) { return 2 * place + (plus ? 0 : 1); }
 
+/// Of the texels that `query` has counted, unit frame squared. Waits for the GL.
+double covered_area(const gl::Functions& gl, const gl::Query& query, int resolution) {
+  GLuint covered = 0;
+  gl.GetQueryObjectuiv(query.name(), GL_QUERY_RESULT, &covered);
+  const double texel = 1.0 / resolution;
+  return static_cast<double>(covered) * texel * texel;
+}
+
 }  // namespace
 
 int MapBatch::fitting_capacity(const MapSettings& settings, std::size_t facets, std::size_t bytes) {

@@ -28,7 +28,9 @@ class MapBatch {
   /// k_left_out. Does not wait for the GL.
   void draw(int place, const MapFrame& frame, std::span<const std::uint8_t> classes);
 
-  /// Area of the part's shadow along the direction at `place`, as ShadowMaps measures it. Waits for the GL.
+  /// Area of the part's shadow along the direction at `place`, unit frame squared, from the texels that
+  /// facets alone cover, without the thick edges: the larger of the two maps' areas, which are equal for a
+  /// closed part. Waits for the GL.
   [[nodiscard]] double shadow(int place) const;
 
   /// Binds everything that shaders/common/region.glsl asks for with MAP_BATCH defined to `program`, which

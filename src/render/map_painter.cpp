@@ -79,11 +79,4 @@ void MapPainter::count_covered(const gl::Query& query) const {
   gl_->DepthFunc(GL_LESS);
 }
 
-double covered_area(const gl::Functions& gl, const gl::Query& query, int resolution) {
-  GLuint covered = 0;
-  gl.GetQueryObjectuiv(query.name(), GL_QUERY_RESULT, &covered);
-  const double texel = 1.0 / resolution;
-  return static_cast<double>(covered) * texel * texel;
-}
-
 }  // namespace moldlight

@@ -47,9 +47,6 @@ class MapPainter {
   gl::VertexArray fullscreen_;
 };
 
-/// Area of the texels that `query` has counted, unit frame squared. Waits for the GL.
-[[nodiscard]] double covered_area(const gl::Functions& gl, const gl::Query& query, int resolution);
-
 /// Sets what shaders/common/map_frame.glsl asks for on `program`, which must be in use.
 void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolution);
 

@@ -19,8 +19,8 @@
 #include "mold/region.hpp"
 #include "render/camera.hpp"
 #include "render/view_geometry.hpp"
+#include "render/view_mesh.hpp"
 #include "render/view_settings.hpp"
-#include "render/view_subject.hpp"
 
 namespace moldlight {
 

@@ -54,8 +54,7 @@ SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceS
 SampleCounting::Counts SampleCounting::make_counts(int width, int height) const {
   Counts counts;
   counts.regions = gl::make_texture_2d(*gl_, GL_RGBA32UI, width, height);
-  const GLuint colour = counts.regions.name();
-  counts.framebuffer = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}});
+  counts.framebuffer = gl::make_framebuffer(*gl_, counts.regions);
   return counts;
 }
 

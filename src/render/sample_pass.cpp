@@ -16,10 +16,8 @@ SamplePass::SamplePass(const gl::Functions& gl)
                       .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
       fullscreen_(gl::make_vertex_array(gl)),
       samples_(gl::make_texture_2d(gl, GL_RGBA32UI, k_block_width, k_block_height)),
-      verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)) {
-  const GLuint colour = verdicts_.name();
-  framebuffer_ = gl::make_framebuffer(gl, {.colours = {&colour, 1}});
-}
+      verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)),
+      framebuffer_(gl::make_framebuffer(gl, verdicts_)) {}
 
 std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const PartBuffers& part,
                                           const ShadowMaps& maps) {

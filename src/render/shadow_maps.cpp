@@ -1,6 +1,5 @@
 #include "render/shadow_maps.hpp"
 
-#include <algorithm>
 #include <atomic>
 
 #include "base/check.hpp"
@@ -21,36 +20,20 @@ void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
     *side = {};
     side->facets = gl::make_texture_2d(*gl_, GL_R32UI, settings.resolution, settings.resolution);
     side->depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, settings.resolution, settings.resolution);
-    const GLuint colour = side->facets.name();
-    side->framebuffer = gl::make_framebuffer(*gl_, {.colours = {&colour, 1}, .depth = side->depth.name()});
-    side->covered = gl::make_query(*gl_);
+    side->framebuffer = gl::make_framebuffer(*gl_, side->facets, &side->depth);
   }
   allocated_ = settings.resolution;
 }
 
-void ShadowMaps::draw_pair(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings,
-                           bool count_covered) {
+void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
   begin(frame, settings);
   const MapSubject subject{part, part.facet_classes(), frame_, settings_};
   for (const bool plus : {true, false}) {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
     painter_.draw_facets(subject, plus);
-    if (count_covered) painter_.count_covered(side(plus).covered);
     painter_.draw_edges(subject, plus);
   }
   gl::check_errors(*gl_, "drawing the shadow maps");
-}
-
-void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
-  draw_pair(part, frame, settings, false);
-}
-
-double ShadowMaps::draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
-                                           const MapSettings& settings) {
-  draw_pair(part, frame, settings, true);
-  gl_->Finish();
-  return std::max(covered_area(*gl_, plus_.covered, settings.resolution),
-                  covered_area(*gl_, minus_.covered, settings.resolution));
 }
 
 void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,

@@ -18,12 +18,6 @@ class ShadowMaps {
   /// resolution changes.
   void draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings);
 
-  /// The same; gives the area of the part's shadow along the direction, unit frame squared, from the texels
-  /// that facets alone cover, without the thick edges: the larger of the two maps' areas, which are equal for
-  /// a closed part. Waits for the GL.
-  [[nodiscard]] double draw_and_measure_shadow(const PartBuffers& part, const MapFrame& frame,
-                                               const MapSettings& settings);
-
   /// Takes maps that were drawn elsewhere, for a one-sided kernel: facet + 1 (0: none) a texel, rows from
   /// below.
   void load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
@@ -47,12 +41,9 @@ class ShadowMaps {
   struct Side {
     gl::Texture facets, depth;
     gl::Framebuffer framebuffer;
-    gl::Query covered;  // texels
   };
   [[nodiscard]] const Side& side(bool plus) const { return plus ? plus_ : minus_; }
   void begin(const MapFrame& frame, const MapSettings& settings);
-  void draw_pair(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings,
-                 bool count_covered);
 
   const gl::Functions* gl_;
   MapPainter painter_;

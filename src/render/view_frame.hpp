@@ -1,5 +1,11 @@
-// One sample of a picture: what every pass is told.
+// What the passes of a picture share: what each is told of the sample, the pictures between them, the
+// programs.
 #pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -11,6 +17,7 @@
 
 namespace moldlight {
 
+/// One sample of a picture.
 struct ViewFrame {
   ViewFrame(const Camera& camera, const glm::ivec2& size, const ViewSettings& settings,
             const glm::dvec3& direction, int sample);
@@ -28,6 +35,40 @@ struct ViewFrame {
   glm::dvec2 shift_px;   // of the picture, y down; that of sample 0 is zero
   glm::dmat4 eye_from_unit, clip_from_eye;
   glm::mat4 clip_from_unit;
+};
+
+/// The pictures between the passes, all of the size of the final one.
+struct ViewTargets {
+  ViewTargets() = default;
+  ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
+  /// Makes what pictures at rest alone need, unless it is there already.
+  void make_sum(const gl::Functions& gl);
+
+  glm::ivec2 size{0};
+  gl::Texture surface;                                   // RG32UI, see shaders/view/surface_bits.glsl
+  gl::Texture depth;                                     // 32-bit float
+  gl::Texture accessible;                                // R8UI, accessibility bits
+  gl::Texture openness;                                  // R8, 1: sees the whole sky
+  gl::Texture colour;                                    // RGBA8, one sample in sRGB
+  gl::Texture sum;                                       // RGBA32F, squares of samples
+  gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
+  gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
+  gl::Framebuffer to_depth, to_openness, to_sum;
+};
+
+/// The programs of a picture, each variant compiled when it is first needed.
+class ViewPrograms {
+ public:
+  explicit ViewPrograms(const gl::Functions& gl) : gl_(&gl) {}
+
+  /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
+  /// defines are left out. Throws Error where it does not compile.
+  const gl::Program& use(std::string_view vertex, std::string_view fragment,
+                         const std::vector<std::string_view>& defines = {});
+
+ private:
+  const gl::Functions* gl_;
+  std::map<std::string, gl::Program, std::less<>> programs_;
 };
 
 }  // namespace moldlight

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "base/check.hpp"
 #include "mesh/edges.hpp"
 
 namespace moldlight {
@@ -51,6 +52,28 @@ std::vector<glm::vec3> extreme_vertices(const std::vector<ViewVertex>& vertices)
 glm::vec2 folded(const glm::vec2& place) {
   return {std::copysign(1.0F - std::abs(place.y), place.x), std::copysign(1.0F - std::abs(place.x), place.y)};
 }
+
+constexpr std::uint32_t k_bits_shift = 30;
+constexpr float k_least_square = 1e-6F;  // of a mean normal; one shorter says nothing
+
+/// By region: bit 0 where it is accessible along +d, bit 1 along -d.
+constexpr std::array<std::uint32_t, k_region_count> k_accessibility_bits = {1, 2, 3, 0};
+
+/// Shares of a facet's corners in a point of it, sum 1; those of the first corner alone for a facet without
+/// area.
+glm::dvec3 corner_weights(const TriangleMesh& mesh, FacetIndex facet, const glm::dvec3& point) {
+  const glm::dvec3& origin = mesh.corner(facet, 0);
+  const glm::dvec3 to_1 = mesh.corner(facet, 1) - origin, to_2 = mesh.corner(facet, 2) - origin;
+  const glm::dvec3 normal = glm::cross(to_1, to_2), at = point - origin;
+  const double square = glm::dot(normal, normal);
+  if (!(square > 0.0)) return {1.0, 0.0, 0.0};
+  const double second = glm::dot(glm::cross(at, to_2), normal) / square;
+  const double third = glm::dot(glm::cross(to_1, at), normal) / square;
+  return {1.0 - second - third, second, third};
+}
+
+constexpr double k_gap = 0.035, k_length = 0.13, k_head_length = 0.048, k_head_radius = 0.0145,
+                 k_shaft_radius = 0.0045;
 
 }  // namespace
 
@@ -98,6 +121,67 @@ std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh, std::span<const
     segments.push_back({frame.to_unit(mesh.vertices[edge.a]), frame.to_unit(mesh.vertices[edge.b])});
   }
   return segments;
+}
+
+SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, const ViewGeometry& view,
+                             const UnitFrame& frame) {
+  CHECK(mesh.facets.size() < std::size_t{1} << k_bits_shift);
+  SplitGeometry geometry;
+  geometry.vertices.reserve(view.vertices.size() + 2 * (split.vertices.size() - mesh.vertices.size()));
+  geometry.vertices = view.vertices;
+  geometry.pieces.reserve(split.pieces.size());
+  geometry.sources.reserve(split.pieces.size());
+  // Of each vertex of the split mesh that is no corner of the facet at hand: the last facet that used it, and
+  // its copy for that.
+  struct Copy {
+    FacetIndex facet = k_no_facet;
+    VertexIndex vertex = 0;
+  };
+  std::vector<Copy> copies(split.vertices.size());
+  const auto cut_vertex = [&](FacetIndex facet, VertexIndex number) {
+    Copy& copy = copies[number];
+    if (copy.facet != facet) {
+      copy = {facet, static_cast<VertexIndex>(geometry.vertices.size())};
+      const glm::dvec3 weights = corner_weights(mesh, facet, split.vertices[number]);
+      glm::vec3 normal(0.0F);
+      for (int k = 0; k < 3; ++k) {
+        const VertexIndex corner = view.facets[facet][static_cast<std::size_t>(k)];
+        normal += static_cast<float>(weights[k]) * from_octahedral(view.vertices[corner].normal);
+      }
+      const ViewVertex& first = view.vertices[view.facets[facet][0]];
+      geometry.vertices.push_back(
+          {frame.to_unit(split.vertices[number]),
+           glm::dot(normal, normal) > k_least_square ? octahedral(normal) : first.normal});
+    }
+    return copy.vertex;
+  };
+  for (const SplitPiece& piece : split.pieces) {
+    const auto& whole = mesh.facets[piece.facet];
+    std::array<VertexIndex, 3> corners = view.facets[piece.facet];
+    if (piece.corners != whole) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto* corner = std::find(whole.begin(), whole.end(), piece.corners[k]);
+        corners[k] = corner != whole.end()
+                         ? view.facets[piece.facet][static_cast<std::size_t>(corner - whole.begin())]
+                         : cut_vertex(piece.facet, piece.corners[k]);
+      }
+    }
+    geometry.pieces.push_back(corners);
+    geometry.sources.push_back(piece.facet | k_accessibility_bits[static_cast<std::size_t>(piece.region)]
+                                                 << k_bits_shift);
+  }
+  return geometry;
+}
+
+PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward, double opened) {
+  double top = 0.0;
+  for (const glm::vec3& point : extremes) top = std::max(top, glm::dot(glm::dvec3(point), toward));
+  const double reach = top + opened + k_gap;
+  return {.tail = reach * toward,
+          .tip = (reach + k_length) * toward,
+          .shaft_radius = k_shaft_radius,
+          .head_radius = k_head_radius,
+          .head_length = k_head_length};
 }
 
 }  // namespace moldlight

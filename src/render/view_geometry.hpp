@@ -14,6 +14,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
 #include "mold/draft.hpp"
+#include "mold/exact/split_mesh.hpp"
 
 namespace moldlight {
 
@@ -51,5 +52,29 @@ struct ViewGeometry {
 [[nodiscard]] std::array<std::int16_t, 2> octahedral(const glm::vec3& vector);
 /// The unit vector back from it.
 [[nodiscard]] glm::vec3 from_octahedral(const std::array<std::int16_t, 2>& steps);
+
+/// The surface of a part, split at the borders of its regions, as pictures draw it.
+struct SplitGeometry {
+  /// Those of the view geometry first; then the corners that cuts have made, a copy for each facet.
+  std::vector<ViewVertex> vertices;
+  std::vector<std::array<VertexIndex, 3>> pieces;
+  std::vector<std::uint32_t> sources;  // of each piece: its facet, and its accessibility bits from bit 30 on
+};
+
+/// `view` is the view geometry of `mesh`, `split` a split of it. Normals are interpolated over each facet, so
+/// that a split surface has the same light as a whole one. Some milliseconds for 500,000 facets.
+[[nodiscard]] SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh,
+                                           const ViewGeometry& view, const UnitFrame& frame);
+
+/// Where a parting arrow stands: beside the part, along the direction. Unit frame.
+struct PartingArrow {
+  glm::dvec3 tail{0.0}, tip{0.0};
+  double shaft_radius = 0.0, head_radius = 0.0, head_length = 0.0;
+};
+
+/// The arrow that points along `toward` (unit) from above the part, of which `extremes` are the outermost
+/// points; an opened mold moves it out by `opened`.
+[[nodiscard]] PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
+                                         double opened);
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// The part on the GPU as pictures draw it: smooth normals, and lines.
+// The part on the GPU as pictures draw it: smooth normals, lines, and what tells its regions.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gl/objects.hpp"
-#include "render/split_geometry.hpp"
+#include "render/shadow_maps.hpp"
 #include "render/view_geometry.hpp"
 
 namespace moldlight {
@@ -80,6 +80,16 @@ class ViewMesh {
   std::size_t facet_count_ = 0;
   bool closed_ = false;
   std::vector<glm::vec3> extremes_;
+};
+
+/// What a picture shows: a part, a parting direction, and what tells the regions. A plain picture needs
+/// neither maps nor a split surface, any other at least one of them; to mark their difference takes both.
+/// What is pointed at must live as long as a picture is drawn.
+struct ViewSubject {
+  const PartBuffers& part;              // with the direction's facet classes
+  glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
+  const ShadowMaps* maps = nullptr;     // drawn from `part` for the direction
+  const SplitSurface* split = nullptr;  // of the part for the direction
 };
 
 }  // namespace moldlight

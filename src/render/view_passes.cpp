@@ -10,8 +10,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
-#include "render/parting_arrow.hpp"
 #include "render/view_colours.hpp"
+#include "render/view_geometry.hpp"
 
 namespace moldlight {
 

@@ -6,9 +6,6 @@
 
 #include "render/view_frame.hpp"
 #include "render/view_mesh.hpp"
-#include "render/view_programs.hpp"
-#include "render/view_subject.hpp"
-#include "render/view_targets.hpp"
 
 namespace moldlight {
 

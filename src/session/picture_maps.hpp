@@ -11,7 +11,7 @@
 #include "mold/exact/split_mesh.hpp"
 #include "mold/second_depth.hpp"
 #include "render/view_geometry.hpp"
-#include "render/view_subject.hpp"
+#include "render/view_mesh.hpp"
 #include "session/part_model.hpp"
 #include "session/settings.hpp"
 

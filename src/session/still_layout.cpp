@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "render/offscreen_picture.hpp"
+#include "gl/colour_target.hpp"
 
 namespace moldlight {
 
@@ -89,7 +89,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
   points.insert(points.end(), composition.beyond.begin(), composition.beyond.end());
   const std::vector<Box> boxes = scene_boxes(composition);
   const glm::ivec2 small_size = glm::max(composition.size / k_reduction, glm::ivec2(1));
-  const OffscreenPicture small(gl, small_size);
+  const gl::ColourTarget small(gl, small_size);
   ViewSettings plain;
   plain.colour_mode = ColourMode::plain;
   plain.ambient_occlusion = plain.feature_edges = false;
@@ -104,7 +104,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
       collides = collides || (pixel && holds(forbidden, *pixel));
     }
     if (collides) continue;
-    view.draw_final(small.target(), {.part = part}, candidate, plain);
+    view.draw_final({small.framebuffer(), small_size}, {.part = part}, candidate, plain);
     if (!part_covers(view, small_size, forbidden)) return candidate;
   }
   return camera;

@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "gl/colour_target.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "picture/legend.hpp"
-#include "render/offscreen_picture.hpp"
-#include "render/parting_arrow.hpp"
+#include "render/view_geometry.hpp"
 #include "session/figures.hpp"
 #include "session/still_layout.hpp"
 #include "session/view_choice.hpp"
@@ -138,10 +138,10 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   if (settings.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
   camera = composed(context_->functions(), view_, maps_.buffers(), camera,
                     {size, places.legend, geometry_.extremes, beyond});
-  const OffscreenPicture picture(context_->functions(), size);
-  view_.draw_final(picture.target(), maps_.subject(), camera, view_settings);
+  const gl::ColourTarget picture(context_->functions(), size);
+  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), camera, view_settings);
 
-  Canvas canvas(picture.read());
+  Canvas canvas({size.x, size.y, picture.read()});
   const LegendStyle style{
       .dark = settings.theme == Theme::dark, .palette = settings.palette, .scale = places.scale};
   if (settings.arrows && places.legend) {

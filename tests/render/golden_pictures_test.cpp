@@ -103,7 +103,7 @@ TEST(GoldenPictures, DifferenceOfCoarseMapsFromExactRegions) {
   picture.method.resolution = 64;
   picture.method.kernel = 3;
   picture.find_regions();
-  Camera camera = panned(picture.camera(), {0.0, -30.0}, picture.picture.target().size);
+  Camera camera = panned(picture.camera(), {0.0, -30.0}, picture.target().size);
   camera.height *= 0.25;
   EXPECT_TRUE(matches_golden(picture.draw(camera, settings), "difference_exact"));
   settings.regions_by = RegionsBy::maps;

@@ -36,7 +36,7 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
   settings.regions_by = by;
   static_cast<void>(picture.draw(camera, settings));
   const PartModel& model = *picture.model;
-  const glm::ivec2 size = picture.picture.target().size;
+  const glm::ivec2 size = picture.target().size;
   const auto facets = picture.view.read_facets();
   const auto regions = picture.view.read_regions();
   const glm::dvec3 direction = picture.maps.maps().frame().z;
@@ -106,7 +106,7 @@ TEST(PartView, PicksWhatIsSeen) {
     static_cast<void>(picture.draw(camera, settings));
     EXPECT_FALSE(picture.view.pick({0, 0}));
     EXPECT_FALSE(picture.view.pick({-1, 20}));
-    EXPECT_FALSE(picture.view.pick(picture.picture.target().size));
+    EXPECT_FALSE(picture.view.pick(picture.target().size));
     int found = 0;
     for (int x = 5; x < 200; x += 10) {
       for (int y = 5; y < 150; y += 10) {
@@ -117,7 +117,7 @@ TEST(PartView, PicksWhatIsSeen) {
         EXPECT_NEAR(glm::dot(model.geometry.normals[point->facet], glm::dvec3(point->position) - corner), 0.0,
                     1e-5);
         if (opened > 0.0) continue;
-        const auto seen = project(camera, picture.picture.target().size, glm::dvec3(point->position));
+        const auto seen = project(camera, picture.target().size, glm::dvec3(point->position));
         EXPECT_LT(glm::distance(*seen, glm::dvec2(x + 0.5, y + 0.5)), 0.01);
       }
     }
@@ -162,16 +162,16 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
   ViewSettings settings;
   settings.samples = 5;
-  const ViewTarget target = picture.picture.target();
+  const ViewTarget target = picture.target();
   const auto draw = [&](const Camera& camera) {
     return picture.view.draw(target, picture.maps.subject(), camera, settings);
   };
   const Camera camera = picture.camera();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << sample;
   EXPECT_FALSE(draw(camera));
-  const Image done = picture.picture.read();
+  const Image done = picture.read();
   EXPECT_FALSE(draw(camera));
-  EXPECT_EQ(picture.picture.read().rgba, done.rgba) << "a finished picture stays as it is";
+  EXPECT_EQ(picture.read().rgba, done.rgba) << "a finished picture stays as it is";
 
   const Camera other = panned(camera, {3.0, 0.0}, target.size);
   EXPECT_TRUE(draw(other));
@@ -179,7 +179,7 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   picture.find_regions();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << "after new maps";
   EXPECT_FALSE(draw(camera));
-  EXPECT_EQ(picture.picture.read().rgba, done.rgba) << "the same picture again, to the bit";
+  EXPECT_EQ(picture.read().rgba, done.rgba) << "the same picture again, to the bit";
 }
 
 TEST(PartView, MarksLieOnTop) {
@@ -285,9 +285,8 @@ TEST(PartView, APlainPictureNeedsNoRegions) {
   ViewSettings settings = one_sample();
   settings.colour_mode = ColourMode::plain;
   const Image known = picture.draw(picture.camera(), settings);
-  picture.view.draw_final(picture.picture.target(), {.part = picture.maps.buffers()}, picture.camera(),
-                          settings);
-  EXPECT_EQ(picture.picture.read().rgba, known.rgba);
+  picture.view.draw_final(picture.target(), {.part = picture.maps.buffers()}, picture.camera(), settings);
+  EXPECT_EQ(picture.read().rgba, known.rgba);
 }
 
 TEST(PartView, NoBackdropIsTransparent) {

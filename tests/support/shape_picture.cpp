@@ -32,7 +32,7 @@ ShapePicture::ShapePicture(const gl::Context& context, const Shape& shape, const
 Camera ShapePicture::camera() const {
   Camera camera;
   camera.orientation = looking_along({-0.55, 0.75, -0.6}, {0, 0, 1});
-  return fitted(camera, geometry.extremes, picture.target().size, 0.85);
+  return fitted(camera, geometry.extremes, picture.size(), 0.85);
 }
 
 void ShapePicture::find_regions() {
@@ -41,8 +41,8 @@ void ShapePicture::find_regions() {
 }
 
 Image ShapePicture::draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
-  view.draw_final(picture.target(), maps.subject(), camera, settings, marks);
-  return picture.read();
+  view.draw_final(target(), maps.subject(), camera, settings, marks);
+  return read();
 }
 
 SplitMesh exact_regions(const PartModel& model, const MethodSettings& method) {

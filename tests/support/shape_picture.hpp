@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "render/offscreen_picture.hpp"
+#include "base/image.hpp"
+#include "gl/colour_target.hpp"
 #include "render/part_view.hpp"
 #include "session/picture_maps.hpp"
 #include "support/shapes.hpp"
@@ -19,6 +20,9 @@ class ShapePicture {
   [[nodiscard]] Camera camera() const;
   /// The regions of `method`, maps and split mesh; the constructor finds them once.
   void find_regions();
+  [[nodiscard]] ViewTarget target() const { return {picture.framebuffer(), picture.size()}; }
+  /// What was drawn last. Waits for the GL.
+  [[nodiscard]] Image read() const { return {picture.size().x, picture.size().y, picture.read()}; }
   [[nodiscard]] Image draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks = {});
 
   std::shared_ptr<const PartModel> model;
@@ -26,7 +30,7 @@ class ShapePicture {
   ViewGeometry geometry;
   PictureMaps maps;
   PartView view;
-  OffscreenPicture picture;
+  gl::ColourTarget picture;
 };
 
 /// The exact regions of a part for these settings.

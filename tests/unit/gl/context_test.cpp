@@ -19,8 +19,8 @@ Texel cleared_texel(const Functions& gl, float red) {
   const Texture colour = make_texture_2d(gl, GL_RGBA8, 4, 3);
   const GLuint names[] = {colour.name()};
   const Framebuffer framebuffer = make_framebuffer(gl, {names, 0});
-  gl.ClearColor(red, 0.0f, 1.0f, 1.0f);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
+  const float value[] = {red, 0.0f, 1.0f, 1.0f};
+  gl.ClearBufferfv(GL_COLOR, 0, value);
   Texel texel = {};
   gl.ReadPixels(3, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
   check_errors(gl, "clearing");
@@ -82,8 +82,8 @@ TEST(HeadlessContext, ObjectsOutliveTheTurnsOfOthers) {
   const Texture colour = make_texture_2d(gl, GL_RGBA8, 1, 1);
   const GLuint names[] = {colour.name()};
   const Framebuffer framebuffer = make_framebuffer(gl, {names, 0});
-  gl.ClearColor(0.0f, 1.0f, 0.0f, 1.0f);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
+  const float green[] = {0.0f, 1.0f, 0.0f, 1.0f};
+  gl.ClearBufferfv(GL_COLOR, 0, green);
   for (const auto& other : contexts) {
     other->make_current();
     if (other != contexts.front()) cleared_texel(other->functions(), 1.0f);
@@ -103,9 +103,8 @@ TEST(HeadlessContext, MovesToAnotherThreadAndBack) {
     context->release_current();
     std::thread([&context] {
       context->make_current();
-      context->functions().ClearColor(1.0f, 1.0f, 0.0f, 1.0f);
-      context->functions().Clear(GL_COLOR_BUFFER_BIT);
-      context->functions().Finish();
+      const float yellow[] = {1.0f, 1.0f, 0.0f, 1.0f};
+      context->functions().ClearBufferfv(GL_COLOR, 0, yellow);
       context->release_current();
     }).join();
     context->make_current();

@@ -66,11 +66,6 @@ TEST_F(ProgramTest, LinkErrorNamesTheFiles) {
   EXPECT_NE(text.find("v_which"), std::string::npos) << text;
 }
 
-TEST_F(ProgramTest, FeedbackOfAnUnknownOutputIsALinkError) {
-  const std::string text = failure({.vertex = "good.vert", .feedback = {"v_absent"}});
-  EXPECT_NE(text.find("v_absent"), std::string::npos) << text;
-}
-
 TEST_F(ProgramTest, KnowsItsUniforms) {
   const Program program(gl(), {.vertex = "good.vert", .fragment = "good.frag"}, k_files);
   for (const char* name : {"u_shift", "u_which", "u_offsets", "u_offsets[0]", "u_offsets[2]"}) {

@@ -1,9 +1,8 @@
 // A split surface as pictures draw it: the part's own corners and light, and every piece's source.
-#include "render/split_geometry.hpp"
-
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "render/view_geometry.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight {

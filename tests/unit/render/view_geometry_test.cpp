@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/health.hpp"
-#include "render/parting_arrow.hpp"
 #include "render/view_colours.hpp"
+#include "render/view_geometry.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight {
