@@ -23,7 +23,8 @@ class UsageError : public Error {
 /// be empty.
 class FileError : public Error {
  public:
-  FileError(const std::string& file, const std::string& place, const std::string& what);
+  FileError(const std::string& file, const std::string& place, const std::string& what)
+      : Error(file + (place.empty() ? "" : ": " + place) + ": " + what) {}
 };
 
 /// The user (or a time limit) ended the work: exit code 130.

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 
 namespace moldlight {
 
@@ -79,13 +80,13 @@ class LatestJob {
       const auto progress = std::make_shared<Progress>();
       running_ = progress;
       lock.unlock();
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch stopwatch;
       std::optional<Outcome> outcome;
       try {
         outcome = work(request, *progress);
       } catch (const Cancelled&) {
       }
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      const double took_s = stopwatch.elapsed_ms() / 1000.0;
       lock.lock();
       running_.reset();
       if (outcome && !progress->cancelled()) {
@@ -94,7 +95,7 @@ class LatestJob {
         options_.wake();
         lock.lock();
       }
-      const std::chrono::duration<double> pause(options_.pause_s(took.count()));
+      const std::chrono::duration<double> pause(options_.pause_s(took_s));
       changed_.wait_for(lock, pause, [this] { return ending_; });
     }
   }

@@ -4,6 +4,9 @@
 #include <atomic>
 #include <functional>
 #include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
 
 namespace moldlight {
 
@@ -18,7 +21,10 @@ class Progress {
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
 
   /// Throws Cancelled once cancel() was called; call it at least every 50 ms of work.
-  void report(std::string_view stage, double fraction) const;
+  void report(std::string_view stage, double fraction) const {
+    if (cancelled()) throw Cancelled();
+    if (listener_) listener_(stage, fraction);
+  }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
@@ -29,6 +35,10 @@ class Progress {
 
 /// Is cancelled with `parent` as far as report() goes, and tells nobody: for work whose stages the user is
 /// not to see. `parent` must outlive it.
-[[nodiscard]] Progress silent(const Progress& parent);
+[[nodiscard]] inline Progress silent(const Progress& parent) {
+  return Progress([&parent](std::string_view, double) {
+    if (parent.cancelled()) throw Cancelled();
+  });
+}
 
 }  // namespace moldlight

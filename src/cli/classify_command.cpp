@@ -5,7 +5,6 @@
 #include "cli/method_flags.hpp"
 #include "cli/outputs.hpp"
 #include "cli/still_flags.hpp"
-#include "io/border_writer.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "session/classifier.hpp"

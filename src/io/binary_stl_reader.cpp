@@ -3,7 +3,7 @@
 #include <cstring>
 #include <vector>
 
-#include "io/memory_check.hpp"
+#include "io/file_contents.hpp"
 #include "io/readers.hpp"
 #include "mesh/weld.hpp"
 

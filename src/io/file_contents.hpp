@@ -1,8 +1,8 @@
-// A whole file in memory. Read, not mapped: a program that saves the part anew while it is read must not end
-// ours.
+// A whole file in memory, and whether there is memory for what is made of it.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,6 +11,7 @@
 
 namespace moldlight {
 
+/// Read, not mapped: a program that saves the part anew while it is read must not end ours.
 class FileContents {
  public:
   /// Reads the regular file `path`, of any size. Throws FileError where it cannot be read.
@@ -26,5 +27,9 @@ class FileContents {
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
 };
+
+/// Throws FileError for `path` where `bytes`, about to be taken, are not there: a system that lends
+/// more than it has would end the program later, without a word. Cheap for small amounts.
+void check_memory(const std::string& path, std::uint64_t bytes);
 
 }  // namespace moldlight

@@ -1,4 +1,5 @@
-// Writing a mesh with its facets coloured by region. Facet k of the file is facet k of the mesh.
+// Writing a mesh with its facets coloured by region, and the lines between regions. Facet k of the file is
+// facet k of the mesh.
 #pragma once
 
 #include <span>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
+#include "mold/exact/split_mesh.hpp"
 #include "mold/region.hpp"
 
 namespace moldlight {
@@ -37,5 +39,16 @@ void check_mesh_extension(const std::string& path);
 /// name goes. Returns the paths.
 std::vector<std::string> write_region_stls(const std::string& folder, const std::string& stem,
                                            const ColouredMesh& coloured);
+
+/// Writes the chains of region_borders() by the extension of `path`, coordinates in the part's unit and in
+/// the shortest form that reads back the same; the file is replaced whole or not at all: .obj  a polyline
+/// (`l`) a chain, in a group a pair of regions (`g core-undercut`); chains share vertices; .csv
+/// `chain,closed,region_a,region_b,x,y,z`, a line a point: chains from 0, closed 1 or 0, region_a left of
+///       the walk as seen from outside; the first point of a closed chain comes again as its last.
+/// Throws UsageError for another extension, FileError where it cannot be written.
+void write_borders(const std::string& path, const SplitMesh& mesh);
+
+/// Throws UsageError where write_borders would for the extension: to be asked before long work.
+void check_border_extension(const std::string& path);
 
 }  // namespace moldlight

@@ -1,5 +1,6 @@
 #include "io/part_reader.hpp"
 
+#include <array>
 #include <new>
 #include <utility>
 
@@ -13,25 +14,9 @@ namespace moldlight {
 
 namespace {
 
-Part read_as(FileFormat format, const ReadContext& context) {
-  switch (format) {
-    case FileFormat::stl_binary:
-      return read_binary_stl(context);
-    case FileFormat::stl_ascii:
-      return read_ascii_stl(context);
-    case FileFormat::obj:
-      return read_obj(context);
-    case FileFormat::ply:
-      return read_ply(context);
-    case FileFormat::off:
-      return read_off(context);
-    case FileFormat::threemf:
-      return read_threemf(context);
-    case FileFormat::step:
-      break;
-  }
-  return read_step(context);
-}
+/// By FileFormat.
+constexpr std::array k_readers = {read_binary_stl, read_ascii_stl, read_obj, read_ply,
+                                  read_off,        read_threemf,   read_step};
 
 }  // namespace
 
@@ -41,7 +26,7 @@ Part read_part(const std::string& path, const ReadOptions& options, const Progre
   const FileFormat format = detect_format(path, contents.bytes());
   const std::size_t size_mib = contents.bytes().size() >> 20;
   try {
-    Part part = read_as(format, context);
+    Part part = k_readers[static_cast<std::size_t>(format)](context);
     part.file = path;
     part.format = format_name(format);
     if (!options.unit.empty()) set_unit(part, options.unit);

@@ -1,6 +1,6 @@
 #include "io/png.hpp"
 
-#include <algorithm>
+#include <memory>
 
 #include <png.h>
 
@@ -19,15 +19,6 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
-/// A png_image, whose memory libpng gives back.
-struct PngImage {
-  PngImage() { image.version = PNG_IMAGE_VERSION; }
-  ~PngImage() { png_image_free(&image); }
-  PngImage(const PngImage&) = delete;
-  PngImage& operator=(const PngImage&) = delete;
-  png_image image{};
-};
-
 }  // namespace
 
 std::string png_bytes(const Image& image) {
@@ -41,33 +32,22 @@ std::string png_bytes(const Image& image) {
                  image.rgba.begin() + static_cast<std::ptrdiff_t>(i + 3));
     }
   }
-  PngImage png;
-  png.image.width = static_cast<png_uint_32>(image.width);
-  png.image.height = static_cast<png_uint_32>(image.height);
-  png.image.format = opaque ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&png, png_image_free);
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = opaque ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
   const void* pixels = opaque ? rgb.data() : image.rgba.data();
-  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image), '\0');
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
-    throw Error(std::string("a picture cannot be encoded as PNG: ") + png.image.message);
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
+    throw Error(std::string("a picture cannot be encoded as PNG: ") + png.message);
   }
   bytes.resize(size);
   return bytes;
 }
 
 void write_png(const std::string& path, const Image& image) { write_file(path, png_bytes(image)); }
-
-Image read_png(const std::string& path) {
-  PngImage png;
-  if (png_image_begin_read_from_file(&png.image, path.c_str()) == 0) {
-    throw FileError(path, "", std::string("is no PNG that can be read: ") + png.image.message);
-  }
-  png.image.format = PNG_FORMAT_RGBA;
-  Image image = empty_image(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
-  if (png_image_finish_read(&png.image, nullptr, image.rgba.data(), 0, nullptr) == 0) {
-    throw FileError(path, "", std::string("is a damaged PNG: ") + png.image.message);
-  }
-  return image;
-}
 
 }  // namespace moldlight

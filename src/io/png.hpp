@@ -13,7 +13,4 @@ namespace moldlight {
 /// Replaces the file whole or not at all; throws FileError.
 void write_png(const std::string& path, const Image& image);
 
-/// Reads a PNG of any kind as RGBA; throws FileError.
-[[nodiscard]] Image read_png(const std::string& path);
-
 }  // namespace moldlight

@@ -1,6 +1,6 @@
 #include "io/polygon_part_builder.hpp"
 
-#include "io/memory_check.hpp"
+#include "io/file_contents.hpp"
 #include "mesh/polygon_triangulation.hpp"
 #include "mesh/weld.hpp"
 

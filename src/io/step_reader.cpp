@@ -1,21 +1,145 @@
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include "io/child_process.hpp"
+#include "base/error.hpp"
 #include "io/readers.hpp"
 #include "io/step_result.hpp"
 #include "io/text_scanner.hpp"
 #include "mesh/weld.hpp"
+
+extern char** environ;
 
 namespace moldlight {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int k_poll_ms = 50;
+
+/// Ends the child with the scope: no way out leaves it running or unwaited for.
+class Child {
+ public:
+  explicit Child(pid_t pid) : pid_(pid) {}
+  ~Child() {
+    if (pid_ > 0) {
+      ::kill(pid_, SIGKILL);
+      wait();
+    }
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  void kill() const { ::kill(pid_, SIGKILL); }
+  int wait() {
+    int status = 0;
+    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t pid_;
+};
+
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+  }
+  ~Pipe() {
+    close_writing_end();
+    if (ends_[0] >= 0) ::close(ends_[0]);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  [[nodiscard]] bool is_open() const { return ends_[0] >= 0; }
+  [[nodiscard]] int reading_end() const { return ends_[0]; }
+  [[nodiscard]] int writing_end() const { return ends_[1]; }
+  void close_writing_end() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_ = {-1, -1};
+};
+
+struct ChildResult {
+  std::string bytes;  // what it wrote to the descriptor
+  int exit_code = 0;  // -1 where a signal ended it
+  int signal = 0;     // that ended it; 0 for none
+  bool timed_out = false;
+};
+
+struct ChildCommand {
+  std::string program;  // path
+  std::vector<std::string> arguments;
+  std::chrono::seconds time_limit{60};
+};
+
+pid_t start(const ChildCommand& command, int writing_end) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, writing_end, k_step_result_descriptor);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  }
+  std::vector<std::string> words = {command.program};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t pid = -1;
+  const int error = ::posix_spawn(&pid, command.program.c_str(), &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? pid : -1;
+}
+
+/// Runs the program with its standard streams closed off, until it ends, `time_limit` is over or `progress`
+/// is cancelled (throws Cancelled). None where it cannot be started.
+std::optional<ChildResult> run_child(const ChildCommand& command, const Progress& progress) {
+  Pipe pipe;
+  if (!pipe.is_open()) return std::nullopt;
+  const pid_t pid = start(command, pipe.writing_end());
+  if (pid < 0) return std::nullopt;
+  Child child(pid);
+  pipe.close_writing_end();
+
+  ChildResult result;
+  const auto deadline = std::chrono::steady_clock::now() + command.time_limit;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (true) {
+    progress.report("reading", 0.5);
+    if (std::chrono::steady_clock::now() > deadline) {
+      result.timed_out = true;
+      child.kill();
+      break;
+    }
+    pollfd waiting = {pipe.reading_end(), POLLIN, 0};
+    if (::poll(&waiting, 1, k_poll_ms) <= 0) continue;
+    const ssize_t got = ::read(pipe.reading_end(), chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    result.bytes.append(chunk.data(), static_cast<std::size_t>(got));
+  }
+  const int status = child.wait();
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  return result;
+}
 
 constexpr std::string_view k_end_mark = "END-ISO-10303-21";
 constexpr std::uint64_t k_base_memory_bytes = std::uint64_t{3} << 30;
@@ -44,7 +168,6 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
   }
   ChildCommand command;
   command.program = *program;
-  command.result_descriptor = k_step_result_descriptor;
   command.time_limit = k_base_time + std::chrono::seconds(file_bytes / k_bytes_a_second);
   command.arguments = {
       fs::absolute(context.path).string(), fmt::format("{}", context.options.linear_deflection),

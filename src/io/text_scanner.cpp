@@ -8,6 +8,9 @@
 
 #include <locale.h>
 
+#include "base/numbers.hpp"
+#include "base/utf8.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -35,22 +38,6 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 double out_of_range_value(std::string_view word) {
   static const locale_t k_c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(word).c_str(), nullptr, k_c_locale);
-}
-
-/// Bytes of the valid UTF-8 sequence at the start of `text`, 0 where there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  const unsigned char second = byte(1);
-  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-  const bool beyond = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
-  return overlong || beyond ? 0 : length;
 }
 
 std::string printable(std::string_view text, std::size_t max_bytes) {
@@ -164,10 +151,7 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
     word.remove_prefix(1);
     if (word.starts_with('-')) return std::nullopt;
   }
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
+  return number_from<std::int64_t>(word);
 }
 
 bool equals_ignoring_case(std::string_view word, std::string_view lower) {

@@ -1,7 +1,7 @@
 #include <set>
 #include <vector>
 
-#include "io/memory_check.hpp"
+#include "io/file_contents.hpp"
 #include "io/readers.hpp"
 #include "io/text_scanner.hpp"
 #include "io/threemf_model.hpp"

@@ -1,5 +1,7 @@
 #include "mesh/facet_geometry.hpp"
 
+#include <cmath>
+
 namespace moldlight {
 
 FacetGeometry facet_geometry(const TriangleMesh& mesh) {
@@ -14,6 +16,14 @@ FacetGeometry facet_geometry(const TriangleMesh& mesh) {
     geometry.total_area += 0.5 * twice_area;
   }
   return geometry;
+}
+
+double projected_area(const FacetGeometry& geometry, const glm::dvec3& direction) {
+  double projected = 0.0;
+  for (std::size_t facet = 0; facet < geometry.areas.size(); ++facet) {
+    projected += geometry.areas[facet] * std::abs(glm::dot(geometry.normals[facet], direction));
+  }
+  return projected;
 }
 
 }  // namespace moldlight

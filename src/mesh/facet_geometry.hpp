@@ -24,4 +24,7 @@ struct FacetGeometry {
 
 [[nodiscard]] FacetGeometry facet_geometry(const TriangleMesh& mesh);
 
+/// Sum of the facets' areas as projected along a unit direction.
+[[nodiscard]] double projected_area(const FacetGeometry& geometry, const glm::dvec3& direction);
+
 }  // namespace moldlight

@@ -1,13 +1,13 @@
 #include "mesh/part_selection.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/length_unit.hpp"
 #include "mesh/weld.hpp"
 
@@ -32,11 +32,9 @@ std::string list_of_bodies(const Part& part) {
 }
 
 std::size_t find_body(const Part& part, std::string_view selector) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(selector.data(), selector.data() + selector.size(), number);
-  if (error == std::errc() && end == selector.data() + selector.size()) {
-    if (number < 1 || number > part.bodies.size()) fail_selection(part, selector, "there is no body");
-    return number - 1;
+  if (const auto number = number_from<std::size_t>(selector)) {
+    if (*number < 1 || *number > part.bodies.size()) fail_selection(part, selector, "there is no body");
+    return *number - 1;
   }
   const auto is_named = [&](const Body& body) { return body.name == selector; };
   const auto found = std::find_if(part.bodies.begin(), part.bodies.end(), is_named);

@@ -31,13 +31,9 @@ MapFrame map_frame(const glm::dvec3& direction) {
   frame.z = unit_direction(direction);
   const glm::dvec3 magnitude = glm::abs(frame.z);
   glm::dvec3 least(0.0);
-  if (magnitude.x <= magnitude.y && magnitude.x <= magnitude.z) {
-    least.x = 1.0;
-  } else if (magnitude.y <= magnitude.z) {
-    least.y = 1.0;
-  } else {
-    least.z = 1.0;
-  }
+  least[magnitude.x <= magnitude.y && magnitude.x <= magnitude.z ? 0
+        : magnitude.y <= magnitude.z                             ? 1
+                                                                 : 2] = 1.0;
   const glm::dvec3 x = glm::normalize(glm::cross(least, frame.z));
   const glm::dvec3 y = glm::cross(frame.z, x);
   frame.x = std::cos(k_twist_rad) * x + std::sin(k_twist_rad) * y;

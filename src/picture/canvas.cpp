@@ -1,7 +1,6 @@
 #include "picture/canvas.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -11,8 +10,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/check.hpp"
+#include "base/utf8.hpp"
 #include "picture/letters.hpp"
-#include "picture/utf8.hpp"
 
 namespace moldlight {
 
@@ -81,6 +80,13 @@ struct Canvas::Surface {
     cairo_arc(cairo, low.x + r, low.y + r, r, 2.0 * quarter, 3.0 * quarter);
     cairo_close_path(cairo);
   }
+  void circle_path(const glm::dvec2& centre, double radius) const {
+    cairo_new_path(cairo);
+    cairo_arc(cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  }
+  [[nodiscard]] std::vector<SetLetter> set_text(std::string_view text, const TextStyle& style) {
+    return letters.set(text, style.size_px, style.weight, style.tabular);
+  }
 
   cairo_surface_t* pixels;
   cairo_t* cairo;
@@ -147,11 +153,11 @@ void Canvas::arrow(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink,
   const glm::dvec2 along = (to - from) / length, aside(-along.y, along.x);
   const double head = std::min(5.0 * width, length);
   line(from, to - 0.8 * head * along, ink, width);
-  const std::array<glm::dvec2, 3> corners = {to, to - head * along + 0.38 * head * aside,
-                                             to - head * along - 0.38 * head * aside};
-  cairo_move_to(surface_->cairo, corners[0].x, corners[0].y);
-  cairo_line_to(surface_->cairo, corners[1].x, corners[1].y);
-  cairo_line_to(surface_->cairo, corners[2].x, corners[2].y);
+  cairo_new_path(surface_->cairo);
+  for (const glm::dvec2& corner :
+       {to, to - head * along + 0.38 * head * aside, to - head * along - 0.38 * head * aside}) {
+    cairo_line_to(surface_->cairo, corner.x, corner.y);
+  }
   cairo_close_path(surface_->cairo);
   surface_->set(ink);
   cairo_fill(surface_->cairo);
@@ -159,15 +165,13 @@ void Canvas::arrow(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink,
 
 void Canvas::disc(const glm::dvec2& centre, double radius, const Ink& ink) {
   surface_->set(ink);
-  cairo_new_path(surface_->cairo);
-  cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  surface_->circle_path(centre, radius);
   cairo_fill(surface_->cairo);
 }
 
 void Canvas::ring(const glm::dvec2& centre, double radius, const Ink& ink, double width) {
   surface_->set(ink);
-  cairo_new_path(surface_->cairo);
-  cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  surface_->circle_path(centre, radius);
   cairo_set_line_width(surface_->cairo, width);
   cairo_stroke(surface_->cairo);
 }
@@ -188,8 +192,7 @@ void Canvas::picture(const Image& image, const Box& box) {
 }
 
 void Canvas::text(const glm::dvec2& at, std::string_view text, const TextStyle& style) {
-  const std::vector<SetLetter> letters =
-      surface_->letters.set(text, style.size_px, style.weight, style.tabular);
+  const std::vector<SetLetter> letters = surface_->set_text(text, style);
   const double width = letters.empty() ? 0.0 : letters.back().end;
   const double start = style.align == Align::left     ? at.x
                        : style.align == Align::centre ? at.x - 0.5 * width
@@ -203,8 +206,7 @@ void Canvas::text(const glm::dvec2& at, std::string_view text, const TextStyle& 
 }
 
 double Canvas::text_width(std::string_view text, const TextStyle& style) {
-  const std::vector<SetLetter> letters =
-      surface_->letters.set(text, style.size_px, style.weight, style.tabular);
+  const std::vector<SetLetter> letters = surface_->set_text(text, style);
   return letters.empty() ? 0.0 : letters.back().end;
 }
 

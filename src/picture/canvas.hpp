@@ -1,6 +1,7 @@
 // Drawing on pictures: boxes, lines, arrows and text (Cairo).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -8,9 +9,25 @@
 #include <glm/vec2.hpp>
 
 #include "base/image.hpp"
-#include "picture/text_style.hpp"
+#include "mold/region.hpp"
 
 namespace moldlight {
+
+struct Ink {
+  Colour colour = {};
+  double opacity = 1.0;  // [0, 1]
+};
+
+enum class FontWeight : std::uint8_t { regular, medium, semibold };
+enum class Align : std::uint8_t { left, centre, right };
+
+struct TextStyle {
+  double size_px = 14.0;  // of the em square
+  FontWeight weight = FontWeight::regular;
+  Ink ink = {};
+  Align align = Align::left;
+  bool tabular = false;  // digits all of one width, for columns of figures
+};
 
 /// Pixels from the upper left corner, y down; a pixel's centre lies at half numbers.
 struct Box {

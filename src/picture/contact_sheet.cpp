@@ -28,11 +28,8 @@ void draw_regions(DesignSpace& at, double right, Palette palette) {
   for (const Region region : {Region::undercut, Region::both, Region::cavity, Region::core}) {
     at.text({right, k_margin + 20.0}, region_name(region), text);
     right -= at.canvas().text_width(region_name(region), text) / at.scale() + 20.0;
-    const Box swatch = at.box({right, k_margin + 9.0}, {12.0, 12.0});
-    at.canvas().fill_box(swatch, {region_colour(region, palette)}, 3.0 * at.scale());
-    if (region == Region::undercut) {
-      at.canvas().hatch_box(swatch, {{0, 0, 0}, 0.28}, 3.0 * at.scale(), 5.0 * at.scale());
-    }
+    fill_region(at.canvas(), at.box({right, k_margin + 9.0}, {12.0, 12.0}), region,
+                {.palette = palette, .scale = at.scale()});
     right -= 22.0;
   }
 }

@@ -16,6 +16,9 @@ DesignSpace::DesignSpace(Canvas& canvas, const glm::dvec2& design, bool dark)
       scale_(std::min(canvas.size().x / design.x, canvas.size().y / design.y)),
       origin_(0.5 * (canvas.size() - scale_ * design)) {}
 
+DesignSpace::DesignSpace(Canvas& canvas, const glm::dvec2& origin, double scale, bool dark)
+    : canvas_(canvas), inks_(picture_inks(dark)), scale_(scale), origin_(origin) {}
+
 TextStyle DesignSpace::title() const {
   return {.size_px = k_title_px * scale_, .weight = FontWeight::semibold, .ink = inks_.strong};
 }

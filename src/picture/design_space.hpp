@@ -20,6 +20,8 @@ class DesignSpace {
  public:
   /// `canvas` must outlive it.
   DesignSpace(Canvas& canvas, const glm::dvec2& design, bool dark);
+  /// The same for a page that begins at `origin` of the canvas.
+  DesignSpace(Canvas& canvas, const glm::dvec2& origin, double scale, bool dark);
 
   [[nodiscard]] Canvas& canvas() const { return canvas_; }
   [[nodiscard]] const PictureInks& inks() const { return inks_; }

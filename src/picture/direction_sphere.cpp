@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "mold/sweep/undercut_scale.hpp"
+#include "mold/sweep/direction_field.hpp"
 #include "picture/design_space.hpp"
 
 namespace moldlight {

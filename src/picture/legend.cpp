@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "picture/design_space.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -13,30 +15,8 @@ constexpr double k_title_line = 24.0, k_small_line = 18.0, k_row = 26.0;
 constexpr double k_bar_height = 8.0, k_bar_gap = 16.0;
 constexpr double k_swatch = 12.0, k_name_left = 22.0, k_percent_right = 160.0;
 
-/// Writes at places given at scale 1 from the legend's corner.
-class Writer {
- public:
-  Writer(Canvas& canvas, const glm::dvec2& corner, const LegendStyle& style)
-      : canvas_(canvas), corner_(corner), scale_(style.scale) {}
-
-  [[nodiscard]] glm::dvec2 place(double x, double y) const {
-    return corner_ + scale_ * glm::dvec2(k_padding + x, k_padding + y);
-  }
-  [[nodiscard]] Box box(double x, double y, double width, double height) const {
-    return {place(x, y), scale_ * glm::dvec2(width, height)};
-  }
-  [[nodiscard]] TextStyle style(double size, FontWeight weight, const Ink& ink, Align align) const {
-    return {.size_px = scale_ * size, .weight = weight, .ink = ink, .align = align, .tabular = true};
-  }
-  void text(double x, double baseline, std::string_view words, const TextStyle& style) {
-    canvas_.text(place(x, baseline), words, style);
-  }
-
- private:
-  Canvas& canvas_;
-  glm::dvec2 corner_;
-  double scale_;
-};
+/// A place given at scale 1 from the legend's inner corner.
+glm::dvec2 inner(double x, double y) { return {k_padding + x, k_padding + y}; }
 
 double inner_width() { return k_width - 2.0 * k_padding; }
 
@@ -47,8 +27,7 @@ double inner_height(const LegendContent& content) {
   return height - 6.0;
 }
 
-void draw_bar(Canvas& canvas, const Writer& at, double top, const LegendContent& content,
-              const LegendStyle& style) {
+void draw_bar(DesignSpace& at, double top, const LegendContent& content, const LegendStyle& style) {
   const double gap = 2.0, least = 3.0;
   double shown = 0.0;
   for (const double share : content.shares) shown += share > 0.0 ? 1.0 : 0.0;
@@ -58,11 +37,7 @@ void draw_bar(Canvas& canvas, const Writer& at, double top, const LegendContent&
     const double share = content.shares[static_cast<std::size_t>(region)];
     if (share <= 0.0) continue;
     const double width = least + room * share;
-    const Box box = at.box(left, top, width, k_bar_height);
-    canvas.fill_box(box, {region_colour(region, style.palette)}, 2.0 * style.scale);
-    if (region == Region::undercut) {
-      canvas.hatch_box(box, {{0, 0, 0}, 0.28}, 2.0 * style.scale, 5.0 * style.scale);
-    }
+    fill_region(at.canvas(), at.box(inner(left, top), {width, k_bar_height}), region, style);
     left += width + gap;
   }
 }
@@ -91,6 +66,12 @@ PictureInks picture_inks(bool dark) {
           .faint = {{112, 120, 132}}};
 }
 
+void fill_region(Canvas& canvas, const Box& box, Region region, const LegendStyle& style) {
+  const double radius = 0.25 * box.size.y;
+  canvas.fill_box(box, {region_colour(region, style.palette)}, radius);
+  if (region == Region::undercut) canvas.hatch_box(box, {{0, 0, 0}, 0.28}, radius, 5.0 * style.scale);
+}
+
 glm::dvec2 tag_size(Canvas& canvas, std::string_view word, const LegendStyle& style) {
   const TextStyle text = tag_text(style);
   return {canvas.text_width(word, text) + 1.3 * text.size_px, 1.75 * text.size_px};
@@ -117,42 +98,38 @@ void draw_legend(Canvas& canvas, const glm::dvec2& corner, const LegendContent& 
   const Box border{card.corner + 0.5, card.size - 1.0};
   canvas.outline_box(border, inks.border, k_radius * style.scale, 1.0);
 
-  Writer at(canvas, corner, style);
-  const TextStyle title = at.style(k_title_px, FontWeight::semibold, inks.strong, Align::left);
-  at.text(0.0, 14.0, canvas.elided(content.title, title, style.scale * inner_width()), title);
+  DesignSpace at(canvas, corner, style.scale, style.dark);
+  const auto text = [&](double size, const Ink& ink, Align align, FontWeight weight = FontWeight::regular) {
+    return TextStyle{
+        .size_px = style.scale * size, .weight = weight, .ink = ink, .align = align, .tabular = true};
+  };
+  at.elided(inner(0.0, 14.0), content.title, text(k_title_px, inks.strong, Align::left, FontWeight::semibold),
+            inner_width());
   double y = k_title_line;
-  const TextStyle small = at.style(k_small_px, FontWeight::regular, inks.faint, Align::left);
+  const TextStyle small = text(k_small_px, inks.faint, Align::left);
   for (const std::string& line : content.lines) {
-    at.text(0.0, y + 11.0, canvas.elided(line, small, style.scale * inner_width()), small);
+    at.elided(inner(0.0, y + 11.0), line, small, inner_width());
     y += k_small_line;
   }
   y += k_bar_gap - 4.0;
-  draw_bar(canvas, at, y, content, style);
+  draw_bar(at, y, content, style);
   y += k_bar_height + 12.0;
 
   for (const Region region : k_regions) {
     const auto index = static_cast<std::size_t>(region);
     const bool undercut = region == Region::undercut;
-    const Box swatch = at.box(0.0, y + 5.0, k_swatch, k_swatch);
-    canvas.fill_box(swatch, {region_colour(region, style.palette)}, 3.0 * style.scale);
-    if (undercut) canvas.hatch_box(swatch, {{0, 0, 0}, 0.28}, 3.0 * style.scale, 5.0 * style.scale);
+    fill_region(canvas, at.box(inner(0.0, y + 5.0), {k_swatch, k_swatch}), region, style);
     const FontWeight weight = undercut ? FontWeight::semibold : FontWeight::regular;
     const Ink& ink = undercut ? inks.strong : inks.normal;
-    at.text(k_name_left, y + 16.0, region_name(region), at.style(k_text_px, weight, ink, Align::left));
-    at.text(k_percent_right - 14.0, y + 16.0, content.percents[index],
-            at.style(k_text_px, weight, ink, Align::right));
-    at.text(k_percent_right - 10.0, y + 16.0, "%",
-            at.style(k_small_px, FontWeight::regular, inks.faint, Align::left));
-    at.text(inner_width() - 30.0, y + 16.0, content.areas[index],
-            at.style(k_text_px, weight, ink, Align::right));
-    at.text(inner_width(), y + 16.0, content.unit,
-            at.style(k_small_px, FontWeight::regular, inks.faint, Align::right));
+    const TextStyle figure = text(k_text_px, ink, Align::right, weight);
+    at.text(inner(k_name_left, y + 16.0), region_name(region), text(k_text_px, ink, Align::left, weight));
+    at.text(inner(k_percent_right - 14.0, y + 16.0), content.percents[index], figure);
+    at.text(inner(k_percent_right - 10.0, y + 16.0), "%", small);
+    at.text(inner(inner_width() - 30.0, y + 16.0), content.areas[index], figure);
+    at.text(inner(inner_width(), y + 16.0), content.unit, text(k_small_px, inks.faint, Align::right));
     y += k_row;
   }
-  if (!content.note.empty()) {
-    y += 8.0;
-    at.text(0.0, y + 9.0, canvas.elided(content.note, small, style.scale * inner_width()), small);
-  }
+  if (!content.note.empty()) at.elided(inner(0.0, y + 8.0 + 9.0), content.note, small, inner_width());
 }
 
 }  // namespace moldlight

@@ -36,6 +36,8 @@ struct LegendStyle {
   double scale = 1.0;  // 1: text of 14 pixels
 };
 
+/// A box in the region's colour, hatched as undercuts are.
+void fill_region(Canvas& canvas, const Box& box, Region region, const LegendStyle& style);
 /// Room that the legend takes, in pixels.
 [[nodiscard]] glm::dvec2 legend_size(const LegendContent& content, const LegendStyle& style);
 /// Room that a tag takes: a word in a small box of its own.

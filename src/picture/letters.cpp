@@ -2,16 +2,88 @@
 
 #include <algorithm>
 
+#include <cairo-ft.h>
+#include <fontconfig/fontconfig.h>
+
 #include "base/check.hpp"
-#include "picture/utf8.hpp"
+#include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace moldlight {
 
 namespace {
 
+/// By FontWeight.
+constexpr std::array k_fontconfig_weights = {FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM, FC_WEIGHT_SEMIBOLD};
+
 bool is_digit(char32_t letter) { return letter >= U'0' && letter <= U'9'; }
 
 }  // namespace
+
+/// The fonts of one weight, the best first, found through fontconfig: Inter, Roboto, Noto Sans, DejaVu Sans,
+/// in this order, and what else the system has for letters that these lack. Faces are loaded when they are
+/// first needed.
+class LetterSetter::FontChain {
+ public:
+  explicit FontChain(FontWeight weight);
+  ~FontChain();
+  FontChain(const FontChain&) = delete;
+  FontChain& operator=(const FontChain&) = delete;
+
+  /// The first face that has the letter; the best one if none does. Owned by the chain.
+  [[nodiscard]] cairo_font_face_t* face_with(char32_t letter);
+
+ private:
+  [[nodiscard]] cairo_font_face_t* face(std::size_t index);
+
+  FcPattern* wanted_;
+  FcFontSet* set_ = nullptr;
+  std::vector<cairo_font_face_t*> faces_;  // of the set, null until needed
+};
+
+LetterSetter::FontChain::FontChain(FontWeight weight) : wanted_(FcPatternCreate()) {
+  for (const char* family : {"Inter", "Roboto", "Noto Sans", "DejaVu Sans", "sans-serif"}) {
+    FcPatternAddString(wanted_, FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
+  }
+  FcPatternAddInteger(wanted_, FC_WEIGHT, k_fontconfig_weights[static_cast<std::size_t>(weight)]);
+  FcPatternAddBool(wanted_, FC_SCALABLE, FcTrue);
+  FcConfigSubstitute(nullptr, wanted_, FcMatchPattern);
+  FcDefaultSubstitute(wanted_);
+  FcResult result = FcResultNoMatch;
+  set_ = FcFontSort(nullptr, wanted_, FcTrue, nullptr, &result);
+  if (set_ == nullptr || set_->nfont == 0) {
+    throw Error("no font is installed for the text of pictures: install one, such as fonts-dejavu-core");
+  }
+  faces_.resize(static_cast<std::size_t>(set_->nfont), nullptr);
+}
+
+LetterSetter::FontChain::~FontChain() {
+  for (cairo_font_face_t* face : faces_) {
+    if (face != nullptr) cairo_font_face_destroy(face);
+  }
+  FcFontSetDestroy(set_);
+  FcPatternDestroy(wanted_);
+}
+
+cairo_font_face_t* LetterSetter::FontChain::face(std::size_t index) {
+  if (faces_[index] == nullptr) {
+    FcPattern* font = FcFontRenderPrepare(nullptr, wanted_, set_->fonts[index]);
+    faces_[index] = cairo_ft_font_face_create_for_pattern(font);
+    FcPatternDestroy(font);
+  }
+  return faces_[index];
+}
+
+cairo_font_face_t* LetterSetter::FontChain::face_with(char32_t letter) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    FcCharSet* letters = nullptr;
+    if (FcPatternGetCharSet(set_->fonts[i], FC_CHARSET, 0, &letters) != FcResultMatch) continue;
+    if (FcCharSetHasChar(letters, letter) == FcTrue) return face(i);
+  }
+  return face(0);
+}
+
+LetterSetter::LetterSetter() = default;
 
 LetterSetter::~LetterSetter() {
   for (const auto& [key, font] : scaled_) cairo_scaled_font_destroy(font);

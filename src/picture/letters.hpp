@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "picture/fonts.hpp"
+#include <cairo.h>
+
+#include "picture/canvas.hpp"
 
 namespace moldlight {
 
@@ -22,7 +24,7 @@ struct SetLetter {
 
 class LetterSetter {
  public:
-  LetterSetter() = default;
+  LetterSetter();
   ~LetterSetter();
   LetterSetter(const LetterSetter&) = delete;
   LetterSetter& operator=(const LetterSetter&) = delete;
@@ -32,6 +34,7 @@ class LetterSetter {
                                            bool tabular);
 
  private:
+  class FontChain;
   struct Glyph {
     cairo_scaled_font_t* font = nullptr;
     unsigned long number = 0;

@@ -2,6 +2,8 @@
 // undercut area.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,5 +44,17 @@ void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style);
 
 /// A small sample of a mark, for a legend.
 void draw_mark(Canvas& canvas, const glm::dvec2& at, bool best, double scale);
+
+/// A round mark and the room that its label takes; pixels.
+struct LabelledMark {
+  glm::dvec2 centre{0.0};
+  double radius = 0.0;
+  glm::dvec2 label{0.0};
+};
+
+/// A box for each label, as near to its mark as there is room, the first marks first; none where there is no
+/// room within a few label heights. `taken` are boxes that labels keep clear of; `room` holds all labels.
+[[nodiscard]] std::vector<std::optional<Box>> place_labels(std::span<const LabelledMark> marks,
+                                                           std::span<const Box> taken, const Box& room);
 
 }  // namespace moldlight

@@ -5,7 +5,6 @@
 
 #include "base/check.hpp"
 #include "io/atomic_file.hpp"
-#include "io/border_writer.hpp"
 #include "io/facet_csv.hpp"
 #include "io/mesh_writer.hpp"
 #include "session/classify_report.hpp"

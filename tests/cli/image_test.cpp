@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
-#include "io/png.hpp"
+#include "support/read_png.hpp"
 
 namespace moldlight {
 namespace {
@@ -17,7 +17,7 @@ TEST(Image, IsWrittenInTheSizeAskedFor) {
       {"--image", file, "--size", "320x200", "--view", "front", "--theme", "dark", "--palette", "safe"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  const Image image = read_png(file);
+  const Image image = test::read_png(file);
   EXPECT_EQ(image.width, 320);
   EXPECT_EQ(image.height, 200);
 }

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
-#include "io/png.hpp"
 #include "support/boxes.hpp"
+#include "support/read_png.hpp"
 #include "support/shared_parts.hpp"
 
 namespace moldlight {
@@ -282,7 +282,7 @@ TEST(SweepCommand, DrawsPicturesIntoAFolder) {
   EXPECT_EQ(json["settings"]["thorough"], true) << "the map shows figures, not bounds";
   const std::string sphere_file = folder + "/direction_sphere.png",
                     sheet_file = folder + "/contact_sheet.png";
-  const Image sphere = read_png(sphere_file), sheet = read_png(sheet_file);
+  const Image sphere = test::read_png(sphere_file), sheet = test::read_png(sheet_file);
   EXPECT_EQ(sphere.width, 640);
   EXPECT_EQ(sphere.height, 400);
   EXPECT_GT(sheet.width, sheet.height) << "four tiles in a row";

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/png.hpp"
+#include "support/read_png.hpp"
 
 namespace moldlight::test {
 

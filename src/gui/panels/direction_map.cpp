@@ -13,7 +13,7 @@
 #include "gui/direction.hpp"
 #include "gui/direction_ball.hpp"
 #include "gui/widgets.hpp"
-#include "mold/sweep/undercut_scale.hpp"
+#include "mold/sweep/direction_field.hpp"
 #include "session/figures.hpp"
 
 namespace moldlight::gui {

@@ -1,6 +1,7 @@
 #include "mold/sweep/direction_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -19,6 +20,15 @@ constexpr double k_nearest = 1.2e-5;
 constexpr int k_margin = 2;
 /// Directions of an even set are this many of their spacings in reach of a place.
 constexpr double k_reach_spacings = 1.7, k_least_reach_deg = 4.0, k_greatest_reach_deg = 24.0;
+
+// Evenly spaced; lightness falls from 96 to 14.
+constexpr std::array<Colour, 7> k_stops = {{{0xFD, 0xF4, 0xE3},
+                                            {0xFA, 0xD2, 0xA6},
+                                            {0xF4, 0xA2, 0x72},
+                                            {0xE2, 0x6A, 0x55},
+                                            {0xB7, 0x3A, 0x4F},
+                                            {0x75, 0x1F, 0x46},
+                                            {0x36, 0x12, 0x2E}}};
 
 }  // namespace
 
@@ -86,6 +96,21 @@ DirectionField::Reading DirectionField::at(const glm::dvec3& direction) const {
     mean.cover += share * corner.cover;
   }
   return mean;
+}
+
+double undercut_scale(double area, double worst) {
+  return worst > 0.0 ? std::sqrt(std::clamp(area / worst, 0.0, 1.0)) : 0.0;
+}
+
+Colour undercut_scale_colour(double place) {
+  const double at = std::clamp(place, 0.0, 1.0) * (k_stops.size() - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(at), k_stops.size() - 2);
+  const double f = at - static_cast<double>(k);
+  const auto mix = [f](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround(a + f * (b - a)));
+  };
+  const Colour &a = k_stops[k], &b = k_stops[k + 1];
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
 }  // namespace moldlight

@@ -1,6 +1,6 @@
-// A value over the half-sphere of parting directions, interpolated from directions that were evaluated so
-// far: Shepard's inverse distance weights on an equal-area grid (Lambert), so that each new direction is
-// added once.
+// What maps of the parting directions are made of: a value over the half-sphere, the map, and the colours of
+// undercut areas, from a pale one for none to a dark one for the worst, with steadily falling lightness, so
+// that every eye and a gray print read it.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,13 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "mold/region.hpp"
+
 namespace moldlight {
 
-/// A direction and its opposite count as one.
+/// A value interpolated from directions that were evaluated so far: Shepard's inverse distance weights on an
+/// equal-area grid (Lambert), so that each new direction is added once. A direction and its opposite count as
+/// one.
 class DirectionField {
  public:
   /// `reach_deg`: from an evaluated direction to where its value says nothing any more, (0, 90]. `cells`:
@@ -50,5 +54,11 @@ class DirectionField {
 /// outside, up to a radius of sqrt(2); -z has no place of its own.
 [[nodiscard]] glm::dvec2 equal_area_point(const glm::dvec3& direction);
 [[nodiscard]] glm::dvec3 equal_area_direction(const glm::dvec2& point);
+
+/// Place of an area on the scale, [0, 1]: the square root of its share of `worst`, which spreads the small
+/// areas that matter.
+[[nodiscard]] double undercut_scale(double area, double worst);
+/// `place` in [0, 1].
+[[nodiscard]] Colour undercut_scale_colour(double place);
 
 }  // namespace moldlight

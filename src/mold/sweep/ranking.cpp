@@ -1,7 +1,6 @@
 #include "mold/sweep/ranking.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace moldlight {
 
@@ -73,9 +73,8 @@ Objective parse_objective(std::string_view text) {
     double weight = 1.0;
     if (colon != std::string_view::npos) {
       const std::string_view number = term.substr(colon + 1);
-      const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), weight);
-      if (error != std::errc() || end != number.data() + number.size() || !(weight >= 0.0) ||
-          !std::isfinite(weight)) {
+      weight = number_from<double>(number).value_or(-1.0);
+      if (!(weight >= 0.0) || !std::isfinite(weight)) {
         throw UsageError(fmt::format("--objective: the weight '{}' is not a number of at least 0", number));
       }
     }

@@ -93,12 +93,8 @@ DirectionScore RayScorer::score_one(const ScoringTask& task) {
         task.beside->undercut() +
         total_area * (static_cast<double>(tally.more) - static_cast<double>(tally.fewer)) / total;
   score.undercut_error = 2.0 * tally.counts.undercut(total_area).error;
-  double projected = 0.0;
-  for (std::size_t facet = 0; facet < part_.geometry.areas.size(); ++facet) {
-    projected +=
-        part_.geometry.areas[facet] * std::abs(glm::dot(part_.geometry.normals[facet], task.direction));
-  }
-  score.shadow_area = 0.5 * (projected - total_area * tally.hidden / total);
+  score.shadow_area =
+      0.5 * (projected_area(part_.geometry, task.direction) - total_area * tally.hidden / total);
   if (side == Side::unknown)
     score.undercut_samples = std::make_shared<const std::vector<bool>>(std::move(tally.undercut));
   return score;

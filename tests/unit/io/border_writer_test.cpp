@@ -1,10 +1,9 @@
-#include "io/border_writer.hpp"
-
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/read_png.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {
@@ -28,7 +29,7 @@ TEST(Png, PicturesComeBackAsTheyWere) {
   for (const bool opaque : {true, false}) {
     const Image image = pattern(37, 21, opaque);
     write_png(folder.file("picture.png"), image);
-    const Image back = read_png(folder.file("picture.png"));
+    const Image back = test::read_png(folder.file("picture.png"));
     EXPECT_EQ(back.width, 37);
     EXPECT_EQ(back.height, 21);
     EXPECT_EQ(back.rgba, image.rgba);
@@ -36,16 +37,13 @@ TEST(Png, PicturesComeBackAsTheyWere) {
   EXPECT_LT(png_bytes(pattern(37, 21, true)).size(), png_bytes(pattern(37, 21, false)).size());
 }
 
-TEST(Png, FailuresNameTheFile) {
+TEST(Png, AFailureNamesTheFile) {
   const test::ScratchFolder folder;
-  EXPECT_THROW(write_png(folder.file("no/such/folder.png"), pattern(2, 2, true)), FileError);
-  EXPECT_THROW(static_cast<void>(read_png(folder.file("absent.png"))), FileError);
-  const std::string whole = png_bytes(pattern(64, 64, false));
   try {
-    static_cast<void>(read_png(folder.write("half.png", whole.substr(0, whole.size() / 2))));
-    ADD_FAILURE() << "half a picture was read";
+    write_png(folder.file("no/such/folder.png"), pattern(2, 2, true));
+    ADD_FAILURE() << "written into a folder that is not there";
   } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find("half.png"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("folder.png"), std::string::npos) << error.what();
   }
 }
 

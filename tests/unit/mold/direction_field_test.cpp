@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/undercut_scale.hpp"
+#include "mold/sweep/direction_field.hpp"
 
 namespace moldlight {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/utf8.hpp"
 #include "picture/legend.hpp"
-#include "picture/utf8.hpp"
 
 namespace moldlight {
 namespace {

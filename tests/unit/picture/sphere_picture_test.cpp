@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/undercut_scale.hpp"
+#include "mold/sweep/direction_field.hpp"
 #include "picture/contact_sheet.hpp"
 #include "picture/design_space.hpp"
 #include "picture/direction_sphere.hpp"
-#include "picture/label_places.hpp"
+#include "picture/sphere_map.hpp"
 
 namespace moldlight {
 namespace {

@@ -1,0 +1,20 @@
+// Numbers in text.
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace moldlight {
+
+/// The number that the whole text spells, in C notation without a plus sign, whatever the locale; nothing for
+/// other text and for a number that T does not hold.
+template <typename T>
+[[nodiscard]] std::optional<T> number_from(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace moldlight
