@@ -10,7 +10,6 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "gl/headless_backends.hpp"
-#include "gl/mesa_environment.hpp"
 
 namespace moldlight::gl {
 

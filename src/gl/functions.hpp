@@ -5,6 +5,8 @@
 
 #include <GL/glcorearb.h>
 
+#include "base/error.hpp"
+
 namespace moldlight::gl {
 
 // X(<member>, <typedef>): gl.<member>(…) is gl<member>(…). Keep it to what OpenGL 3.3 core has.
@@ -95,7 +97,15 @@ struct Functions {
 
   using ProcAddress = std::function<void*(const char*)>;
   /// Loads every entry; throws Error naming the first that the driver lacks.
-  [[nodiscard]] static Functions load(const ProcAddress& address);
+  [[nodiscard]] static Functions load(const ProcAddress& address) {
+    Functions gl;
+#define MOLDLIGHT_GL_LOAD(name, type)                    \
+  gl.name = reinterpret_cast<type>(address("gl" #name)); \
+  if (gl.name == nullptr) throw Error("the OpenGL driver lacks gl" #name);
+    MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_LOAD)
+#undef MOLDLIGHT_GL_LOAD
+    return gl;
+  }
 };
 
 }  // namespace moldlight::gl

@@ -1,5 +1,5 @@
-// The backends behind create_headless_context, one function each, and the libraries that they open. Every one
-// makes its context current and throws Error with the reason where that fails.
+// What is behind create_headless_context: the backends, one function each, the libraries that they open, and
+// the environment that Mesa reads before its first context.
 #pragma once
 
 #include <memory>
@@ -31,8 +31,9 @@ class DynamicLibrary {
   std::string name_;
 };
 
-/// On the first device that EGL lists and that gives a context: a GPU where there is one, else the software
-/// device.
+/// The backends: each makes its context current and throws Error with the reason where that fails. This one
+/// is on the first device that EGL lists and that gives a context: a GPU where there is one, else the
+/// software device.
 [[nodiscard]] std::unique_ptr<Context> create_egl_device_context(const std::vector<std::string>& libraries);
 
 /// On Mesa's platform without surfaces.
@@ -41,5 +42,13 @@ class DynamicLibrary {
 
 /// Mesa's software renderer without EGL.
 [[nodiscard]] std::unique_ptr<Context> create_osmesa_context(const std::vector<std::string>& libraries);
+
+/// True if Mesa will find a writable folder for its shader cache, which saves a start 30 ms of compiling.
+[[nodiscard]] bool shader_cache_is_writable();
+
+/// Keeps Mesa quiet on stderr: turns its shader cache off where the folder cannot be written, and its
+/// warnings about devices that it passes over. What the user has set stays. Acts once a process; call it
+/// before a context is created, while no other thread reads the environment.
+void prepare_mesa_environment();
 
 }  // namespace moldlight::gl

@@ -1,10 +1,10 @@
-#include "gl/mesa_environment.hpp"
-
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
 
 #include <unistd.h>
+
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

@@ -6,7 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include "base/error.hpp"
-#include "gl/mesa_environment.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gui {
 

@@ -1,6 +1,7 @@
 #include "render/camera.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -106,24 +107,18 @@ glm::dquat looking_along(const glm::dvec3& forward, const glm::dvec3& up) {
 }
 
 glm::dquat standard_orientation(StandardView view) {
-  const glm::dvec3 z(0, 0, 1);
-  switch (view) {
-    case StandardView::front:
-      return looking_along({0, 1, 0}, z);
-    case StandardView::back:
-      return looking_along({0, -1, 0}, z);
-    case StandardView::left:
-      return looking_along({1, 0, 0}, z);
-    case StandardView::right:
-      return looking_along({-1, 0, 0}, z);
-    case StandardView::top:
-      return looking_along({0, 0, -1}, {0, 1, 0});
-    case StandardView::bottom:
-      return looking_along({0, 0, 1}, {0, -1, 0});
-    case StandardView::isometric:
-      break;
-  }
-  return looking_along({-1, 1, -1}, z);
+  struct Look {
+    glm::dvec3 forward, up;
+  };
+  static const std::array<Look, 7> k_looks = {{{{0, 1, 0}, {0, 0, 1}},
+                                               {{0, -1, 0}, {0, 0, 1}},
+                                               {{1, 0, 0}, {0, 0, 1}},
+                                               {{-1, 0, 0}, {0, 0, 1}},
+                                               {{0, 0, -1}, {0, 1, 0}},
+                                               {{0, 0, 1}, {0, -1, 0}},
+                                               {{-1, 1, -1}, {0, 0, 1}}}};
+  const Look& look = k_looks[static_cast<std::size_t>(view)];
+  return looking_along(look.forward, look.up);
 }
 
 Camera fitted(Camera camera, std::span<const glm::vec3> points, const glm::ivec2& size, double fill) {
@@ -163,11 +158,6 @@ Camera orbited(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3
   const double pitch = upright ? polar - reached : reached - polar;
   camera = turned(camera, glm::angleAxis(-pitch, camera.right()), pivot);
   return turned(camera, glm::angleAxis(upright ? -yaw_rad : yaw_rad, axis), pivot);
-}
-
-Camera tumbled(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3& pivot) {
-  camera = turned(camera, glm::angleAxis(-pitch_rad, camera.right()), pivot);
-  return turned(camera, glm::angleAxis(-yaw_rad, camera.up()), pivot);
 }
 
 Camera panned(Camera camera, const glm::dvec2& by_px, const glm::ivec2& size) {

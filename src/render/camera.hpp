@@ -76,8 +76,6 @@ enum class StandardView : std::uint8_t { front, back, left, right, top, bottom, 
 /// horizontal; positive values follow the hand to the right and down. The turntable stops at its poles.
 [[nodiscard]] Camera orbited(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3& axis,
                              const glm::dvec3& pivot);
-/// The same without an upright axis: both turns are about the picture's own axes.
-[[nodiscard]] Camera tumbled(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3& pivot);
 /// Moves the scene with the hand by `by_px`.
 [[nodiscard]] Camera panned(Camera camera, const glm::dvec2& by_px, const glm::ivec2& size);
 /// Magnifies by `factor` (> 0); the point of the target's plane under `pixel` stays there.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gl/program.hpp"
-#include "render/map_painter.hpp"
+#include "render/shadow_maps.hpp"
 
 namespace moldlight {
 

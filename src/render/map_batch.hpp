@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "render/map_painter.hpp"
+#include "render/shadow_maps.hpp"
 
 namespace moldlight {
 

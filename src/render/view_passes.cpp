@@ -80,6 +80,12 @@ ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) 
 ViewPasses::ViewPasses(const gl::Functions& gl, const ViewGeometry& geometry)
     : gl_(&gl), programs_(gl), mesh_(gl, geometry), fullscreen_(gl::make_vertex_array(gl)) {}
 
+void ViewPasses::test_depth(GLenum function, bool writes) const {
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(function);
+  gl_->DepthMask(writes ? GL_TRUE : GL_FALSE);
+}
+
 void ViewPasses::draw_fullscreen() const {
   gl_->BindVertexArray(fullscreen_.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -96,9 +102,7 @@ void ViewPasses::draw_surface(const ViewFrame& frame, const ViewTargets& targets
   const GLuint nothing[4] = {0, 0, 0, 0};
   const GLfloat furthest = 1.0F;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_surface.name());
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthFunc(GL_LESS);
-  gl_->DepthMask(GL_TRUE);
+  test_depth(GL_LESS, true);
   gl_->ClearBufferuiv(GL_COLOR, 0, nothing);
   gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
   const bool separate = by_region(frame, layer), cut = frame.settings.section.has_value();
@@ -189,9 +193,7 @@ void ViewPasses::draw_background(const ViewFrame& frame, const ViewTargets& targ
     gl_->ClearBufferfv(GL_COLOR, 0, values);
     return;
   }
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_EQUAL);
+  test_depth(GL_EQUAL, false);
   const gl::Program& program = programs_.use("common/at_infinity.vert", "view/background.frag");
   program.set("u_above", screen_value(colours.above));
   program.set("u_below", screen_value(colours.below));
@@ -204,9 +206,7 @@ void ViewPasses::shade(const ViewFrame& frame, const ViewTargets& targets, Layer
                        const ViewSubject& subject) {
   const ViewSettings& settings = frame.settings;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_shaded.name());
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_GREATER);
+  test_depth(GL_GREATER, false);
   const bool detail = needs_detail(settings), plain = !shows_regions(settings);
   const bool known = exact(frame, subject) || by_region(frame, layer);
   const bool compared = subject.maps != nullptr && subject.split != nullptr;
@@ -286,9 +286,7 @@ void ViewPasses::draw_segments(const ViewFrame& frame, const ViewTargets& target
   if (segments.empty()) return;
   const bool moved = opened(frame);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_colour.name());
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_LESS);
+  test_depth(GL_LESS, false);
   gl_->Enable(GL_BLEND);
   gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const gl::Program& program = programs_.use(
@@ -348,9 +346,7 @@ void ViewPasses::draw_lines(const ViewFrame& frame, const ViewTargets& targets, 
 
 void ViewPasses::draw_arrows(const ViewFrame& frame, const ViewTargets& targets) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, targets.to_colour.name());
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_LESS);
+  test_depth(GL_LESS, false);
   gl_->Enable(GL_CULL_FACE);
   gl_->CullFace(GL_BACK);
   gl_->BindVertexArray(fullscreen_.name());

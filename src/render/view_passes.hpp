@@ -57,6 +57,7 @@ class ViewPasses {
   void draw_segments(const ViewFrame& frame, const ViewTargets& targets, const PartBuffers& part,
                      const SegmentBuffer& segments, const LineStyle& style);
   void set_detail(const gl::Program& program, const ViewFrame& frame, const PartBuffers& part) const;
+  void test_depth(GLenum function, bool writes) const;
   void draw_fullscreen() const;
 
   const gl::Functions* gl_;

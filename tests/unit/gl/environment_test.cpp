@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "backends.hpp"
-#include "gl/mesa_environment.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 namespace {

@@ -115,14 +115,13 @@ TEST(Camera, OrbitFollowsTheHandAndStopsAtThePoles) {
   EXPECT_NEAR(back.toward_viewer().z, -1.0, 1e-5);
 }
 
-TEST(Camera, OrbitAndTumbleKeepThePivotInPlace) {
+TEST(Camera, OrbitKeepsThePivotInPlace) {
   const glm::dvec3 pivot(0.25, -0.1, 0.05);
   for (const Projection projection : k_projections) {
     const Camera start = some_camera(projection);
     const auto before = project(start, k_size, pivot);
-    for (const Camera& camera : {orbited(start, 0.7, -0.2, k_z, pivot), tumbled(start, -0.4, 0.9, pivot)}) {
-      EXPECT_LT(glm::distance(*before, *project(camera, k_size, pivot)), 1e-6);
-    }
+    const Camera turned = orbited(start, 0.7, -0.2, k_z, pivot);
+    EXPECT_LT(glm::distance(*before, *project(turned, k_size, pivot)), 1e-6);
   }
 }
 
