@@ -10,7 +10,7 @@
 #include "session/classifier.hpp"
 #include "session/classify_report.hpp"
 #include "session/headless.hpp"
-#include "session/still_options.hpp"
+#include "session/still_picture.hpp"
 #include "session/write_outputs.hpp"
 
 namespace moldlight::cli {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "session/still_options.hpp"
+#include "session/still_picture.hpp"
 
 namespace moldlight::cli {
 

@@ -15,7 +15,7 @@
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
-#include "session/still_options.hpp"
+#include "session/still_picture.hpp"
 #include "session/sweep/sweep.hpp"
 #include "session/sweep/sweep_pictures.hpp"
 #include "session/sweep/sweep_report.hpp"

@@ -33,15 +33,9 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
   }
 }
 
-ExactQuery query_of(const PartModel& model, const MethodSettings& settings) {
-  return {.direction = unit_direction(settings.direction),
-          .tau_deg = settings.tau_deg,
-          .lateral = lateral_tolerance(settings, model.frame.diagonal) / model.frame.diagonal};
-}
-
 Classification classification_of(const PartModel& model, const MethodSettings& settings,
                                  const ExactPart& part, ExactAreas found, const Stopwatch& stopwatch) {
-  const ExactQuery query = query_of(model, settings);
+  const ExactQuery query = exact_query(model, settings);
   Classification result;
   result.settings = settings;
   result.direction = query.direction;
@@ -56,12 +50,8 @@ Classification classification_of(const PartModel& model, const MethodSettings& s
                      .gap = found.projected_core - found.projected_cavity,
                      .gap_limit = model.errors.shadow_gap + found.projected_doubt};
   result.shadow_area = std::max(found.projected_core, found.projected_cavity);
-  double projected_total = 0.0;
-  for (FacetIndex facet = 0; facet < model.geometry.areas.size(); ++facet) {
-    projected_total +=
-        model.geometry.areas[facet] * std::abs(glm::dot(model.geometry.normals[facet], result.direction));
-  }
-  result.projected_undercut = std::max(0.0, projected_total - found.projected_core - found.projected_cavity);
+  result.projected_undercut = std::max(
+      0.0, projected_area(model.geometry, result.direction) - found.projected_core - found.projected_cavity);
   result.uncertainty.rounding = rounding_bound(part, query, found, model.errors);
   result.uncertainty.mesh = mesh_doubt(part, found, model.adjacency, model.errors);
   result.facet_fractions = std::move(found.facet_fractions);
@@ -74,12 +64,18 @@ Classification classification_of(const PartModel& model, const MethodSettings& s
 
 }  // namespace
 
+ExactQuery exact_query(const PartModel& model, const MethodSettings& settings) {
+  return {.direction = unit_direction(settings.direction),
+          .tau_deg = settings.tau_deg,
+          .lateral = lateral_tolerance(settings, model.frame.diagonal) / model.frame.diagonal};
+}
+
 Classification classify_exact(const PartModel& model, const MethodSettings& settings,
                               const Progress& progress, bool with_split) {
   if (!with_split) return *classify_exact_within(model, settings, {}, progress);
   const Stopwatch stopwatch;
   const ExactPart& part = model.exact(progress);
-  ExactSplit split = exact_split(part, query_of(model, settings), progress);
+  ExactSplit split = exact_split(part, exact_query(model, settings), progress);
   Classification result = classification_of(model, settings, part, std::move(split.areas), stopwatch);
   result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
   return result;
@@ -89,7 +85,7 @@ std::optional<Classification> classify_exact_within(const PartModel& model, cons
                                                     const UndercutLimit& limit, const Progress& progress) {
   const Stopwatch stopwatch;
   const ExactPart& part = model.exact(progress);
-  std::optional<ExactAreas> found = exact_areas_within(part, query_of(model, settings), limit, progress);
+  std::optional<ExactAreas> found = exact_areas_within(part, exact_query(model, settings), limit, progress);
   if (!found) return std::nullopt;
   return classification_of(model, settings, part, std::move(*found), stopwatch);
 }

@@ -60,6 +60,9 @@ struct Classification {
   std::optional<MapComparison> maps;       // against the exact regions, if asked for
 };
 
+/// What exact regions are asked for by these settings.
+[[nodiscard]] ExactQuery exact_query(const PartModel& model, const MethodSettings& settings);
+
 /// Classifies by exact regions, whatever the readout; needs no GL. Uses all cores of the calling thread's
 /// TBB arena; the result is the same to the bit for any number of threads, timings apart. Throws UsageError
 /// for settings that make no sense, Cancelled.

@@ -1,5 +1,6 @@
 #include "session/classify_report.hpp"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -86,20 +87,10 @@ std::string comparison_table(const MapComparison& comparison, const FigureColumn
   return text;
 }
 
-/// SGR codes of the paper's colours.
-std::string_view terminal_colour(Region region) {
-  switch (region) {
-    case Region::core:
-      return "\033[34m";
-    case Region::cavity:
-      return "\033[32m";
-    case Region::both:
-      return "\033[90m";
-    case Region::undercut:
-      return "\033[31m";
-  }
-  return "";
-}
+/// SGR codes of the paper's colours, by region, and of none.
+constexpr std::array<std::string_view, k_region_count> k_terminal_colours = {"\033[34m", "\033[32m",
+                                                                             "\033[90m", "\033[31m"};
+constexpr std::string_view k_plain = "\033[0m";
 
 std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
   std::string text = fmt::format("± {:.2g}", uncertainty.total());
@@ -109,9 +100,11 @@ std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
   return text;
 }
 
-constexpr std::string_view k_plain = "\033[0m";
-
 }  // namespace
+
+Json bounds_json(const Bounds& bounds) {
+  return {{"min", point_json(bounds.min)}, {"max", point_json(bounds.max)}};
+}
 
 Json part_json(const PartModel& model, const std::vector<std::string>& warnings) {
   const HealthReport& health = model.health;
@@ -124,7 +117,7 @@ Json part_json(const PartModel& model, const std::vector<std::string>& warnings)
           {"closed", health.closed},
           {"area", health.area},
           {"volume", health.volume},
-          {"bounds", {{"min", point_json(health.bounds.min)}, {"max", point_json(health.bounds.max)}}},
+          {"bounds", bounds_json(health.bounds)},
           {"warnings", warnings},
           {"repairs", model.part.repairs}};
 }
@@ -189,10 +182,12 @@ std::string classify_table(const PartModel& model, const Classification& result,
   fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
   for (const Region region : k_regions) {
     const std::string name = fmt::format("{:<9}", region_name(region));
-    fmt::format_to(out, "{}{:>16}{:>8.2f} %{}\n",
-                   colour ? fmt::format("{}{}{}", terminal_colour(region), name, k_plain) : name,
-                   areas.text(result.areas[region]), 100.0 * share(result.areas[region], result.total_area),
-                   region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
+    fmt::format_to(
+        out, "{}{:>16}{:>8.2f} %{}\n",
+        colour ? fmt::format("{}{}{}", k_terminal_colours[static_cast<std::size_t>(region)], name, k_plain)
+               : name,
+        areas.text(result.areas[region]), 100.0 * share(result.areas[region], result.total_area),
+        region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
   }
   fmt::format_to(out, "{:<9}{:>16}{:>8.2f} %\n\n", "total", areas.text(result.total_area),
                  result.total_area > 0.0 ? 100.0 : 0.0);

@@ -12,6 +12,9 @@
 
 namespace moldlight {
 
+/// {"min": [x, y, z], "max": [x, y, z]}.
+[[nodiscard]] nlohmann::ordered_json bounds_json(const Bounds& bounds);
+
 /// What every report says of the part; the warnings are the caller's, as a run may add to the part's own.
 [[nodiscard]] nlohmann::ordered_json part_json(const PartModel& model,
                                                const std::vector<std::string>& warnings);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/latest_job.hpp"
 #include "base/median.hpp"
+#include "base/stopwatch.hpp"
 #include "gl/colour_target.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "mold/map_frame.hpp"
@@ -22,11 +22,6 @@ namespace moldlight {
 namespace {
 
 constexpr int k_rounds = 5, k_turns = 8, k_warm_up = 2;
-using Clock = std::chrono::steady_clock;
-
-double elapsed_ms(Clock::time_point since) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
 
 }  // namespace
 
@@ -42,23 +37,22 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
   start.orientation = standard_orientation(StandardView::isometric);
   start = fitted(start, geometry.extremes, size);
   const ExactPart part(model->part.mesh, model->geometry, model->frame, progress);
-  const ExactQuery query{.direction = unit_direction(method.direction),
-                         .tau_deg = method.tau_deg,
-                         .lateral = map_settings(method, model->frame.diagonal).lateral};
+  const ExactQuery query = exact_query(*model, method);
   resting.take_split(exact_split(part, query, progress).mesh, geometry, method);
 
   const auto frame_ms = [&](const auto& draw) {
-    const auto begin = Clock::now();
+    const Stopwatch stopwatch;
     draw();
     static_cast<void>(view.pick(size / 2));  // waits for the GL, as a cursor on the part does
-    return elapsed_ms(begin);
+    return stopwatch.elapsed_ms();
   };
   std::vector<double> plain_ms, rest_ms, changing_ms, rest_ratio, changing_ratio;
   double figures_s = 0.0;
   std::atomic<int> figures = 0;
   const auto measure = [&](const glm::dvec3& direction, const Progress& measuring) {
-    ExactAreas areas = exact_areas(
-        part, {.direction = direction, .tau_deg = query.tau_deg, .lateral = query.lateral}, measuring);
+    ExactQuery moved = query;
+    moved.direction = direction;
+    ExactAreas areas = exact_areas(part, moved, measuring);
     ++figures;
     return areas;
   };
@@ -79,7 +73,7 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
       rest_ratio.push_back(plain / rest);
     }
     LatestJob<glm::dvec3, ExactAreas> beside({.work = measure, .pause_s = figure_pause_s});
-    const auto begin = Clock::now();
+    const Stopwatch stopwatch;
     for (int turn = -k_warm_up; turn < k_turns; ++turn) {
       MethodSettings moved = method;
       moved.direction = glm::dvec3(0.02 * (k_turns * round + turn), 0.1, 1.0);
@@ -92,7 +86,7 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
       changing_ms.push_back(change);
       changing_ratio.push_back(median(plain_of_round) / change);
     }
-    figures_s += elapsed_ms(begin) / 1000.0;
+    figures_s += stopwatch.elapsed_ms() / 1000.0;
     plain_ms.insert(plain_ms.end(), plain_of_round.begin(), plain_of_round.end());
   }
   return {.facets = model->part.mesh.facets.size(),

@@ -10,6 +10,8 @@ namespace moldlight {
 
 /// A context without a window, current on the calling thread. Throws Error that says what was tried and why
 /// each failed.
-[[nodiscard]] std::unique_ptr<gl::Context> create_context(Backend backend);
+[[nodiscard]] inline std::unique_ptr<gl::Context> create_context(Backend backend) {
+  return gl::create_headless_context(backend);
+}
 
 }  // namespace moldlight

@@ -41,11 +41,6 @@ double total_length(const std::vector<EdgeChain>& chains) {
                          [](double sum, const EdgeChain& chain) { return sum + chain.length; });
 }
 
-Json bounds_json(const Bounds& bounds) {
-  return {{"min", {bounds.min.x, bounds.min.y, bounds.min.z}},
-          {"max", {bounds.max.x, bounds.max.y, bounds.max.z}}};
-}
-
 /// The facet's number in the file; -1 for one that a repair added.
 std::int64_t file_facet(const Part& part, FacetIndex facet) {
   if (part.file_facets.empty()) return facet;

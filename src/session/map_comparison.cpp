@@ -39,16 +39,20 @@ double MapComparison::excess(Region region) const {
   return sum;
 }
 
+double piece_area(const SplitMesh& split, const SplitPiece& piece) {
+  const glm::dvec3& first = split.vertices[piece.corners[0]];
+  return 0.5 * glm::length(glm::cross(split.vertices[piece.corners[1]] - first,
+                                      split.vertices[piece.corners[2]] - first));
+}
+
+glm::dvec3 piece_point(const SplitMesh& split, const SplitPiece& piece, const TrianglePlace& place) {
+  const auto& [a, b, c] = piece.corners;
+  return place.in(split.vertices[a], split.vertices[b], split.vertices[c]);
+}
+
 PieceSamples sample_pieces(const SplitMesh& split, const UnitFrame& frame, std::size_t wanted) {
-  const auto corner = [&](const SplitPiece& piece, std::size_t k) {
-    return split.vertices[piece.corners[k]];
-  };
-  const auto area_of = [&](const SplitPiece& piece) {
-    const glm::dvec3 first = corner(piece, 0);
-    return 0.5 * glm::length(glm::cross(corner(piece, 1) - first, corner(piece, 2) - first));
-  };
   PieceSamples set;
-  for (const SplitPiece& piece : split.pieces) set.areas[piece.region] += area_of(piece);
+  for (const SplitPiece& piece : split.pieces) set.areas[piece.region] += piece_area(split, piece);
   const double total = set.areas.total();
   for (const Region region : k_regions) {
     const double area = set.areas[region];
@@ -58,13 +62,10 @@ PieceSamples sample_pieces(const SplitMesh& split, const UnitFrame& frame, std::
            covered = 0.0;  // of the region, in samples: the next one's place, and the pieces so far
     for (const SplitPiece& piece : split.pieces) {
       if (piece.region != region || count == 0.0) continue;
-      covered += count * (area_of(piece) / area);
+      covered += count * (piece_area(split, piece) / area);
       for (; next < covered; next += 1.0) {
-        const TrianglePlace place = triangle_place(set.samples.size());
-        const glm::dvec3 first = corner(piece, 0);
-        set.samples.push_back({frame.to_unit(first + place.u * (corner(piece, 1) - first) +
-                                             place.v * (corner(piece, 2) - first)),
-                               piece.facet});
+        const glm::dvec3 point = piece_point(split, piece, triangle_place(set.samples.size()));
+        set.samples.push_back({frame.to_unit(point), piece.facet});
       }
     }
     set.first[static_cast<std::size_t>(region) + 1] = set.samples.size();

@@ -30,6 +30,12 @@ struct MapComparison {
   [[nodiscard]] double excess(Region region) const;
 };
 
+/// Model units squared.
+[[nodiscard]] double piece_area(const SplitMesh& split, const SplitPiece& piece);
+/// Model units.
+[[nodiscard]] glm::dvec3 piece_point(const SplitMesh& split, const SplitPiece& piece,
+                                     const TrianglePlace& place);
+
 /// Points of the pieces, in equal steps of area over each region.
 struct PieceSamples {
   std::vector<SurfaceSample> samples;  // ordered by exact region; the facet of each is the source facet

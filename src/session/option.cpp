@@ -1,11 +1,11 @@
 #include "session/option.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace moldlight {
 
@@ -13,14 +13,9 @@ namespace {
 
 template <typename T>
 T parse_number(std::string_view text, std::string_view what, std::string_view kind) {
-  std::string_view digits = text;
-  if (digits.starts_with('+')) digits.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw UsageError(fmt::format("{}: '{}' is not {}", what, text, kind));
-  }
-  return value;
+  const auto value = number_from<T>(text.substr(text.starts_with('+') ? 1 : 0));
+  if (!value) throw UsageError(fmt::format("{}: '{}' is not {}", what, text, kind));
+  return *value;
 }
 
 std::string_view trimmed(std::string_view text) {

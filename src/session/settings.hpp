@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "gl/context.hpp"
+
 namespace moldlight {
 
 /// How near-vertical surface looks into the shadow maps. One-sided: on the outer side only, at the lateral
@@ -17,7 +19,7 @@ enum class KernelShape : std::uint8_t { one_sided, symmetric };
 /// in the maps. Facet-id: the paper's two-pass readback (section 2.4), one region a facet.
 enum class Readout : std::uint8_t { exact, samples, facet_id };
 
-enum class Backend : std::uint8_t { automatic, egl, osmesa };
+using Backend = gl::HeadlessBackend;
 
 /// Settings of the classification for one parting direction.
 struct MethodSettings {

@@ -4,55 +4,154 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "gl/colour_target.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "picture/legend.hpp"
 #include "render/view_geometry.hpp"
 #include "session/figures.hpp"
-#include "session/still_layout.hpp"
 #include "session/view_choice.hpp"
 
 namespace moldlight {
 
 namespace {
 
+/// A picture of this size has everything at scale 1; one of another shape at least by its smaller side.
+constexpr glm::dvec2 k_full_scale_px(1280.0, 800.0);
+constexpr double k_full_scale_side_px = 1150.0;
+constexpr double k_least_scale = 0.72;  // below this text is not read
+constexpr double k_most_share = 0.2;    // of the picture's area, that a legend may take
+constexpr double k_margin = 28.0;       // around it at scale 1
+constexpr double k_fill = 0.86;
+constexpr int k_reduction = 8;  // of the pictures that tell what the part covers
+
+/// What a picture must find room for. Points are in the unit frame.
+struct Composition {
+  glm::ivec2 size{0};
+  std::optional<Box> legend;
+  std::span<const glm::vec3> extremes;  // the part's outermost points
+  std::span<const glm::vec3> beyond;    // points off the part that are to be seen too
+};
+
+/// A camera that fits the points into a box of the picture.
+Camera framed(Camera camera, std::span<const glm::vec3> points, const Box& box, const glm::ivec2& size) {
+  const glm::ivec2 room = glm::max(glm::ivec2(box.size), glm::ivec2(1));
+  camera = fitted(camera, points, room, k_fill);
+  camera.height *= static_cast<double>(size.y) / room.y;
+  return panned(camera, box.corner + 0.5 * box.size - 0.5 * glm::dvec2(size), size);
+}
+
+/// Boxes for the part, from the whole picture to what the legend leaves free for certain.
+std::vector<Box> scene_boxes(const Composition& composition) {
+  const glm::dvec2 room(composition.size);
+  std::vector<Box> boxes = {{glm::dvec2(0.0), room}};
+  if (!composition.legend) return boxes;
+  const bool beside = room.x > 1.15 * room.y;
+  const double left = composition.legend->far_corner().x, below = room.y - composition.legend->corner.y;
+  for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+    boxes.push_back(beside ? Box{{share * left, 0.0}, {room.x - share * left, room.y}}
+                           : Box{{0.0, 0.0}, {room.x, room.y - share * below}});
+  }
+  return boxes;
+}
+
+/// The legend with some air around it.
+Box forbidden_box(const Box& legend) {
+  const double air = legend.corner.x;
+  return {legend.corner - air, legend.size + 2.0 * air};
+}
+
+bool holds(const Box& box, const glm::dvec2& point) {
+  return glm::all(glm::greaterThanEqual(point, box.corner)) &&
+         glm::all(glm::lessThanEqual(point, box.far_corner()));
+}
+
+/// True if the part runs into a box of the picture, of which `view` has drawn a small one.
+bool part_covers(const PartView& view, const glm::ivec2& small_size, const Box& box) {
+  const std::vector<std::uint32_t> facets = view.read_facets();
+  for (int y = 0; y < small_size.y; ++y) {
+    for (int x = 0; x < small_size.x; ++x) {
+      const auto row = static_cast<std::size_t>(small_size.y - 1 - y);
+      if (facets[row * static_cast<std::size_t>(small_size.x) + static_cast<std::size_t>(x)] == 0) continue;
+      if (holds(box, static_cast<double>(k_reduction) * (glm::dvec2(x, y) + 0.5))) return true;
+    }
+  }
+  return false;
+}
+
+/// Where the legend stands in a still picture.
+struct StillLayout {
+  double scale = 1.0;         // of text, lines and hatches
+  std::optional<Box> legend;  // none where there is no content or no room for it
+};
+/// `content` may be null.
+StillLayout still_layout(const glm::ivec2& size, const LegendContent* content) {
+  const glm::dvec2 room(size);
+  StillLayout layout;
+  layout.scale = std::max(std::min(room.x / k_full_scale_px.x, room.y / k_full_scale_px.y),
+                          std::min(room.x, room.y) / k_full_scale_side_px);
+  if (content == nullptr) return layout;
+  layout.scale = std::max(layout.scale, k_least_scale);
+  const glm::dvec2 legend = legend_size(*content, {.scale = layout.scale});
+  const double margin = k_margin * layout.scale;
+  if (legend.x + 2.0 * margin <= room.x && legend.x * legend.y <= k_most_share * room.x * room.y) {
+    layout.legend = Box{{margin, room.y - margin - legend.y}, legend};
+  }
+  return layout;
+}
+
+/// The camera moved and zoomed so that the part is as large as it can be without running into the legend.
+/// Draws small pictures with `view` to find out.
+Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part, const Camera& camera,
+                const Composition& composition) {
+  std::vector<glm::vec3> points(composition.extremes.begin(), composition.extremes.end());
+  points.insert(points.end(), composition.beyond.begin(), composition.beyond.end());
+  const std::vector<Box> boxes = scene_boxes(composition);
+  const glm::ivec2 small_size = glm::max(composition.size / k_reduction, glm::ivec2(1));
+  const gl::ColourTarget small(gl, small_size);
+  ViewSettings plain;
+  plain.colour_mode = ColourMode::plain;
+  plain.ambient_occlusion = plain.feature_edges = false;
+  plain.samples = 1;
+  for (const Box& box : boxes) {
+    const Camera candidate = framed(camera, points, box, composition.size);
+    if (&box == &boxes.back()) return candidate;
+    const Box forbidden = forbidden_box(*composition.legend);
+    bool collides = false;
+    for (const glm::vec3& point : composition.beyond) {
+      const auto pixel = project(candidate, composition.size, glm::dvec3(point));
+      collides = collides || (pixel && holds(forbidden, *pixel));
+    }
+    if (collides) continue;
+    view.draw_final({small.framebuffer(), small_size}, {.part = part}, candidate, plain);
+    if (!part_covers(view, small_size, forbidden)) return candidate;
+  }
+  return camera;
+}
+
 constexpr int k_samples = 32;
 
 glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction,
                        PictureView view) {
-  switch (view) {
-    case PictureView::automatic:
-      return revealing_orientation(model, split, direction);
-    case PictureView::isometric:
-      return standard_orientation(StandardView::isometric);
-    case PictureView::front:
-      return standard_orientation(StandardView::front);
-    case PictureView::back:
-      return standard_orientation(StandardView::back);
-    case PictureView::left:
-      return standard_orientation(StandardView::left);
-    case PictureView::right:
-      return standard_orientation(StandardView::right);
-    case PictureView::top:
-      return standard_orientation(StandardView::top);
-    case PictureView::bottom:
-      break;
-  }
-  return standard_orientation(StandardView::bottom);
+  if (view == PictureView::automatic) return revealing_orientation(model, split, direction);
+  constexpr std::array k_views = {StandardView::isometric, StandardView::front, StandardView::back,
+                                  StandardView::left,      StandardView::right, StandardView::top,
+                                  StandardView::bottom};
+  return standard_orientation(k_views[static_cast<std::size_t>(view) - 1]);
 }
 
 std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
                                                const Progress& progress) {
   if (result.split) return result.split;
-  const ExactQuery query{.direction = result.direction,
-                         .tau_deg = result.settings.tau_deg,
-                         .lateral = result.lateral_tolerance / model.frame.diagonal};
+  const ExactQuery query = exact_query(model, result.settings);
   return std::make_shared<const SplitMesh>(exact_split(model.exact(progress), query, progress).mesh);
 }
 
@@ -150,6 +249,43 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   }
   if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
   return canvas.image();
+}
+
+std::span<const Option<StillSettings>> still_options() {
+  using S = StillSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"view", "--view", "View", "",
+       "From where the picture shows the part; auto looks where undercuts show best, with the parting "
+       "direction upward.",
+       choice<&S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
+      {"theme", "--theme", "Theme", "", "Whether the picture's background is light or dark.",
+       choice<&S::theme>({"dark", "light"})},
+      {"palette", "--palette", "Palette", "",
+       "The paper's colours, or a set that colour-blind eyes tell apart.",
+       choice<&S::palette>({"paper", "safe"})},
+      {"regions", "--regions", "Regions by", "",
+       "What the picture's regions are: exact, or as the shadow maps of these settings show them.",
+       choice<&S::regions_by>({"exact", "maps"})},
+      {"mark_difference", "--mark-difference", "Mark difference", "",
+       "Hatch the surface on which the shadow maps and the exact regions differ.",
+       SwitchKind<S>{&S::mark_difference}},
+  };
+  return k_options;
+}
+
+glm::ivec2 parse_picture_size(std::string_view text, std::string_view what, const glm::ivec2& least) {
+  const std::size_t cross = std::min(text.find('x'), text.size());
+  const auto width = number_from<int>(text.substr(0, cross));
+  const auto height = number_from<int>(text.substr(std::min(cross + 1, text.size())));
+  if (!width || !height)
+    throw UsageError(fmt::format("{}: '{}' is not WIDTHxHEIGHT, such as 1280x720", what, text));
+  const glm::ivec2 size(*width, *height);
+  if (glm::any(glm::lessThan(size, least)) ||
+      glm::any(glm::greaterThan(size, glm::ivec2(k_most_picture_px)))) {
+    throw UsageError(fmt::format("{}: '{}' is out of range, {}x{} to {}x{} pixels", what, text, least.x,
+                                 least.y, k_most_picture_px, k_most_picture_px));
+  }
+  return size;
 }
 
 }  // namespace moldlight

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 
@@ -11,6 +13,7 @@
 #include "gl/context.hpp"
 #include "render/part_view.hpp"
 #include "session/classification.hpp"
+#include "session/option.hpp"
 #include "session/picture_maps.hpp"
 
 namespace moldlight {
@@ -31,6 +34,13 @@ struct StillSettings {
   bool legend = true;            // left out where a picture is too small for it
   bool arrows = true;
 };
+
+/// For help and command line: every setting but the size.
+[[nodiscard]] std::span<const Option<StillSettings>> still_options();
+
+/// A size from "WxH" in pixels, `least` to k_most_picture_px a side; throws UsageError that names `what`.
+[[nodiscard]] glm::ivec2 parse_picture_size(std::string_view text, std::string_view what,
+                                            const glm::ivec2& least = glm::ivec2(k_least_picture_px));
 
 /// Throws UsageError for a size out of range.
 void validate(const StillSettings& settings);

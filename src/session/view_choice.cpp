@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "render/camera.hpp"
+#include "session/map_comparison.hpp"
 
 namespace moldlight {
 
@@ -26,36 +27,26 @@ struct Spot {
   glm::vec3 normal;
 };
 
-double area(const SplitMesh& split, const SplitPiece& piece) {
-  const glm::dvec3& a = split.vertices[piece.corners[0]];
-  return 0.5 *
-         glm::length(glm::cross(split.vertices[piece.corners[1]] - a, split.vertices[piece.corners[2]] - a));
-}
-
 /// Spots spread evenly over the undercuts, or over everything where there are none.
 std::vector<Spot> spread_spots(const PartModel& model, const SplitMesh& split) {
   double total = 0.0;
   for (const SplitPiece& piece : split.pieces)
-    total += piece.region == Region::undercut ? area(split, piece) : 0.0;
+    total += piece.region == Region::undercut ? piece_area(split, piece) : 0.0;
   const bool any = total > k_least_share * model.geometry.total_area;
   const double step = (any ? total : model.geometry.total_area) / static_cast<double>(k_samples);
   std::vector<Spot> spots;
   double sum = 0.0, next = 0.5 * step;
   for (const SplitPiece& piece : split.pieces) {
     if (any && piece.region != Region::undercut) continue;
-    sum += area(split, piece);
+    sum += piece_area(split, piece);
     for (; next < sum; next += step) {
-      // The additive recurrence of the plastic number, folded into the triangle.
-      const double k = static_cast<double>(spots.size());
-      double u = std::fmod(0.5 + 0.7548776662466927 * k, 1.0);
-      double v = std::fmod(0.5 + 0.5698402909980532 * k, 1.0);
-      if (u + v > 1.0) {
-        u = 1.0 - u;
-        v = 1.0 - v;
-      }
-      const glm::dvec3& a = split.vertices[piece.corners[0]];
-      const glm::dvec3 point =
-          a + u * (split.vertices[piece.corners[1]] - a) + v * (split.vertices[piece.corners[2]] - a);
+      // The recurrence of triangle_place() from its middle on: of a round part many views are as good, and
+      // the spots decide which is taken.
+      const auto k = static_cast<double>(spots.size());
+      TrianglePlace place{std::fmod(0.5 + 0.7548776662466927 * k, 1.0),
+                          std::fmod(0.5 + 0.5698402909980532 * k, 1.0)};
+      if (place.u + place.v > 1.0) place = {1.0 - place.u, 1.0 - place.v};
+      const glm::dvec3 point = piece_point(split, piece, place);
       spots.push_back({model.frame.to_unit(point), glm::vec3(model.geometry.normals[piece.facet])});
     }
   }

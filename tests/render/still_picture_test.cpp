@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "render/camera.hpp"
-#include "session/still_options.hpp"
+#include "session/still_picture.hpp"
 #include "session/view_choice.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
