@@ -1,10 +1,7 @@
 // moldlight classify: the mold-piece regions of a part for one parting direction.
 #include <memory>
 
-#include "cli/command.hpp"
-#include "cli/method_flags.hpp"
-#include "cli/outputs.hpp"
-#include "cli/still_flags.hpp"
+#include "cli/flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "session/classifier.hpp"
@@ -30,7 +27,7 @@ void check_outputs(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
-  check_output_files(flags.part.part, {{"--json", flags.part.json == "-" ? "" : flags.part.json},
+  check_output_files(flags.part.part, {{"--json", flags.part.json_file()},
                                        {"--facets", files.facets},
                                        {"--faces", files.faces},
                                        {"--mesh", files.mesh},
@@ -66,14 +63,12 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   log_result(result, console);
 
   progress.report("writing", 0.0);
-  const bool json_to_stdout = flags.part.json == "-";
-  OutputPaths files = flags.files;
-  if (!json_to_stdout) files.json = flags.part.json;
-  write_outputs(files, *model, result, flags.still.palette);
+  write_outputs(flags.files, *model, result, flags.still.palette);
   if (!flags.image.empty())
     write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress));
-  console.result(json_to_stdout ? json_text(classify_json(*model, result))
-                                : classify_table(*model, result, console.colour()));
+  put_report(
+      console, flags.part.json, [&] { return classify_json(*model, result); },
+      [&] { return classify_table(*model, result, console.colour()); });
   return 0;
 }
 
@@ -86,53 +81,33 @@ void add_classify_command(CLI::App& program, Request& request) {
   const auto flags = std::make_shared<ClassifyFlags>();
   add_part_flags(*command, flags->part, request);
   add_method_flags(*command, flags->method, DirectionFlag::required);
-  command
-      ->add_option("--facets", flags->files.facets, "Write a table of facets: area and share of each region")
-      ->option_text("FILE.csv")
-      ->check(named());
-  command
-      ->add_option("--faces", flags->files.faces,
-                   "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way")
-      ->option_text("FILE.csv")
-      ->check(named());
-  command
-      ->add_option("--mesh", flags->files.mesh,
-                   "Write the part, split at the borders of its exact regions (whatever the readout), each "
-                   "facet in the colour of its region; in OBJ each region is a material")
-      ->option_text("FILE.(ply|obj|stl)")
-      ->check(named());
-  command
-      ->add_option("--split-dir", flags->files.split_folder,
-                   "Write the split part to this folder, one STL a region; they meet at equal vertices")
-      ->option_text("DIR")
-      ->check(named());
-  command
-      ->add_option(
-          "--borders", flags->files.borders,
-          "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
-          "line a point")
-      ->option_text("FILE.(obj|csv)")
-      ->check(named());
+  OutputPaths& files = flags->files;
+  add_file_flag(*command, "--facets", files.facets, "FILE.csv",
+                "Write a table of facets: area and share of each region");
+  add_file_flag(*command, "--faces", files.faces, "FILE.csv",
+                "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way");
+  add_file_flag(*command, "--mesh", files.mesh, "FILE.(ply|obj|stl)",
+                "Write the part, split at the borders of its exact regions (whatever the readout), each "
+                "facet in the colour of its region; in OBJ each region is a material");
+  add_file_flag(*command, "--split-dir", files.split_folder, "DIR",
+                "Write the split part to this folder, one STL a region; they meet at equal vertices");
+  add_file_flag(
+      *command, "--borders", files.borders, "FILE.(obj|csv)",
+      "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
+      "line a point");
   command->add_flag("--compare-maps", flags->compare_maps,
                     "Measure where the regions that the shadow maps show differ from the exact ones, by "
                     "--samples surface samples");
-  CLI::Option* image = command
-                           ->add_option("--image", flags->image,
-                                        "Draw the part in the colours of its regions, with a legend, and "
-                                        "write the picture to this file")
-                           ->option_text("FILE.png")
-                           ->check(named());
+  CLI::Option* image = add_file_flag(
+      *command, "--image", flags->image, "FILE.png",
+      "Draw the part in the colours of its regions, with a legend, and write the picture to this file");
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   for (const Option<StillSettings>& option : still_options()) {
     CLI::Option* flag = add_option_flag(*command, option, flags->still);
     // The palette is the meshes', too.
     if (option.key != "palette") flag->needs(image);
   }
-  command->callback([flags, &request] {
-    request.body = [flags](Console& console, const Progress& progress) {
-      return run(*flags, console, progress);
-    };
-  });
+  set_work(*command, request, flags, run);
 }
 
 }  // namespace moldlight::cli

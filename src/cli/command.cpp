@@ -1,55 +1,77 @@
 #include "cli/command.hpp"
 
-#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
 
-#include "cli/reading_flags.hpp"
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "session/classify_report.hpp"
 
 namespace moldlight::cli {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr std::size_t k_help_width = 104;
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(a, error), second = fs::weakly_canonical(b, error);
+  return !first.empty() && first == second;
+}
+
+/// A device or pipe may be named twice, and is not opened before it is written.
+bool is_special(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 }  // namespace
 
-CLI::Validator named() {
-  return {[](std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, ""};
-}
-
-void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
-  command.add_option("PART", flags.part, "Part file: STL, OBJ, PLY, OFF, 3MF or STEP, known by its content")
-      ->required();
-  command.add_option("--json", flags.json, "Write the report as JSON; - for stdout, in place of the table")
-      ->option_text("FILE|-")
-      ->check(named());
-  add_reading_flags(command, flags.reading);
-  CLI::Option* quiet = command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
-  command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
-}
-
-std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  const std::string text = option->get_description();
-  const std::size_t width = k_help_width - get_column_width();
-  std::string wrapped;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column > 0 && column + 1 + end - begin > width) {
-      wrapped += '\n';
-      column = 0;
-    } else if (column > 0) {
-      wrapped += ' ';
-      ++column;
+void check_output_files(const std::string& part, const std::vector<OutputFile>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const OutputFile& file = files[i];
+    if (file.path.empty() || is_special(file.path)) continue;
+    if (file.path == "-") {
+      throw UsageError(fmt::format("{}: only --json can go to stdout; name a file", file.flag));
     }
-    wrapped += text.substr(begin, end - begin);
-    column += end - begin;
-    begin = end + 1;
+    if (same_file(file.path, part)) {
+      throw UsageError(fmt::format("{}: {} is the part itself; name another file", file.flag, file.path));
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (files[k].path.empty() || !same_file(files[k].path, file.path)) continue;
+      throw UsageError(fmt::format("{} and {} name one file, {}", files[k].flag, file.flag, file.path));
+    }
+    const AtomicFile attempt(file.path);
   }
-  return wrapped;
 }
 
-std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-  return option->get_option_text().empty() ? "" : " " + option->get_option_text();
+void check_output_folder(const std::string& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error);
+  while (!there.empty() && !fs::exists(there, error) && there != there.parent_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, error)) {
+    throw FileError(folder, "", fmt::format("cannot be made a folder: {} is none", there.string()));
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) {
+    throw FileError(folder, "",
+                    fmt::format("cannot be written to: {}: {}", there.string(), std::strerror(errno)));
+  }
+}
+
+void put_report(Console& console, const std::string& json_path,
+                const std::function<nlohmann::ordered_json()>& json,
+                const std::function<std::string()>& text) {
+  if (json_path == "-") return console.result(json_text(json()));
+  if (!json_path.empty()) write_file(json_path, json_text(json()));
+  console.result(text());
 }
 
 }  // namespace moldlight::cli

@@ -1,21 +1,59 @@
 // The program: reads the command line, runs the command, and turns every failure into one line and an exit
 // code.
+#include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
-#include "cli/command.hpp"
-#include "cli/interrupt.hpp"
+#include "cli/flags.hpp"
 
 namespace moldlight::cli {
 
 namespace {
 
-constexpr int k_failure = 1;
-constexpr int k_usage = 2;
-constexpr int k_interrupted = 130;
+// A signal handler can reach nothing but what is global.
+std::atomic<Progress*> interrupted_progress = nullptr;
+static_assert(std::atomic<Progress*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+void cancel_progress(int) {
+  if (Progress* progress = interrupted_progress.load()) progress->cancel();
+}
+
+/// Ctrl-C and a polite kill end the work at its next report of progress, so that nothing is left half done:
+/// while it lives, SIGINT and SIGTERM cancel the progress; a second signal ends the program at once. One at a
+/// time.
+class InterruptGuard {
+ public:
+  explicit InterruptGuard(Progress& progress) {
+    CHECK(interrupted_progress.exchange(&progress) == nullptr);
+    struct sigaction action = {};
+    action.sa_handler = cancel_progress;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM}) {
+      struct sigaction former = {};
+      // Who started the program may want it to outlive an interrupt (nohup, a background job).
+      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler != SIG_IGN) {
+        sigaction(signal, &action, nullptr);
+      }
+    }
+  }
+  ~InterruptGuard() {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      struct sigaction former = {};
+      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler == cancel_progress) {
+        std::signal(signal, SIG_DFL);
+      }
+    }
+    interrupted_progress.store(nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
 
 /// `moldlight PART` stands for `moldlight view PART`.
 void insert_default_command(const CLI::App& program, std::vector<std::string>& arguments) {

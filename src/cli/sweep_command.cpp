@@ -1,31 +1,91 @@
 // moldlight sweep: the best parting directions of a part.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <memory>
-#include <utility>
+#include <optional>
 
 #include "base/error.hpp"
-#include "cli/command.hpp"
-#include "cli/method_flags.hpp"
-#include "cli/outputs.hpp"
-#include "cli/still_flags.hpp"
-#include "cli/sweep_meter.hpp"
-#include "cli/undercut_limit.hpp"
-#include "io/atomic_file.hpp"
+#include "cli/flags.hpp"
 #include "io/direction_list.hpp"
 #include "mold/sweep/ranking.hpp"
-#include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
 #include "session/still_picture.hpp"
 #include "session/sweep/sweep.hpp"
 #include "session/sweep/sweep_pictures.hpp"
 #include "session/sweep/sweep_report.hpp"
+#include "session/sweep/sweep_stages.hpp"
 
 namespace moldlight::cli {
 
 namespace {
 
-constexpr int k_criterion_failed = 3;
-constexpr int k_interrupted = 130;
+constexpr int k_least_columns_for_bar = 70;
+constexpr std::size_t k_bar_cells = 24;
+
+std::string time_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string bar(double share) {
+  const auto full = static_cast<std::size_t>(share * static_cast<double>(k_bar_cells));
+  std::string cells;
+  for (std::size_t i = 0; i < k_bar_cells; ++i) cells += i < full ? "█" : "░";
+  return cells;
+}
+
+/// How far a sweep is: share done, directions, rate, time left.
+class SweepMeter {
+ public:
+  /// Counts a scored direction; from any thread.
+  void count() { ++scored_; }
+
+  /// One line; with a bar where there are columns for it. One call at a time.
+  [[nodiscard]] std::string text(std::string_view stage, double fraction, int columns) {
+    const double share = done_ = std::max(done_, sweep_share_done(stage, fraction));
+    const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::size_t scored = scored_;
+    std::string text = columns >= k_least_columns_for_bar ? bar(share) + " " : "";
+    text += fmt::format("{:3.0f} %  {}", 100.0 * share, stage);
+    if (scored > 0) text += fmt::format(", {} directions", scored);
+    if (scored > 0 && (stage == sweep_stage::k_scoring || stage == sweep_stage::k_refining)) {
+      text += fmt::format(", {:.0f}/s", static_cast<double>(scored) / elapsed_s);
+    }
+    // Before that it would be a guess about guesses.
+    if (elapsed_s > 1.0 && share > 0.03) {
+      text += fmt::format(", about {} left", time_text(elapsed_s * (1.0 - share) / share));
+    }
+    return text;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::atomic<std::size_t> scored_ = 0;
+  Clock::time_point start_ = Clock::now();
+  double done_ = 0.0;  // share, never less than before
+};
+
+/// The greatest undercut area that --fail-if-undercut lets pass.
+struct UndercutLimit {
+  double value = 0.0;  // at least 0; per cent of the part's area or model units squared
+  bool per_cent = false;
+
+  [[nodiscard]] double area(double total_area) const { return per_cent ? 0.01 * value * total_area : value; }
+};
+
+/// Of "12.5" or "2.5%"; throws UsageError.
+UndercutLimit parse_undercut_limit(std::string_view text) {
+  UndercutLimit limit;
+  limit.per_cent = text.ends_with('%');
+  if (limit.per_cent) text.remove_suffix(1);
+  limit.value = parse_real(text, "--fail-if-undercut");
+  if (limit.value < 0.0) throw UsageError("--fail-if-undercut: the limit is less than 0");
+  return limit;
+}
 
 struct SweepFlags {
   PartFlags part;
@@ -36,8 +96,7 @@ struct SweepFlags {
 };
 
 void check_outputs(const SweepFlags& flags) {
-  check_output_files(flags.part.part,
-                     {{"--json", flags.part.json == "-" ? "" : flags.part.json}, {"--csv", flags.csv}});
+  check_output_files(flags.part.part, {{"--json", flags.part.json_file()}, {"--csv", flags.csv}});
   if (!flags.image_folder.empty()) check_output_folder(flags.image_folder);
 }
 
@@ -67,16 +126,6 @@ void warn(const PartModel& model, const SweepResult& result, const Progress& pro
         fmt::format("the time limit of {} s ended the sweep early; what was done by then is put out",
                     figure(result.settings.time_limit_s)));
   }
-}
-
-void write_outputs(const SweepFlags& flags, const PartModel& model, const SweepResult& result,
-                   Console& console) {
-  if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
-  const bool json_to_stdout = flags.part.json == "-";
-  std::string json;
-  if (!flags.part.json.empty()) json = json_text(sweep_json(model, result));
-  if (!flags.part.json.empty() && !json_to_stdout) write_file(flags.part.json, json);
-  console.result(json_to_stdout ? json : sweep_table(model, result));
 }
 
 /// Says why not. Nothing found meets no limit.
@@ -109,7 +158,10 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
                                        {.evaluated = [&meter](const EvaluatedDirection&) { meter.count(); }});
   console.set_progress_text({});
   warn(*model, result, progress, console);
-  write_outputs(flags, *model, result, console);
+  if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
+  put_report(
+      console, flags.part.json, [&] { return sweep_json(*model, result); },
+      [&] { return sweep_table(*model, result); });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
     if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
@@ -130,12 +182,11 @@ void add_sweep_command(CLI::App& program, Request& request) {
   SweepSettings& sweep = flags->sweep;
   add_part_flags(*command, flags->part, request);
   add_option_flags(*command, sweep_options(), sweep);
-  command
-      ->add_option_function<std::string>(
-          "--candidates", [&sweep](const std::string& text) { sweep.kinds = parse_candidate_kinds(text); },
-          "Where candidate directions come from, separated by commas: axis, revolution, plane, "
-          "perpendicular, hull, principal, uniform; all or none [default all]")
-      ->option_text("LIST");
+  add_text_flag(
+      *command, "--candidates", "LIST",
+      "Where candidate directions come from, separated by commas: axis, revolution, plane, perpendicular, "
+      "hull, principal, uniform; all or none [default all]",
+      [&sweep](const std::string& text) { sweep.kinds = parse_candidate_kinds(text); });
   command
       ->add_option_function<std::vector<std::string>>(
           "--direction",
@@ -147,39 +198,27 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->option_text("X,Y,Z ...")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command
-      ->add_option("--directions-file", flags->directions_file,
-                   "The same from a file, a line a direction: x, y, z")
-      ->option_text("FILE.csv")
-      ->check(named());
-  command
-      ->add_option_function<std::string>(
-          "--objective",
-          [&sweep](const std::string& text) {
-            static_cast<void>(parse_objective(text));
-            sweep.objective = text;
-          },
-          "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, "
-          "or a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]")
-      ->option_text("LIST");
-  command
-      ->add_option_function<std::string>(
-          "--fail-if-undercut",
-          [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); },
-          "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
-          "per cent of its area")
-      ->option_text("AREA|PCT%");
-  command->add_option("--csv", flags->csv, "Write a table of every direction that was scored")
-      ->option_text("FILE.csv")
-      ->check(named());
-  CLI::Option* pictures =
-      command
-          ->add_option("--image-dir", flags->image_folder,
-                       "Write direction_sphere.png, a map of the undercut area over all directions, and "
-                       "contact_sheet.png, the part with the best directions, to this folder; scores every "
-                       "direction to the end")
-          ->option_text("DIR")
-          ->check(named());
+  add_file_flag(*command, "--directions-file", flags->directions_file, "FILE.csv",
+                "The same from a file, a line a direction: x, y, z");
+  add_text_flag(
+      *command, "--objective", "LIST",
+      "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, or "
+      "a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]",
+      [&sweep](const std::string& text) {
+        static_cast<void>(parse_objective(text));
+        sweep.objective = text;
+      });
+  add_text_flag(
+      *command, "--fail-if-undercut", "AREA|PCT%",
+      "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
+      "per cent of its area",
+      [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); });
+  add_file_flag(*command, "--csv", flags->csv, "FILE.csv",
+                "Write a table of every direction that was scored");
+  CLI::Option* pictures = add_file_flag(
+      *command, "--image-dir", flags->image_folder, "DIR",
+      "Write direction_sphere.png, a map of the undercut area over all directions, and contact_sheet.png, "
+      "the part with the best directions, to this folder; scores every direction to the end");
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
@@ -187,11 +226,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
     add_option_flag(*command, option, flags->still)->needs(pictures);
   }
   add_method_flags(*command, sweep.method, DirectionFlag::left_out);
-  command->callback([flags, &request] {
-    request.body = [flags](Console& console, const Progress& progress) {
-      return run(*flags, console, progress);
-    };
-  });
+  set_work(*command, request, flags, run);
 }
 
 }  // namespace moldlight::cli

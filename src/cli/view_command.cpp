@@ -5,11 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "cli/command.hpp"
-#include "cli/method_flags.hpp"
-#include "cli/outputs.hpp"
-#include "cli/reading_flags.hpp"
-#include "cli/still_flags.hpp"
+#include "cli/flags.hpp"
 #include "gui/screenshot.hpp"
 #include "gui/shipped_parts.hpp"
 #include "gui/store/state_folder.hpp"
@@ -87,30 +83,23 @@ void add_view_command(CLI::App& program, Request& request) {
   command->add_option("PART", flags->part,
                       "Part file, known by its content; without one the window asks for it");
   // Read before the other flags, which then change single settings of it.
-  command
-      ->add_option_function<std::string>(
-          "--settings",
-          [flags](const std::string& path) {
-            flags->notes = gui::parse_part_notes(read_whole(path), flags->notes);
-            flags->settings_given = true;
-          },
-          "Settings and bookmarks as the window saves them, or a JSON object of settings")
-      ->option_text("FILE.json")
+  add_text_flag(*command, "--settings", "FILE.json",
+                "Settings and bookmarks as the window saves them, or a JSON object of settings",
+                [flags](const std::string& path) {
+                  flags->notes = gui::parse_part_notes(read_whole(path), flags->notes);
+                  flags->settings_given = true;
+                })
       ->check(named())
       ->trigger_on_parse();
-  command
-      ->add_option("--screenshot", flags->screenshot,
-                   "Write the window's picture and open none; needs no display")
-      ->option_text("OUT.png")
-      ->check(named());
+  add_file_flag(*command, "--screenshot", flags->screenshot, "OUT.png",
+                "Write the window's picture and open none; needs no display");
   add_size_flag(*command, flags->size, "Size of that picture", k_least_size);
   command
       ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
       ->option_text("FACTOR")
       ->check(CLI::Range(0.5F, 4.0F));
-  command->add_option("--script", flags->script, "Play these input events before the picture is taken")
-      ->option_text("EVENTS.json")
-      ->check(named());
+  add_file_flag(*command, "--script", flags->script, "EVENTS.json",
+                "Play these input events before the picture is taken");
   command->add_flag(
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "

@@ -1,17 +1,51 @@
-// Command-line flags from a table of options: name, help, unit, range and default come from the table alone.
+// Every flag of the subcommands: those of a table of options, whose name, help, unit, range and default come
+// from the table alone; how a part is read; files, sizes, help.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/command.hpp"
+#include "io/read_options.hpp"
 #include "session/method_options.hpp"
 #include "session/option_table.hpp"
+#include "session/still_picture.hpp"
 
 namespace moldlight::cli {
+
+// Values go into variables that outlive the command and hold the defaults.
+
+/// A flag whose text is parsed when the command line is; `value` stands for it in the help.
+CLI::Option* add_text_flag(CLI::App& command, const std::string& flag, const std::string& value,
+                           const std::string& help, std::function<void(const std::string&)> parse);
+/// Refuses an empty name of a file or folder, such as a script's unset variable gives.
+[[nodiscard]] CLI::Validator named();
+/// A file or folder, named().
+CLI::Option* add_file_flag(CLI::App& command, const std::string& flag, std::string& path,
+                           const std::string& value, const std::string& help);
+/// Adds --size; `least` is in pixels.
+CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
+                           const glm::ivec2& least = glm::ivec2(k_least_picture_px));
+
+/// How a part is read and what is made of it at once: limits, unit, body, repair, CAD tessellation.
+void add_reading_flags(CLI::App& command, ReadOptions& options);
+
+/// Part file and the flags of every command that reports on it.
+struct PartFlags {
+  std::string part;
+  ReadOptions reading;
+  std::string json;  // file, "-" for stdout, or empty
+
+  /// The file that --json names; empty where it names stdout.
+  [[nodiscard]] std::string json_file() const { return json == "-" ? std::string() : json; }
+};
+/// Adds PART, --json, --quiet, --verbose and how the part is read.
+void add_part_flags(CLI::App& command, PartFlags& flags, Request& request);
 
 /// What stands for the value in the help: "DEG", "TEXELS", "on|off", …
 template <typename S>
@@ -58,12 +92,8 @@ CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& sett
   if (is_switch != nullptr && !(settings.*is_switch->member)) {
     return command.add_flag(std::string(option.flag), settings.*is_switch->member, std::string(option.help));
   }
-  return command
-      .add_option_function<std::string>(
-          std::string(option.flag),
-          [&option, &settings](const std::string& text) { set_option(option, settings, text); },
-          flag_help(option, settings))
-      ->option_text(value_text(option));
+  return add_text_flag(command, std::string(option.flag), value_text(option), flag_help(option, settings),
+                       [&option, &settings](const std::string& text) { set_option(option, settings, text); });
 }
 
 /// The same for every option of a table.
@@ -79,5 +109,14 @@ enum class DirectionFlag : std::uint8_t { required, optional, left_out };
 /// refused.
 void add_method_flags(CLI::App& command, MethodSettings& settings,
                       DirectionFlag direction = DirectionFlag::optional);
+
+/// Breaks the lines of descriptions.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(34); }
+  [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
+  /// What stands for the value, and nothing else beside the name.
+  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
+};
 
 }  // namespace moldlight::cli
