@@ -1,24 +1,15 @@
 #include "gui/app.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include "base/error.hpp"
 #include "gl/program.hpp"
-#include "gui/command_runner.hpp"
-#include "gui/hover.hpp"
-#include "gui/input/shortcuts.hpp"
-#include "gui/panels/comparison.hpp"
-#include "gui/panels/start_page.hpp"
-#include "gui/panels/sweep_panel.hpp"
-#include "gui/split_overlay.hpp"
-#include "gui/store/state_folder.hpp"
-#include "gui/view_mapping.hpp"
+#include "gui/store/files.hpp"
+#include "gui/view/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -26,7 +17,6 @@ namespace {
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
-constexpr double k_glow_s = 0.7;  // of the pulse when an undercut appears
 /// Frames after an event, until ImGui has laid out what the event changed.
 constexpr int k_settle_frames = 3;
 
@@ -107,7 +97,7 @@ void App::frame(const FrameInput& input) {
   state_.can_redo = history_.can_redo();
 
   Edits edits(state_);
-  for (const std::string& path : input.dropped) edits.ask(OpenPart{path});
+  for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
   // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
   const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
   for (const KeyPress& press : input.keys) {
@@ -119,7 +109,8 @@ void App::frame(const FrameInput& input) {
       scene_ && !state_.dialogs.panels_hidden
           ? scene_->thumbnails(state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112))))
           : Scene::Thumbnails{};
-  draw_candidates();
+  candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
+                        pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   workspace_.draw({ui, state_, edits, layout_},
                   {.maps = {maps.plus, maps.minus},
@@ -131,8 +122,7 @@ void App::frame(const FrameInput& input) {
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
-  watch_undercut();
-  measure_face();
+  follow_figures();
   const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
   settle_frames_ = event ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
@@ -171,33 +161,18 @@ std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
   return thumbnails_.textures();
 }
 
-void App::watch_undercut() {
+void App::follow_figures() {
   const auto& shown = state_.figures.shown;
-  if (!shown || watched_ == state_.figures.revision) return;
-  watched_ = state_.figures.revision;
-  const bool has =
-      shown->areas[Region::undercut] > std::max(shown->uncertainty.total(), 1e-4 * shown->total_area);
-  if (has && !had_undercut_ && state_.window.motion) glow_start_s_ = now_s_;
-  had_undercut_ = has;
-}
-
-void App::choose_face(std::optional<ChosenFace> face) {
-  if (state_.face.has_value() == face.has_value() && (!face || face->number == state_.face->number)) return;
-  state_.face = std::move(face);
-  face_figures_of_ = 0;
-  scene_->choose_face(state_.face ? &*state_.face : nullptr);
+  if (!shown || followed_ == state_.figures.revision) return;
+  followed_ = state_.figures.revision;
+  const double least = std::max(shown->uncertainty.total(), 1e-4 * shown->total_area);
+  glow_.see(shown->areas[Region::undercut] > least, now_s_, state_.window.motion);
   measure_face();
 }
 
 void App::measure_face() {
-  if (!state_.face || !state_.figures.shown || face_figures_of_ == state_.figures.revision) return;
+  if (!state_.face || !state_.figures.shown) return;
   state_.face->figures = face_figures(*state_.model, *state_.figures.shown, state_.face->number);
-  face_figures_of_ = state_.figures.revision;
-}
-
-double App::glow() const {
-  const double t = (now_s_ - glow_start_s_) / k_glow_s;
-  return t < 0.0 || t >= 1.0 ? 0.0 : std::sin(t * glm::pi<double>());
 }
 
 void App::install(LoadedPart part) {
@@ -215,7 +190,6 @@ void App::install(LoadedPart part) {
   turn_.stop();
   state_.hover.reset();
   state_.face.reset();
-  extent_direction_ = glm::dvec3(0.0);
   file_watch_.watch(part.path);
   std::erase(state_.recent, part.path);
   options_.user.recent = state_.recent;
@@ -257,22 +231,14 @@ void App::pick() {
 }
 
 void App::apply(const Edits& edits) {
-  const glm::dvec3 former_direction = state_.settings.method.direction;
-  if (!(edits.camera == state_.camera)) flight_.stop();
-  state_.camera = edits.camera;
-  state_.settings = edits.settings;
-  state_.bookmarks = edits.bookmarks;
-  if (!(state_.window == edits.window)) {
-    state_.window = edits.window;
-    settle_frames_ = k_settle_frames;
-  }
-  state_.dialogs = edits.dialogs;
-  const bool was_large = state_.sweep_choices.large_ball,
-             was_compared = state_.sweep_choices.compared.has_value();
-  state_.sweep_choices = edits.sweep_choices;
+  const Editable former = state_;
+  static_cast<Editable&>(state_) = edits;
+  if (!(state_.camera == former.camera)) flight_.stop();
+  if (!(state_.window == former.window)) settle_frames_ = k_settle_frames;
+  SweepChoices& choices = state_.sweep_choices;
   // The large ball would cover one of the two pictures.
-  if (state_.sweep_choices.large_ball && !was_large) state_.sweep_choices.compared.reset();
-  if (state_.sweep_choices.compared && !was_compared) state_.sweep_choices.large_ball = false;
+  if (choices.large_ball && !former.sweep_choices.large_ball) choices.compared.reset();
+  if (choices.compared && !former.sweep_choices.compared) choices.large_ball = false;
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {
     state_.settings = history_.settled();
@@ -283,20 +249,16 @@ void App::apply(const Edits& edits) {
   }
   const bool turning = edits.dragging || turn_.flying();
   turn_direction(held);
-  direction_moves_ = turning && state_.settings.method.direction != former_direction;
-  for (const Command& command : edits.commands) {
-    std::visit(CommandRunner{*this}, command);
+  direction_moves_ = turning && state_.settings.method.direction != former.settings.method.direction;
+  Commands commands{*this};
+  for (const auto& command : edits.commands) {
+    command(commands);
     settle_frames_ = k_settle_frames;
   }
   if (!state_.model) return;
   if (const bool split = split_view().has_value(); split != was_split_) {
     was_split_ = split;
-    CommandRunner{*this}(FitView{});
-  }
-  const glm::dvec3 direction = glm::normalize(state_.settings.method.direction);
-  if (direction != extent_direction_) {
-    extent_ = extent_along(*state_.model, direction);
-    extent_direction_ = direction;
+    commands.fit_view();
   }
   opening_.aim(state_.settings.look.open_mold, now_s_, held || !state_.window.motion);
   if (fit_frames_ > 0) {
@@ -306,26 +268,23 @@ void App::apply(const Edits& edits) {
   keep_fitted();
 }
 
-void App::aim_camera(const Camera& camera) {
-  if (state_.window.motion) {
-    flight_.start(state_.camera, camera, now_s_);
-  } else {
-    state_.camera = camera;
-  }
+void App::set_direction(const glm::dvec3& direction) {
+  state_.settings.method.direction = tidy(direction);
+  history_.settle(state_.settings);
 }
 
 SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.method = state_.settings.method;
-  scene.view = view_settings(state_.settings.look, state_.settings.method, state_.window.theme, extent_,
-                             opening_.at(now_s_), scale_);
+  scene.view = view_settings(state_.settings, state_.window.theme, opening_.at(now_s_), scale_);
+  if (state_.settings.look.section) scene.view.section = section_height(*state_.model, state_.settings);
   scene.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = state_.settings.look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
   if (marked || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
-  scene.marks.undercut_glow = glow();
+  scene.marks.undercut_glow = glow_.at(now_s_);
   if (state_.hover) {
     scene.marks.hovered = state_.hover->point.facet;
     if (state_.hover->blocker) scene.marks.blocking = state_.hover->blocker->facet;
@@ -334,10 +293,10 @@ SceneSettings App::scene_settings() const {
 }
 
 bool App::draw(const ViewTarget& target) {
-  refining_ = false;
-  if (const auto split = split_view()) refining_ = pictures_->draw_beside(*split, scene_settings());
+  bool refining = false;
+  if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
-    refining_ = scene_->draw(target, scene_settings()) || refining_;
+    refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
   } else {
     backdrop_.draw(target.framebuffer, target.size, state_.window.theme);
@@ -345,8 +304,8 @@ bool App::draw(const ViewTarget& target) {
   // ImGui goes back to the program that was in use, which may be deleted by then.
   gl::use_no_program(context_->functions());
   imgui_.draw();
-  if (refining_) next_frame_s_ = now_s_;
-  return refining_;
+  if (refining) next_frame_s_ = now_s_;
+  return refining;
 }
 
 bool App::regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
@@ -364,14 +323,10 @@ void App::show_comparison() {
 
 void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
-  fitted_ = fitted_to(camera, state_.extremes, state_.settings.method.direction,
-                      state_.settings.look.open_mold, fitted_area_);
-  if (at_once) {
-    flight_.stop();
-    state_.camera = *fitted_;
-  } else {
-    aim_camera(*fitted_);
-  }
+  fitted_ = fitted_to(camera, state_.extremes, state_.settings, fitted_area_);
+  if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
+  if (at_once) flight_.stop();
+  state_.camera = *fitted_;
 }
 
 void App::keep_fitted() {
@@ -383,12 +338,6 @@ void App::keep_fitted() {
   const FreeArea area = fit_area();
   if (area.window == fitted_area_.window && area.max.y == fitted_area_.max.y) return;
   fit(*fitted_, area.window != fitted_area_.window);
-}
-
-void App::draw_candidates() {
-  candidates_missing_ = false;
-  if (!pictures_ || state_.dialogs.panels_hidden) return;
-  candidates_missing_ = pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
 }
 
 void App::turn_direction(bool held) {
@@ -425,7 +374,7 @@ void App::plan_next_frame() {
   next_frame_s_ = std::min({imgui_.wake_s(), measurer_.wake_s(), sweep_.wake_s(), k_never});
   for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
-      opening_.moving(now_s_) || glow() > 0.0)
+      opening_.moving(now_s_) || glow_.at(now_s_) > 0.0)
     next_frame_s_ = now_s_;
 }
 

@@ -10,24 +10,19 @@
 
 #include "gl/context.hpp"
 #include "gui/app_state.hpp"
-#include "gui/candidate_pictures.hpp"
-#include "gui/direction_flight.hpp"
-#include "gui/edits.hpp"
-#include "gui/history.hpp"
-#include "gui/imgui_session.hpp"
-#include "gui/input/keys.hpp"
+#include "gui/commands.hpp"
+#include "gui/draw/imgui_session.hpp"
+#include "gui/draw/panel_layout.hpp"
 #include "gui/jobs/file_watch.hpp"
-#include "gui/jobs/job.hpp"
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/window_sweep.hpp"
-#include "gui/loaded_part.hpp"
-#include "gui/motion.hpp"
-#include "gui/panel_layout.hpp"
 #include "gui/panels/workspace.hpp"
-#include "gui/part_thumbnails.hpp"
-#include "gui/scene.hpp"
+#include "gui/store/history.hpp"
 #include "gui/store/user_state.hpp"
-#include "gui/viewport.hpp"
+#include "gui/view/candidate_pictures.hpp"
+#include "gui/view/motion.hpp"
+#include "gui/view/part_thumbnails.hpp"
+#include "gui/view/viewport.hpp"
 #include "render/screen_passes.hpp"
 
 namespace moldlight::gui {
@@ -92,24 +87,22 @@ class App {
   void save();
 
  private:
-  struct CommandRunner;
+  friend struct Commands;
   void poll_jobs();
   void install(LoadedPart part);
   void pick();
-  void apply(const Edits& before_commands);
-  void aim_camera(const Camera& camera);
+  void apply(const Edits& edits);
+  /// Replaces the direction in one step of undo.
+  void set_direction(const glm::dvec3& direction);
   [[nodiscard]] SceneSettings scene_settings() const;
   [[nodiscard]] bool regions_by_maps() const;
   /// Hands what the picture's maps are worth to the panels of the next frame.
   void show_comparison();
   void plan_next_frame();
   [[nodiscard]] std::vector<unsigned> shipped_pictures(const Ui& ui);
-  void watch_undercut();
-  void choose_face(std::optional<ChosenFace> face);
+  /// What depends on the figures that are shown: the glow of a new undercut, those of the chosen face.
+  void follow_figures();
   void measure_face();
-  [[nodiscard]] double glow() const;
-  /// What is drawn of a sweep's directions: one of the small pictures a frame.
-  void draw_candidates();
   void turn_direction(bool held);
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
@@ -136,13 +129,12 @@ class App {
   WindowSweep sweep_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
-  Extent extent_;
-  glm::dvec3 extent_direction_{0.0};
-  CameraFlight flight_;
-  DirectionFlight turn_;
+  Flight<Camera> flight_;
+  Flight<glm::dvec3> turn_;
   std::optional<Camera> fitted_;  // where the last fit leads
   FreeArea fitted_area_;
   EasedNumber opening_;
+  UndercutGlow glow_;
   std::optional<PartNotes> notes_to_set_;
   PartNotes saved_notes_;
   std::optional<std::string> picture_request_;
@@ -151,11 +143,9 @@ class App {
   double now_s_ = 0.0, next_frame_s_ = 0.0;
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
-  std::uint64_t face_figures_of_ = 0, watched_ = 0;  // revisions of the figures
-  bool direction_moves_ = false;                     // under a hand or in a flight, in this frame
-  bool refining_ = false, candidates_missing_ = false, was_split_ = false;
-  bool had_undercut_ = true;  // of the last figures; none is known yet
-  double glow_start_s_ = -1e9;
+  std::uint64_t followed_ = 0;    // revision of the figures
+  bool direction_moves_ = false;  // under a hand or in a flight, in this frame
+  bool candidates_missing_ = false, was_split_ = false;
 };
 
 }  // namespace moldlight::gui

@@ -1,13 +1,14 @@
 #include "gui/offscreen.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "gui/input/imgui_feed.hpp"
 #include "session/headless.hpp"
 
 namespace moldlight::gui {
@@ -17,6 +18,24 @@ namespace {
 constexpr double k_frame_s = 1.0 / 60.0;
 constexpr int k_most_settling_frames = 600;
 constexpr std::chrono::minutes k_patience(10);
+
+/// The keys that ImGui's text fields listen to.
+constexpr std::pair<int, ImGuiKey> k_keys[] = {
+    {GLFW_KEY_TAB, ImGuiKey_Tab},
+    {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+    {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+    {GLFW_KEY_UP, ImGuiKey_UpArrow},
+    {GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+    {GLFW_KEY_HOME, ImGuiKey_Home},
+    {GLFW_KEY_END, ImGuiKey_End},
+    {GLFW_KEY_DELETE, ImGuiKey_Delete},
+    {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+    {GLFW_KEY_ENTER, ImGuiKey_Enter},
+    {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+    {GLFW_KEY_A, ImGuiKey_A},
+    {GLFW_KEY_C, ImGuiKey_C},
+    {GLFW_KEY_V, ImGuiKey_V},
+};
 
 /// ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
 std::unique_ptr<gl::Context> egl_context() { return gl::create_headless_context(gl::HeadlessBackend::egl); }
@@ -54,16 +73,37 @@ void OffscreenWindow::resize(const glm::ivec2& size) {
 }
 
 void OffscreenWindow::feed_imgui() const {
-  feed({.size = target_->size(),
-        .delta_s = k_frame_s,
-        .mouse = mouse_,
-        .buttons = buttons_,
-        .wheel = wheel_,
-        .ctrl = ctrl_,
-        .shift = shift_,
-        .alt = alt_,
-        .keys = keys_,
-        .text = typed_});
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = im(glm::vec2(target_->size()));
+  io.DisplayFramebufferScale = ImVec2(1.0F, 1.0F);
+  io.DeltaTime = static_cast<float>(k_frame_s);
+  const auto pressed = [&](int key) {
+    return std::any_of(keys_.begin(), keys_.end(), [&](const KeyPress& press) { return press.key == key; });
+  };
+#if IMGUI_VERSION_NUM >= 18700
+  // What comes in one frame is to act in that frame.
+  io.ConfigInputTrickleEventQueue = false;
+  io.AddMousePosEvent(mouse_.x, mouse_.y);
+  for (int button = 0; button < 3; ++button)
+    io.AddMouseButtonEvent(button, buttons_[static_cast<std::size_t>(button)]);
+  if (wheel_ != 0.0F) io.AddMouseWheelEvent(0.0F, wheel_);
+  io.AddKeyEvent(ImGuiMod_Ctrl, ctrl_);
+  io.AddKeyEvent(ImGuiMod_Shift, shift_);
+  io.AddKeyEvent(ImGuiMod_Alt, alt_);
+  for (const auto& [key, name] : k_keys) io.AddKeyEvent(name, pressed(key));
+#else
+  io.MousePos = ImVec2(mouse_.x, mouse_.y);
+  for (std::size_t button = 0; button < 3; ++button) io.MouseDown[button] = buttons_[button];
+  io.MouseWheel = wheel_;
+  io.KeyCtrl = ctrl_;
+  io.KeyShift = shift_;
+  io.KeyAlt = alt_;
+  for (const auto& [key, name] : k_keys) {
+    io.KeyMap[name] = key;
+    io.KeysDown[key] = pressed(key);
+  }
+#endif
+  if (!typed_.empty()) io.AddInputCharactersUTF8(typed_.c_str());
 }
 
 ControlPlace OffscreenWindow::control(std::string_view name) const {
@@ -101,43 +141,33 @@ void OffscreenWindow::settle() {
   for (int k = 0; k < k_most_settling_frames && (app_->next_frame_s() <= now_s_); ++k) frame();
 }
 
-void OffscreenWindow::wait_until_prepared() {
-  frame();
-  while (app_->preparing()) {
+void OffscreenWindow::wait_while(const std::function<bool()>& waiting, const char* complaint) {
+  const auto start = std::chrono::steady_clock::now();
+  while (waiting()) {
     frame();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (std::chrono::steady_clock::now() - start > k_patience) throw Error(complaint);
   }
   settle();
+}
+
+void OffscreenWindow::wait_until_prepared() {
+  frame();
+  wait_while([&] { return app_->preparing(); }, "the pictures take too long");
 }
 
 void OffscreenWindow::wait_until_loaded() {
-  const auto start = std::chrono::steady_clock::now();
-  do {
-    frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (std::chrono::steady_clock::now() - start > k_patience) throw Error("the part takes too long to load");
-  } while (app_->state().loading);
-  settle();
+  frame();
+  wait_while([&] { return app_->state().loading.has_value(); }, "the part takes too long to load");
 }
 
 void OffscreenWindow::wait_until_swept() {
-  const auto start = std::chrono::steady_clock::now();
-  do {
-    frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (std::chrono::steady_clock::now() - start > k_patience) throw Error("the sweep takes too long");
-  } while (app_->state().sweep.running);
-  settle();
+  frame();
+  wait_while([&] { return app_->state().sweep.running.has_value(); }, "the sweep takes too long");
 }
 
 void OffscreenWindow::wait_until_measured() {
-  const auto start = std::chrono::steady_clock::now();
-  while (app_->measuring()) {
-    frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (std::chrono::steady_clock::now() - start > k_patience) throw Error("the measuring takes too long");
-  }
-  settle();
+  wait_while([&] { return app_->measuring(); }, "the measuring takes too long");
 }
 
 }  // namespace moldlight::gui

@@ -67,7 +67,10 @@ class OffscreenWindow {
   [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
 
  private:
+  /// Gives ImGui the input of the frame, which no platform backend does here.
   void feed_imgui() const;
+  /// Throws Error with the complaint after a time limit.
+  void wait_while(const std::function<bool()>& waiting, const char* complaint);
 
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<gl::ColourTarget> target_;

@@ -1,10 +1,217 @@
 #include "gui/screenshot.hpp"
 
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
-#include "gui/picture_file.hpp"
-#include "gui/script.hpp"
+#include "gui/store/files.hpp"
+#include "session/option.hpp"
 
 namespace moldlight::gui {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::pair<std::string_view, int> k_key_names[] = {
+    {"Tab", GLFW_KEY_TAB},       {"Escape", GLFW_KEY_ESCAPE},
+    {"Enter", GLFW_KEY_ENTER},   {"Left", GLFW_KEY_LEFT},
+    {"Right", GLFW_KEY_RIGHT},   {"Up", GLFW_KEY_UP},
+    {"Down", GLFW_KEY_DOWN},     {"F1", GLFW_KEY_F1},
+    {"F12", GLFW_KEY_F12},       {"Backspace", GLFW_KEY_BACKSPACE},
+    {"Delete", GLFW_KEY_DELETE},
+};
+
+int key_code(const std::string& name) {
+  if (name.size() == 1) return std::toupper(static_cast<unsigned char>(name[0]));
+  for (const auto& [known, code] : k_key_names) {
+    if (known == name) return code;
+  }
+  throw UsageError(fmt::format("there is no key '{}'", name));
+}
+
+glm::vec2 pair(const Json& json) {
+  if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) {
+    throw UsageError("write two numbers, [x, y]");
+  }
+  return {json[0].get<float>(), json[1].get<float>()};
+}
+
+glm::vec2 place_of_control(const std::string& text, const OffscreenWindow& window) {
+  const std::size_t at = text.rfind('@');
+  const ControlPlace control = window.control(text.substr(0, at));
+  if (at == std::string::npos) return control.centre();
+  const double share = parse_real(text.substr(at + 1), "the share of a control's width");
+  return {glm::mix(control.min.x, control.max.x, static_cast<float>(share)), control.centre().y};
+}
+
+glm::vec2 place(const Json& json, const OffscreenWindow& window) {
+  if (json.is_string()) return place_of_control(json.get<std::string>(), window);
+  return pair(json);
+}
+
+int button_of(const Json& event) {
+  const std::string name = event.value("button", "left");
+  if (name == "left") return 0;
+  if (name == "right") return 1;
+  if (name == "middle") return 2;
+  throw UsageError(fmt::format("there is no mouse button '{}'", name));
+}
+
+void click(const Json& event, OffscreenWindow& window) {
+  const int button = button_of(event);
+  window.move_mouse(place(event["click"], window));
+  window.frames(2);
+  for (int k = 0; k < event.value("times", 1); ++k) {
+    window.set_button(button, true);
+    window.frame();
+    window.set_button(button, false);
+    window.frame();
+  }
+  window.settle();
+}
+
+void drag(const Json& event, OffscreenWindow& window) {
+  const Json& path = event["drag"];
+  if (!path.is_array() || path.size() < 2) throw UsageError("a drag goes through two places at least");
+  constexpr int k_steps = 6;  // frames from place to place
+  const int button = button_of(event);
+  glm::vec2 at = place(path[0], window);
+  window.move_mouse(at);
+  window.frames(3);
+  window.set_button(button, true);
+  window.frames(2);
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const glm::vec2 from = at, to = place(path[k], window);
+    for (int step = 1; step <= k_steps; ++step) {
+      at = from + (to - from) * (static_cast<float>(step) / k_steps);
+      window.move_mouse(at);
+      window.frame();
+    }
+  }
+  if (event.value("release", true)) window.set_button(button, false);
+  window.frame();
+  window.settle();
+}
+
+void hold(const Json& event, OffscreenWindow& window) {
+  std::array<bool, 3> held{};
+  for (const Json& name : event["hold"]) {
+    if (name == "ctrl") {
+      held[0] = true;
+    } else if (name == "shift") {
+      held[1] = true;
+    } else if (name == "alt") {
+      held[2] = true;
+    } else {
+      throw UsageError(fmt::format("there is no modifier {}", name.dump()));
+    }
+  }
+  window.hold_modifiers(held[0], held[1], held[2]);
+}
+
+void wait(const Json& event, OffscreenWindow& window) {
+  const Json& what = event["wait"];
+  if (what == "loaded") {
+    window.wait_until_loaded();
+  } else if (what == "swept") {
+    window.wait_until_swept();
+  } else if (what == "measured") {
+    window.wait_until_measured();
+  } else if (what.is_number()) {
+    window.frames(static_cast<int>(std::lround(what.get<double>() * 60.0)));
+  } else {
+    throw UsageError("wait is \"loaded\", \"measured\", \"swept\" or a number of seconds");
+  }
+}
+
+void press(const Json& event, OffscreenWindow& window) {
+  window.press_key({.key = key_code(event["key"].get<std::string>()),
+                    .ctrl = event.value("ctrl", false),
+                    .shift = event.value("shift", false),
+                    .alt = event.value("alt", false)});
+  window.frame();
+  window.hold_modifiers(false, false, false);
+  window.settle();
+}
+
+void turn_wheel(const Json& event, OffscreenWindow& window) {
+  if (event.contains("at")) window.move_mouse(place(event["at"], window));
+  window.frames(2);
+  window.turn_wheel(event["wheel"].get<float>());
+  window.frame();
+  window.settle();
+}
+
+const std::pair<std::string_view, std::function<void(const Json&, OffscreenWindow&)>> k_events[] = {
+    {"move",
+     [](const Json& event, OffscreenWindow& window) {
+       window.move_mouse(place(event["move"], window));
+       window.settle();
+     }},
+    {"click", click},
+    {"drag", drag},
+    {"wheel", turn_wheel},
+    {"key", press},
+    {"type",
+     [](const Json& event, OffscreenWindow& window) {
+       window.type(event["type"].get<std::string>());
+       window.settle();
+     }},
+    {"hold", hold},
+    {"open",
+     [](const Json& event, OffscreenWindow& window) { window.app().open(event["open"].get<std::string>()); }},
+    {"drop",
+     [](const Json& event, OffscreenWindow& window) {
+       window.drop(event["drop"].get<std::string>());
+       window.settle();
+     }},
+    {"resize",
+     [](const Json& event, OffscreenWindow& window) {
+       window.resize(glm::ivec2(pair(event["resize"])));
+       window.settle();
+     }},
+    {"scale",
+     [](const Json& event, OffscreenWindow& window) {
+       window.set_content_scale(event["scale"].get<float>());
+       window.settle();
+     }},
+    {"wait", wait},
+    {"screenshot",
+     [](const Json& event, OffscreenWindow& window) {
+       write_picture(event["screenshot"].get<std::string>(), window.size(), window.pixels());
+     }},
+};
+
+void play(const Json& event, OffscreenWindow& window) {
+  if (!event.is_object()) throw UsageError("an event is an object");
+  for (const auto& [name, act] : k_events) {
+    if (event.contains(name)) return act(event, window);
+  }
+  throw UsageError("there is no such event");
+}
+
+}  // namespace
+
+void play_script(std::string_view text, OffscreenWindow& window) {
+  const Json events = Json::parse(text, nullptr, false);
+  if (!events.is_array()) throw UsageError("--script: not a JSON list of events");
+  for (const Json& event : events) {
+    try {
+      play(event, window);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("--script: {}: {}", event.dump(), error.what()));
+    } catch (const Json::exception&) {
+      throw UsageError(fmt::format("--script: {}: a value has the wrong type", event.dump()));
+    }
+  }
+}
 
 void take_screenshot(const ScreenshotOptions& options) {
   OffscreenWindow window(options.window);

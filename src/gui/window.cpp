@@ -1,9 +1,11 @@
 #include "gui/window.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <GLFW/glfw3.h>
@@ -12,11 +14,9 @@
 
 #include "base/error.hpp"
 #include "gl/colour_target.hpp"
-#include "gui/advice.hpp"
+#include "gl/headless_backends.hpp"
 #include "gui/app.hpp"
-#include "gui/picture_file.hpp"
-#include "gui/shipped_parts.hpp"
-#include "gui/window_context.hpp"
+#include "gui/store/files.hpp"
 #include "session/headless.hpp"
 #include "session/option_table.hpp"
 
@@ -25,6 +25,102 @@ namespace moldlight::gui {
 namespace {
 
 constexpr glm::ivec2 k_first_size(1280, 800);
+constexpr const char* k_headless_advice =
+    "without a display use moldlight classify or moldlight view PART --screenshot OUT.png";
+
+std::string glfw_reason() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  std::string reason = text != nullptr ? text : "no reason given";
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  return reason;
+}
+
+/// Starts and ends GLFW.
+class GlfwLibrary {
+ public:
+  GlfwLibrary() {
+    if (glfwInit() == GLFW_FALSE)
+      throw Error(fmt::format("no display to open a window on ({}); {}", glfw_reason(), k_headless_advice));
+  }
+  ~GlfwLibrary() { glfwTerminate(); }
+  GlfwLibrary(const GlfwLibrary&) = delete;
+  GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+};
+
+/// GLFW's window with its OpenGL context, and what it tells of keys and dropped files.
+class WindowContext final : public gl::Context {
+ public:
+  /// Throws Error where the display has no OpenGL 3.3.
+  WindowContext() {
+    gl::prepare_mesa_environment();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "moldlight");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "moldlight");
+    window_ = glfwCreateWindow(k_first_size.x, k_first_size.y, "moldlight", nullptr, nullptr);
+    if (window_ == nullptr) throw Error(glfw_reason());
+    glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(window_, &events_);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+      if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+      events_of(window).keys.push_back({.key = key,
+                                        .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
+                                        .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                                        .alt = (modifiers & GLFW_MOD_ALT) != 0});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+      events_of(window).dropped.insert(events_of(window).dropped.end(), paths, paths + count);
+    });
+    try {
+      initialise("window",
+                 [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+    } catch (...) {
+      glfwDestroyWindow(window_);
+      throw;
+    }
+    glfwSwapInterval(1);
+  }
+  ~WindowContext() override {
+    release_current();
+    glfwDestroyWindow(window_);
+  }
+
+  [[nodiscard]] GLFWwindow* window() const { return window_; }
+  [[nodiscard]] glm::ivec2 framebuffer_size() const {
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+  }
+  [[nodiscard]] float content_scale() const {
+    float x = 1.0F, y = 1.0F;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return x > 0.0F ? x : 1.0F;
+  }
+
+  struct Events {
+    std::vector<KeyPress> keys;
+    std::vector<std::string> dropped;
+  };
+  /// What came since the last call.
+  [[nodiscard]] Events take_events() { return std::exchange(events_, {}); }
+
+ private:
+  static Events& events_of(GLFWwindow* window) {
+    return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+  }
+  void bind() override { glfwMakeContextCurrent(window_); }
+  void unbind() noexcept override { glfwMakeContextCurrent(nullptr); }
+
+  GLFWwindow* window_ = nullptr;
+  Events events_;
+};
 
 /// GLFW's side of ImGui: mouse, keys, text, clipboard, cursors.
 class GlfwInput {
@@ -63,43 +159,21 @@ void wait_for_events(double next_frame_s) {
 }
 
 /// A key that was pressed and released between two frames counts as held in the frame that comes: ImGui's
-/// older backends would miss it.
-class ShortPresses {
- public:
-  ShortPresses([[maybe_unused]] GLFWwindow* window, [[maybe_unused]] const std::vector<KeyPress>& keys) {
+/// older backends would miss it. `down` before that frame, up after it.
+void hold_short_presses([[maybe_unused]] GLFWwindow* window,
+                        [[maybe_unused]] const std::vector<KeyPress>& keys, [[maybe_unused]] bool down) {
 #if IMGUI_VERSION_NUM < 18700
-    for (const KeyPress& press : keys) {
-      if (glfwGetKey(window, press.key) == GLFW_PRESS) continue;
-      ImGui::GetIO().KeysDown[press.key] = true;
-      released_.push_back(press.key);
-    }
-#endif
+  for (const KeyPress& press : keys) {
+    if (glfwGetKey(window, press.key) != GLFW_PRESS) ImGui::GetIO().KeysDown[press.key] = down;
   }
-  ~ShortPresses() {
-#if IMGUI_VERSION_NUM < 18700
-    for (const int key : released_) ImGui::GetIO().KeysDown[key] = false;
 #endif
-  }
-  ShortPresses(const ShortPresses&) = delete;
-  ShortPresses& operator=(const ShortPresses&) = delete;
-
- private:
-  std::vector<int> released_;
-};
+}
 
 std::unique_ptr<WindowContext> create_window() {
   try {
-    return std::make_unique<WindowContext>(k_first_size, "moldlight");
+    return std::make_unique<WindowContext>();
   } catch (const Error& error) {
     throw Error(fmt::format("no window with OpenGL 3.3 ({}); {}", error.what(), k_headless_advice));
-  }
-}
-
-std::unique_ptr<GlfwLibrary> start_glfw() {
-  try {
-    return std::make_unique<GlfwLibrary>();
-  } catch (const Error& error) {
-    throw Error(fmt::format("no display to open a window on ({}); {}", error.what(), k_headless_advice));
   }
 }
 
@@ -143,30 +217,29 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
                            .dropped = std::move(events.dropped)};
     app.prepare(input);
     ImGui_ImplGlfw_NewFrame();
-    {
-      const ShortPresses presses(context.window(), input.keys);
-      app.frame(input);
-    }
+    hold_short_presses(context.window(), input.keys, true);
+    app.frame(input);
+    hold_short_presses(context.window(), input.keys, false);
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
-    context.present();
+    glfwSwapBuffers(context.window());
     std::string wanted = app.state().model
                              ? std::filesystem::path(app.state().path).filename().string() + " – moldlight"
                              : "moldlight";
-    if (wanted != title) context.set_title(title = std::move(wanted));
+    if (wanted != title) glfwSetWindowTitle(context.window(), (title = std::move(wanted)).c_str());
   }
 }
 
 }  // namespace
 
 void run_window(const WindowOptions& options, const Progress& progress) {
-  const auto glfw = start_glfw();
+  const GlfwLibrary glfw;
   const auto context = create_window();
   App app(*context, app_options(options));
   const GlfwInput input(context->window());
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);
-  context->show();
+  glfwShowWindow(context->window());
   const InterruptWatch watch(progress);
   run_frames(app, *context, progress);
   app.save();

@@ -1,5 +1,5 @@
 // The scene draws its maps anew for every setting on which they depend.
-#include "gui/scene.hpp"
+#include "gui/view/scene.hpp"
 
 #include <gtest/gtest.h>
 

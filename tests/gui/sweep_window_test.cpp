@@ -11,7 +11,7 @@
 
 #include "gui/offscreen.hpp"
 #include "gui/panels/sweep_columns.hpp"
-#include "gui/picture_file.hpp"
+#include "gui/store/files.hpp"
 #include "io/mesh_writer.hpp"
 #include "session/headless.hpp"
 #include "session/sweep/sweep.hpp"

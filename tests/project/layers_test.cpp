@@ -56,7 +56,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"OpenMesh", std::regex("OpenMesh/.*"), {"mesh"}},
       {"Embree", std::regex("embree.*"), {"mold"}},
       {"OpenCASCADE", std::regex("[A-Z][A-Za-z]+(_[A-Za-z]+)?\\.hxx"), {"step"}},
-      {"Cairo", std::regex("cairo.*"), {"picture", "gui"}},
+      {"Cairo", std::regex("cairo.*"), {"picture"}},
       {"CLI11", std::regex("CLI/.*"), {"cli"}},
       {"JSON", std::regex("nlohmann/.*"), {"session", "gui", "cli"}},
   };

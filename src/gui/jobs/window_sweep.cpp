@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <glm/gtc/constants.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <sys/resource.h>
 
@@ -28,6 +28,24 @@ constexpr int k_niceness = 5;
 void stand_back() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
 
 }  // namespace
+
+void SweepMap::add(const EvaluatedDirection& direction) {
+  evaluated.push_back(direction);
+  field.add(direction.direction, direction.undercut);
+  worst = std::max(worst, direction.undercut);
+}
+
+const EvaluatedDirection* SweepMap::nearest(const glm::dvec3& direction, double reach_deg) const {
+  const EvaluatedDirection* found = nullptr;
+  double greatest = std::cos(glm::radians(reach_deg));
+  for (const EvaluatedDirection& each : evaluated) {
+    const double cosine = std::abs(glm::dot(each.direction, direction));
+    if (cosine < greatest) continue;
+    greatest = cosine;
+    found = &each;
+  }
+  return found;
+}
 
 void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s) {
   drop();

@@ -1,72 +1,16 @@
 // The direction ball: the directions as the camera sees the part, to grab and to read.
-#include <algorithm>
-#include <cmath>
-
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
-#include "gui/direction_ball.hpp"
-#include "gui/loaded_part.hpp"
-#include "gui/panels/direction_map.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/jobs/loaded_part.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
+#include "gui/view/direction.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
-/// A sphere shaded from the upper left, as rings of triangles.
-void draw_sphere(ImDrawList& list, const glm::vec2& centre, float radius, ImU32 light, ImU32 dark) {
-  constexpr int k_rings = 7, k_spokes = 40;
-  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-  const auto vertex = [&](int ring, int spoke) {
-    const float r = std::sin(0.5F * glm::pi<float>() * static_cast<float>(ring) / k_rings);
-    const float angle = 2.0F * glm::pi<float>() * static_cast<float>(spoke % k_spokes) / k_spokes;
-    const glm::vec2 at(r * std::cos(angle), r * std::sin(angle));
-    const glm::vec3 normal(at, std::sqrt(std::max(0.0F, 1.0F - r * r)));
-    const float lit = std::clamp(glm::dot(normal, glm::normalize(glm::vec3(-0.5F, -0.7F, 0.8F))), 0.0F, 1.0F);
-    list.PrimVtx(im(centre + radius * at), white, mixed(dark, light, lit));
-  };
-  list.PrimReserve(k_rings * k_spokes * 6, k_rings * k_spokes * 6);
-  for (int ring = 0; ring < k_rings; ++ring) {
-    for (int spoke = 0; spoke < k_spokes; ++spoke) {
-      vertex(ring, spoke);
-      vertex(ring + 1, spoke);
-      vertex(ring + 1, spoke + 1);
-      vertex(ring, spoke);
-      vertex(ring + 1, spoke + 1);
-      vertex(ring, spoke + 1);
-    }
-  }
-  list.AddCircle(im(centre), radius, dark, 64, 1.5F);
-}
-
-struct Ball : BallPlace {
-  [[nodiscard]] glm::vec2 screen(const BallPoint& point) const {
-    return centre + radius * glm::vec2(point.at.x, -point.at.y);
-  }
-  [[nodiscard]] glm::dvec2 disc(const glm::vec2& pixel) const {
-    return {(pixel.x - centre.x) / radius, (centre.y - pixel.y) / radius};
-  }
-};
-
-/// The great circle across `axis`, its far half fainter.
-void draw_great_circle(ImDrawList& list, const Ball& ball, const Camera& camera, const glm::dvec3& axis,
-                       ImU32 colour) {
-  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
-  constexpr int k_steps = 48;
-  glm::vec2 before(0.0F);
-  for (int step = 0; step <= k_steps; ++step) {
-    const double angle = 2.0 * glm::pi<double>() * step / k_steps;
-    const BallPoint point = ball_point(camera, std::cos(angle) * x + std::sin(angle) * y);
-    const glm::vec2 here = ball.screen(point);
-    if (step > 0 && point.front) list.AddLine(im(before), im(here), colour, 1.0F);
-    before = here;
-  }
-}
-
-void draw_axis_names(const Ui& ui, ImDrawList& list, const Ball& ball, const Camera& camera) {
+void draw_axis_names(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera) {
   constexpr std::string_view k_names = "XYZ";
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 direction(0.0);
@@ -79,12 +23,12 @@ void draw_axis_names(const Ui& ui, ImDrawList& list, const Ball& ball, const Cam
   }
 }
 
-void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
+void drag_ball(const PanelContext& context, BallDrag& drag, const BallPlace& ball) {
   const Camera& camera = context.state.camera;
   MethodSettings& method = context.edits.settings.method;
   const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
   if (ImGui::IsItemActivated()) {
-    const BallPoint marker = ball_point(camera, glm::normalize(method.direction));
+    const BallPoint marker = ball_point(camera, context.edits.settings.direction());
     const glm::vec2 to_marker = ball.screen(marker) - mouse;
     const bool gripped = glm::length(to_marker) < context.ui.px(10);
     drag = {.active = true,
@@ -110,7 +54,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   ImGui::InvisibleButton("ball", ImVec2(size, size));
   ui.memory->controls["ball"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
   const glm::vec2 min = from_im(ImGui::GetItemRectMin());
-  const Ball ball{{min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)}};
+  const BallPlace ball{min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)};
   drag_ball(context, drag, ball);
   const Camera& camera = context.state.camera;
   const SweepState& sweep = context.state.sweep;
@@ -129,15 +73,11 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   const bool dark = context.state.window.theme == Theme::dark;
   const BareBall bare{.light = dark ? IM_COL32(88, 93, 100, 255) : IM_COL32(255, 255, 255, 255),
                       .dark = dark ? IM_COL32(34, 36, 40, 255) : IM_COL32(176, 182, 189, 255)};
-  if (mapped) {
-    draw_direction_map(list, ball, camera, *sweep.map, bare);
-  } else {
-    draw_sphere(list, ball.centre, ball.radius, bare.light, bare.dark);
-  }
+  draw_sphere(list, ball, camera, mapped ? &*sweep.map : nullptr, bare);
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 across(0.0);
     across[axis] = 1.0;
-    draw_great_circle(list, ball, camera, across, faded(ui.colours->text, 0.16F));
+    draw_circle(list, ball, camera, across, 90.0, faded(ui.colours->text, 0.16F), 1.0F);
   }
   draw_axis_names(ui, list, ball, camera);
   if (ImGui::GetIO().KeyCtrl) {
@@ -149,7 +89,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     }
   }
   if (mapped) draw_sweep_marks(ui, list, ball, camera, sweep);
-  const BallPoint marker = ball_point(camera, glm::normalize(context.edits.settings.method.direction));
+  const BallPoint marker = ball_point(camera, context.edits.settings.direction());
   const glm::vec2 at = ball.screen(marker);
   list.AddLine(im(ball.centre), im(at), faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
   if (marker.front) {

@@ -1,12 +1,11 @@
-#include "gui/panels/comparison.hpp"
-
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "gui/direction.hpp"
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/panels.hpp"
+#include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 
 namespace moldlight::gui {
@@ -14,11 +13,6 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_width = 344.0F, k_row = 20.0F;  // layout units
-
-std::string_view shown_name(Region region) {
-  constexpr std::array<std::string_view, k_region_count> k_names = {"Core", "Cavity", "Both", "Undercut"};
-  return k_names[static_cast<std::size_t>(region)];
-}
 
 std::string with_sign(const FigureColumn& column, double value) {
   std::string text = column.text(std::abs(value));
@@ -68,12 +62,8 @@ void draw_comparison(const PanelContext& context) {
   const Ui& ui = context.ui;
   const SweepCandidate& other = state.sweep.result->candidates[*compared];
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, ui.px(k_bar_height + 8)), ImGuiCond_Always,
-                          ImVec2(0.5F, 0.0F));
-  ImGui::Begin("##Comparison", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoFocusOnAppearing);
+  place_window({0.5F * window.x, ui.px(k_bar_height + 8)}, {0.5F, 0.0F});
+  ImGui::Begin("##Comparison", nullptr, k_card_window);
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   Rows rows(ui);
   const Palette palette = state.settings.look.palette;

@@ -1,5 +1,5 @@
 // The help sheet and the window's settings.
-#include <array>
+#include <vector>
 
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
@@ -8,76 +8,33 @@ namespace moldlight::gui {
 
 namespace {
 
-struct HelpLine {
-  const char *keys, *meaning;
-};
-
-constexpr std::array k_direction_help = {
-    HelpLine{"Drag the arrow's tip", "turn the parting direction"},
-    HelpLine{"Ctrl while dragging", "snap to the part's own directions"},
-    HelpLine{"Esc", "undo the drag"},
-    HelpLine{"Double click", "direction: normal of that facet"},
-    HelpLine{"Click", "choose the CAD face there (STEP)"},
-    HelpLine{"Alt + double click", "direction: axis of that round wall"},
-    HelpLine{"N / A", "the same for the facet under the cursor"},
-    HelpLine{"Arrow keys", "turn by 1°, with Shift by 0.1°"},
-    HelpLine{"X", "flip"},
-    HelpLine{"B", "bookmark the direction"},
-    HelpLine{"W", "sweep: find directions, or cancel"},
-    HelpLine{"C", "compare with the best, the next …"},
-    HelpLine{"M", "map of directions, large"},
-};
-constexpr std::array k_view_help = {
-    HelpLine{"1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
-    HelpLine{"0", "along the parting direction"},
-    HelpLine{"5", "parallel or perspective"},
-    HelpLine{"F", "fit the part"},
-    HelpLine{"O", "open or close the mold"},
-    HelpLine{"S", "section plane"},
-    HelpLine{"D", "colour by region or by draft angle"},
-    HelpLine{"P", "palette"},
-    HelpLine{"T", "dark or light"},
-};
-constexpr std::array k_program_help = {
-    HelpLine{"Ctrl+O", "open a part"},
-    HelpLine{"Ctrl+E", "export"},
-    HelpLine{"F12", "picture with legend"},
-    HelpLine{"Ctrl+Z / Ctrl+Y", "undo, redo"},
-    HelpLine{"Tab", "hide the panels"},
-    HelpLine{"H", "this sheet"},
-    HelpLine{"Double click a value", "type it"},
-    HelpLine{"Right click", "reset, copy"},
-    HelpLine{"Ctrl+Q", "quit"},
-};
-
-std::array<HelpLine, 3> mouse_help(NavigationPreset preset) {
+std::vector<HelpLine> mouse_help(NavigationPreset preset) {
+  const auto lines = [](const char* turn, const char* shift) -> std::vector<HelpLine> {
+    constexpr auto k_group = HelpLine::Group::view;
+    return {{k_group, turn, "turn"}, {k_group, shift, "shift"}, {k_group, "Wheel", "zoom to the cursor"}};
+  };
   switch (preset) {
     case NavigationPreset::solidworks:
-      return {{{"Middle drag", "turn"}, {"Ctrl + middle drag", "shift"}, {"Wheel", "zoom to the cursor"}}};
+      return lines("Middle drag", "Ctrl + middle drag");
     case NavigationPreset::fusion:
-      return {{{"Shift + middle drag", "turn"}, {"Middle drag", "shift"}, {"Wheel", "zoom to the cursor"}}};
+      return lines("Shift + middle drag", "Middle drag");
     case NavigationPreset::blender:
-      return {{{"Middle drag", "turn"}, {"Shift + middle drag", "shift"}, {"Wheel", "zoom to the cursor"}}};
+      return lines("Middle drag", "Shift + middle drag");
     case NavigationPreset::standard:
       break;
   }
-  return {{{"Left drag", "turn"}, {"Right or middle drag", "shift"}, {"Wheel", "zoom to the cursor"}}};
+  return lines("Left drag", "Right or middle drag");
 }
 
-void draw_lines(const Ui& ui, std::string_view heading, std::span<const HelpLine> lines) {
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted(heading.data(), heading.data() + heading.size());
-  }
+void draw_lines(const Ui& ui, std::string_view title, const std::vector<HelpLine>& lines) {
+  heading(ui, title);
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   const float left = ImGui::GetCursorPosX();
   for (const HelpLine& line : lines) {
     ImGui::TextUnformatted(line.keys);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + ui.px(148));
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.colours->muted);
-    ImGui::TextUnformatted(line.meaning);
-    ImGui::PopStyleColor();
+    coloured_text(ui.colours->muted, line.meaning);
   }
   ImGui::Dummy(ImVec2(1, ui.px(10)));
 }
@@ -95,13 +52,13 @@ void draw_help(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (begin_dialog(ui, "Help", {0, 0})) {
     ImGui::BeginGroup();
-    draw_lines(ui, "Direction", k_direction_help);
+    draw_lines(ui, "Direction", help_lines(HelpLine::Group::direction));
     draw_lines(ui, "Mouse", mouse_help(context.state.window.navigation));
     ImGui::EndGroup();
     ImGui::SameLine(0.0F, ui.px(40));
     ImGui::BeginGroup();
-    draw_lines(ui, "View", k_view_help);
-    draw_lines(ui, "Program", k_program_help);
+    draw_lines(ui, "View", help_lines(HelpLine::Group::view));
+    draw_lines(ui, "Program", help_lines(HelpLine::Group::program));
     ImGui::EndGroup();
     if (clicked_outside()) context.edits.dialogs.help = false;
   }
@@ -112,19 +69,16 @@ void draw_settings(const PanelContext& context) {
   if (!context.state.dialogs.settings) return;
   const Ui& ui = context.ui;
   if (begin_dialog(ui, "Window settings", {ui.px(420), 0.0F})) {
-    {
-      const FontScope strong(ui.fonts.strong);
-      ImGui::TextUnformatted("Window");
-    }
+    heading(ui, "Window");
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     for (const Option<WindowSettings>& option : window_options())
       option_row(ui, option, context.edits.window);
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     bool beside = context.state.notes_beside;
     if (context.state.model && toggle(ui, "Keep settings and bookmarks beside the part", beside, false)) {
-      context.edits.ask(SaveNotesBeside{beside});
+      context.edits.ask(&Commands::save_notes_beside, beside);
     }
-    if (button(ui, "Put the panels back in place")) context.edits.ask(ResetLayout{});
+    if (button(ui, "Put the panels back in place")) context.edits.ask(&Commands::reset_layout);
     ImGui::SameLine();
     if (button(ui, "Close", {.width = 0.0F, .strong = true})) context.edits.dialogs.settings = false;
     if (clicked_outside() && ImGui::GetIO().MousePos.y > ui.px(k_bar_height))

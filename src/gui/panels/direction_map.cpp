@@ -1,5 +1,3 @@
-#include "gui/panels/direction_map.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +8,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "gui/direction.hpp"
-#include "gui/direction_ball.hpp"
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/panels.hpp"
+#include "gui/view/direction.hpp"
 #include "mold/sweep/direction_field.hpp"
 #include "session/figures.hpp"
 
@@ -24,37 +22,15 @@ constexpr float k_large_ball = 360.0F;  // layout units
 /// A direction within so many degrees of the mouse is told itself; farther ones by what lies around them.
 constexpr double k_told_deg = 1.5;
 
-glm::vec2 screen(const BallPlace& ball, const BallPoint& point) {
-  return ball.centre + ball.radius * glm::vec2(point.at.x, -point.at.y);
-}
-
-ImU32 map_colour(const SweepMap& map, const glm::dvec3& direction, float lit, const BareBall& bare) {
+ImU32 map_colour(const SweepMap* map, const glm::dvec3& direction, float lit, const BareBall& bare) {
   const ImU32 base = mixed(bare.dark, bare.light, lit);
-  const DirectionField::Reading reading = map.field.at(direction);
+  if (map == nullptr) return base;
+  const DirectionField::Reading reading = map->field.at(direction);
   if (reading.cover <= 0.0) return base;
-  const ImU32 colour = packed(undercut_scale_colour(undercut_scale(reading.value, map.worst)));
+  const ImU32 colour = packed(undercut_scale_colour(undercut_scale(reading.value, map->worst)));
   // Enough shade to be a ball, too little to be taken for a value.
   const ImU32 shaded = mixed(colour, IM_COL32(0, 0, 0, 255), 0.22F * (1.0F - lit));
   return mixed(base, shaded, static_cast<float>(reading.cover));
-}
-
-/// The circle of directions `angle` (radians) away from `axis`, as far as it is on the viewer's side.
-void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
-                 double angle, ImU32 colour, float thickness) {
-  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
-  constexpr int k_steps = 72;
-  glm::vec2 before(0.0F);
-  bool before_front = false;
-  for (int step = 0; step <= k_steps; ++step) {
-    const double turn = 2.0 * glm::pi<double>() * step / k_steps;
-    const BallPoint point = ball_point(
-        camera, std::cos(angle) * axis + std::sin(angle) * (std::cos(turn) * x + std::sin(turn) * y));
-    const glm::vec2 here = screen(ball, point);
-    if (step > 0 && point.front && before_front) list.AddLine(im(before), im(here), colour, thickness);
-    before = here;
-    before_front = point.front;
-  }
 }
 
 std::string area_text(const AppState& state, double area) {
@@ -69,10 +45,11 @@ std::string share_text(const AppState& state, double area) {
 
 }  // namespace
 
-void draw_direction_map(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap& map,
-                        const BareBall& bare) {
-  // As fine as the map itself on a large ball; a few pixels on a small one.
-  const int rings = std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48), spokes = 3 * rings;
+void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap* map,
+                 const BareBall& bare) {
+  // As fine as the map itself on a large ball; a few pixels on a small one. Shade alone needs less.
+  const int rings = map != nullptr ? std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48) : 7;
+  const int spokes = map != nullptr ? 3 * rings : 40;
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
   const int vertices = (rings + 1) * spokes;
   list.PrimReserve(rings * spokes * 6, vertices);
@@ -101,25 +78,39 @@ void draw_direction_map(ImDrawList& list, const BallPlace& ball, const Camera& c
   list.AddCircle(im(ball.centre), ball.radius, bare.dark, 96, 1.5F);
 }
 
+void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
+                 double angle_deg, ImU32 colour, float thickness) {
+  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
+  const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
+  constexpr int k_steps = 72;
+  glm::vec2 before(0.0F);
+  for (int step = 0; step <= k_steps; ++step) {
+    const double turn = 2.0 * glm::pi<double>() * step / k_steps;
+    const BallPoint point =
+        ball_point(camera, cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y));
+    const glm::vec2 here = ball.screen(point);
+    if (step > 0 && point.front) list.AddLine(im(before), im(here), colour, thickness);
+    before = here;
+  }
+}
+
 void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera,
                       const SweepState& sweep) {
   constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 230), k_light = IM_COL32(255, 255, 255, 240);
-  if (!sweep.result) {
-    return;
-  }
+  if (!sweep.result) return;
   for (const SweepCandidate& candidate : sweep.result->candidates) {
     const bool best = candidate.rank == 1;
     if (candidate.tie_group != 1 && !best) continue;
     for (const double sign : {1.0, -1.0}) {
       const glm::dvec3 direction = sign * candidate.candidate.direction;
       if (const TiltMargin* tilt = tilt_of(candidate); best && tilt != nullptr && tilt->deg > 0.0) {
-        draw_circle(list, ball, camera, direction, glm::radians(tilt->deg), faded(k_dark, 0.7F),
-                    2.5F * ui.scale);
-        draw_circle(list, ball, camera, direction, glm::radians(tilt->deg), k_light, 1.0F * ui.scale);
+        draw_circle(list, ball, camera, direction, tilt->deg, faded(k_dark, 0.7F), 2.5F * ui.scale);
+        draw_circle(list, ball, camera, direction, tilt->deg, k_light, 1.0F * ui.scale);
       }
       const BallPoint point = ball_point(camera, direction);
       if (!point.front) continue;
-      const ImVec2 at = im(screen(ball, point));
+      const ImVec2 at = im(ball.screen(point));
       if (best) {
         list.AddCircle(at, 7.0F * ui.scale, k_dark, 0, 3.0F * ui.scale);
         list.AddCircle(at, 7.0F * ui.scale, k_light, 0, 1.5F * ui.scale);
@@ -135,16 +126,16 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   const AppState& state = context.state;
   const Ui& ui = context.ui;
   const SweepMap& map = *state.sweep.map;
-  std::string heading, text, source;
+  std::string title, text, source;
   if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
-    heading =
+    title =
         direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
     text = fmt::format("undercut {} ± {}", area_text(state, found->undercut),
                        FigureColumn(state.model->geometry.total_area).text(found->undercut_error));
     source = fmt::format("{}  ·  {}", share_text(state, found->undercut), candidate_kind_name(found->kind));
   } else {
     const DirectionField::Reading reading = map.field.at(direction);
-    heading = direction_text(direction);
+    title = direction_text(direction);
     if (reading.cover > 0.2) {
       text = fmt::format("undercut about {}", area_text(state, reading.value));
       source = fmt::format("{}  ·  between scored directions", share_text(state, reading.value));
@@ -154,10 +145,7 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted(heading.c_str());
-  }
+  heading(ui, title);
   ImGui::TextUnformatted(text.c_str());
   if (!source.empty()) hint(ui, source);
   ImGui::EndTooltip();
@@ -197,14 +185,9 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   ImGui::SetNextWindowPos(
       ImVec2(static_cast<float>(area.min.x) + ui.px(12), static_cast<float>(area.min.y) + ui.px(8)));
   ImGui::SetNextWindowSize(ImVec2(size + ui.px(24), 0.0F));
-  ImGui::Begin("##Large ball", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Undercut by direction");
-  }
+  ImGui::Begin("##Large ball", nullptr, k_fixed_window | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::AlignTextToFramePadding();
+  heading(ui, "Undercut by direction");
   ImGui::SameLine(ImGui::GetContentRegionAvail().x + ui.px(12) - ui.px(k_row_height));
   if (icon_button(ui, "close ball", Icon::close, "Close the large ball")) {
     context.edits.sweep_choices.large_ball = false;

@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "gui/direction.hpp"
-#include "gui/loaded_part.hpp"
-#include "gui/panels/direction_map.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/jobs/loaded_part.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
+#include "gui/view/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -38,14 +37,8 @@ void draw_bookmarks(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (!ImGui::BeginPopup("bookmarks")) return;
   auto& bookmarks = context.edits.bookmarks;
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted("Bookmarks");
-  }
-  if (button(ui, "Keep this direction", {.width = ui.px(232)})) {
-    const glm::dvec3 direction = tidy(context.edits.settings.method.direction);
-    bookmarks.push_back({.note = direction_text(direction), .direction = direction});
-  }
+  heading(ui, "Bookmarks");
+  if (button(ui, "Keep this direction", {.width = ui.px(232)})) context.edits.keep_bookmark();
   for (std::size_t k = 0; k < bookmarks.size(); ++k) {
     ImGui::PushID(static_cast<int>(k));
     if (icon_button(ui, "go", Icon::bookmark, "Take this direction")) {
@@ -80,7 +73,7 @@ void draw_fields(const PanelContext& context) {
     typed = number_field(ui, name.c_str(), name, direction[axis], 3, third) || typed;
   }
   if (typed && direction != glm::dvec3(0.0)) method.direction = direction;
-  Angles angles = angles_of(method.direction);
+  Angles angles = angles_of(context.edits.settings.direction());
   bool turned = number_field(ui, "azimuth", "az °", angles.azimuth_deg, 1, half);
   tooltip(ui, "Azimuth", "About z, from x towards y, in degrees.");
   ImGui::SameLine(0.0F, gap);
@@ -104,7 +97,7 @@ void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
     }
     ImGui::SameLine(0.0F, ui.px(4));
     if (icon_button(ui, "along", Icon::up, "Look along the parting direction (0)")) {
-      context.edits.ask(LookAlongDirection{});
+      context.edits.ask(&Commands::look_along_direction);
     }
     ImGui::SameLine(0.0F, ui.px(4));
     if (icon_button(ui, "bookmark", Icon::bookmark, "Bookmarks of directions",

@@ -1,9 +1,8 @@
-#include "gui/panels/export_dialog.hpp"
-
 #include <cstdio>
 #include <filesystem>
 
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/workspace.hpp"
 
 namespace moldlight::gui {
 
@@ -13,17 +12,16 @@ constexpr std::string_view k_mesh_formats[] = {"ply", "obj", "stl"};
 
 }  // namespace
 
-Export ExportDialog::chosen() const {
+void ExportDialog::ask_for_files(Edits& edits) const {
   const std::string base(base_.data());
-  Export files;
-  if (json_) files.files.json = base + ".json";
-  if (facets_) files.files.facets = base + ".csv";
-  if (faces_) files.files.faces = base + "-faces.csv";
-  if (mesh_) files.files.mesh = base + "." + std::string(k_mesh_formats[mesh_format_]);
-  if (split_) files.files.split_folder = base;
-  if (borders_) files.files.borders = base + "-borders.obj";
-  if (picture_) files.picture = base + ".png";
-  return files;
+  OutputPaths files;
+  if (json_) files.json = base + ".json";
+  if (facets_) files.facets = base + ".csv";
+  if (faces_) files.faces = base + "-faces.csv";
+  if (mesh_) files.mesh = base + "." + std::string(k_mesh_formats[mesh_format_]);
+  if (split_) files.split_folder = base;
+  if (borders_) files.borders = base + "-borders.obj";
+  edits.ask(&Commands::export_files, files, picture_ ? base + ".png" : std::string());
 }
 
 void ExportDialog::draw(const PanelContext& context) {
@@ -39,10 +37,7 @@ void ExportDialog::draw(const PanelContext& context) {
   }
   const Ui& ui = context.ui;
   if (begin_dialog(ui, "Export", {ui.px(480), 0.0F})) {
-    {
-      const FontScope strong(ui.fonts.strong);
-      ImGui::TextUnformatted("Export");
-    }
+    heading(ui, "Export");
     hint(ui, "Files are named after this path:");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::InputText("##base", base_.data(), base_.size());
@@ -60,7 +55,7 @@ void ExportDialog::draw(const PanelContext& context) {
     if (context.state.figures.measuring) hint(ui, "Measuring; the files can be written when it is done.");
     ImGui::BeginDisabled(context.state.figures.measuring || !context.state.figures.shown || base_[0] == 0);
     if (button(ui, "Export", {.width = ui.px(112), .strong = true})) {
-      context.edits.ask(chosen());
+      ask_for_files(context.edits);
       context.edits.dialogs.exporting = false;
     }
     ImGui::EndDisabled();

@@ -1,12 +1,11 @@
-#include "gui/panels/file_browser.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
 #include <fmt/format.h>
 
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/workspace.hpp"
 #include "io/file_format.hpp"
 
 namespace moldlight::gui {
@@ -77,10 +76,7 @@ void FileBrowser::enter(const fs::path& folder) {
 
 void FileBrowser::draw_head(const PanelContext& context) {
   const Ui& ui = context.ui;
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted("Open a part");
-  }
+  heading(ui, "Open a part");
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   if (icon_button(ui, "up", Icon::up, "The folder above")) enter(folder_.parent_path());
   ImGui::SameLine();
@@ -106,7 +102,7 @@ void FileBrowser::draw_list(const PanelContext& context) {
       const fs::path path = context.state.recent[k];
       if (list_line(ui, fmt::format("recent {}", k).c_str(), Icon::file, path.filename().string(),
                     fitted(ui.fonts.small, path.parent_path().string(), ui.px(260)))) {
-        context.edits.ask(OpenPart{path.string()});
+        context.edits.ask(&Commands::open_part, path.string());
         context.edits.dialogs.browser = false;
       }
     }
@@ -124,7 +120,7 @@ void FileBrowser::draw_list(const PanelContext& context) {
     if (entry.folder) {
       next = folder_ / entry.name;
     } else {
-      context.edits.ask(OpenPart{(folder_ / entry.name).string()});
+      context.edits.ask(&Commands::open_part, (folder_ / entry.name).string());
       context.edits.dialogs.browser = false;
     }
   }

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 #include "session/method_options.hpp"
 
 namespace moldlight::gui {
@@ -88,10 +88,7 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float side = std::floor(0.82F * std::min(window.x, window.y));
   if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
-    {
-      const FontScope strong(ui.fonts.strong);
-      ImGui::Text("Shadow map from %s", caption(plus));
-    }
+    heading(ui, fmt::format("Shadow map from {}", caption(plus)));
     ImGui::SameLine();
     hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");
     const ImVec2 min = ImGui::GetCursorScreenPos();

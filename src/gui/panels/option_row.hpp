@@ -9,8 +9,8 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 #include "session/option_table.hpp"
 
 namespace moldlight::gui {

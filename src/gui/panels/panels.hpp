@@ -1,14 +1,16 @@
-// The panels, one file each. Each reads the state and writes what its user wants into the edits.
+// The panels, one file each. Each reads the state and writes what its user wants into the edits. Those that
+// remember something are in workspace.hpp.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "gui/app_state.hpp"
-#include "gui/edits.hpp"
-#include "gui/panel_layout.hpp"
-#include "gui/ui.hpp"
+#include "gui/commands.hpp"
+#include "gui/draw/panel_layout.hpp"
+#include "gui/view/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -51,6 +53,8 @@ void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
+/// "Core".
+[[nodiscard]] std::string_view shown_name(Region region);
 void draw_status(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
@@ -58,5 +62,55 @@ void draw_toasts(const PanelContext& context);
 void draw_help(const PanelContext& context);
 void draw_settings(const PanelContext& context);
 void draw_large_map(const PanelContext& context, const MapTextures& textures);
+/// The options of the sweep, straight from its table.
+void draw_sweep_options(const PanelContext& context);
+
+/// What the table takes of the window's upper part, layout units.
+inline constexpr float k_comparison_height = 164.0F;
+
+/// The figures of two directions that are seen side by side, and their difference.
+void draw_comparison(const PanelContext& context);
+
+/// Side of the shipped parts' pictures, layout units.
+inline constexpr float k_start_picture_size = 124.0F;
+
+/// What the window shows before there is a part. `thumbnails`: textures of the shipped parts, in their order;
+/// 0 where there is none yet.
+void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails);
+
+/// A ball on the screen, pixels.
+struct BallPlace {
+  glm::vec2 centre{0.0F};
+  float radius = 1.0F;
+
+  [[nodiscard]] glm::vec2 screen(const BallPoint& point) const {
+    return centre + radius * glm::vec2(point.at.x, -point.at.y);
+  }
+  [[nodiscard]] glm::dvec2 disc(const glm::vec2& pixel) const {
+    return {(pixel.x - centre.x) / radius, (centre.y - pixel.y) / radius};
+  }
+};
+
+/// The ball's surface in the colours of the map; where nothing is known yet (or there is no map) in those of
+/// its lit and its dark side.
+struct BareBall {
+  ImU32 light = 0, dark = 0;
+};
+void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap* map,
+                 const BareBall& bare);
+/// The circle of directions `angle_deg` away from the unit direction `axis`, as far as it is on the viewer's
+/// side.
+void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
+                 double angle_deg, ImU32 colour, float thickness);
+/// Rings around the best directions, dots on those that tie with them, circles of the tilt margins.
+void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera,
+                      const SweepState& sweep);
+/// A tooltip with what is known of the direction under the mouse.
+void tell_direction(const PanelContext& context, const glm::dvec3& direction);
+/// The scale of the colours with its ends, `width` pixels wide; returns its height.
+float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float width);
+
+/// The ball on its own, large, beside the part.
+void draw_large_ball(const PanelContext& context, BallDrag& drag);
 
 }  // namespace moldlight::gui

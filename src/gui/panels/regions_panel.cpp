@@ -1,9 +1,9 @@
 // The legend: the four regions with their measured areas, how sure they are, and whether two ways agree.
 #include <fmt/format.h>
 
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 #include "session/figures.hpp"
 #include "session/option.hpp"
 
@@ -25,20 +25,6 @@ std::string_view meaning(Region region) {
       break;
   }
   return "Accessible along neither: it needs a side action, another direction or another shape.";
-}
-
-std::string_view shown_name(Region region) {
-  switch (region) {
-    case Region::core:
-      return "Core";
-    case Region::cavity:
-      return "Cavity";
-    case Region::both:
-      return "Both";
-    case Region::undercut:
-      break;
-  }
-  return "Undercut";
 }
 
 void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const glm::vec2& min) {
@@ -163,6 +149,11 @@ void draw_by(const PanelContext& context) {
 }
 
 }  // namespace
+
+std::string_view shown_name(Region region) {
+  constexpr std::array<std::string_view, k_region_count> k_names = {"Core", "Cavity", "Both", "Undercut"};
+  return k_names[static_cast<std::size_t>(region)];
+}
 
 void draw_regions_panel(const PanelContext& context) {
   const Ui& ui = context.ui;

@@ -1,12 +1,11 @@
 // What the window shows before there is a part: where to drop one, recent files, the shipped parts.
-#include "gui/panels/start_page.hpp"
-
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
 
@@ -58,7 +57,7 @@ void draw_recent(const PanelContext& context) {
               {max.x - ui.px(8) - text_size(ui.fonts.small, folder).x,
                0.5F * (min.y + max.y - ui.fonts.small.size)},
               ui.colours->faint, folder);
-    if (clicked) context.edits.ask(OpenPart{path.string()});
+    if (clicked) context.edits.ask(&Commands::open_part, path.string());
     ImGui::PopID();
   }
   ImGui::Dummy(ImVec2(1, ui.px(10)));
@@ -88,7 +87,7 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
     const glm::vec2 text = text_size(ui.fonts.small, name);
     draw_text(list, ui.fonts.small, {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y},
               ui.colours->muted, name);
-    if (clicked) context.edits.ask(OpenPart{shipped[k]});
+    if (clicked) context.edits.ask(&Commands::open_part, shipped[k]);
     ImGui::PopID();
   }
 }
@@ -98,11 +97,9 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
 void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails) {
   if (context.state.model || context.state.dialogs.browser) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.5F * window.y), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  place_window(0.5F * from_im(window), glm::vec2(0.5F));
   ImGui::Begin("Start", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+               k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   draw_drop_zone(context);
   ImGui::Dummy(ImVec2(1, context.ui.px(12)));

@@ -4,17 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 #include "session/figures.hpp"
 
 namespace moldlight::gui {
 
 namespace {
-
-constexpr ImGuiWindowFlags k_card = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
 
 std::string facet_line(const Hover& hover) {
   const double draft = std::abs(hover.draft_deg) < 0.05 ? 0.0 : hover.draft_deg;
@@ -37,9 +33,8 @@ std::string face_line(const AppState& state) {
 }
 
 std::string blocker_line(const AppState& state, const Blocker& blocker) {
-  return fmt::format("blocked by facet {}, {} {} {}", grouped(std::to_string(blocker.facet)),
-                     fmt::format("{:.4g}", blocker.distance), length_unit(state.model->part),
-                     blocker.above ? "above" : "below");
+  return fmt::format("blocked by facet {}, {:.4g} {} {}", grouped(std::to_string(blocker.facet)),
+                     blocker.distance, length_unit(state.model->part), blocker.above ? "above" : "below");
 }
 
 }  // namespace
@@ -48,20 +43,14 @@ void draw_status(const PanelContext& context) {
   if (!context.state.model || (!context.state.hover && !context.state.face)) return;
   const Ui& ui = context.ui;
   const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
-  ImGui::SetNextWindowPos(
-      ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), static_cast<float>(area.max.y) - ui.px(12)),
-      ImGuiCond_Always, ImVec2(0.5F, 1.0F));
-  ImGui::Begin("Status", nullptr, k_card | ImGuiWindowFlags_NoInputs);
-  const auto write = [&](const std::string& line, ImU32 colour) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(line.c_str());
-    ImGui::PopStyleColor();
-  };
+  place_window({area.middle_x(), static_cast<float>(area.max.y) - ui.px(12)}, {0.5F, 1.0F});
+  ImGui::Begin("Status", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
   if (context.state.face)
-    write(face_line(context.state), context.state.figures.pale ? ui.colours->muted : ui.colours->text);
+    coloured_text(context.state.figures.pale ? ui.colours->muted : ui.colours->text,
+                  face_line(context.state));
   if (const auto& hover = context.state.hover) {
-    write(facet_line(*hover), ui.colours->text);
-    if (hover->blocker) write(blocker_line(context.state, *hover->blocker), ui.colours->muted);
+    coloured_text(ui.colours->text, facet_line(*hover));
+    if (hover->blocker) coloured_text(ui.colours->muted, blocker_line(context.state, *hover->blocker));
   }
   ImGui::End();
 }
@@ -71,19 +60,14 @@ void draw_loading(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Loading& loading = *context.state.loading;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.62F * window.y), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
-  ImGui::Begin("Loading", nullptr, k_card);
+  place_window({0.5F * window.x, 0.62F * window.y}, {0.5F, 0.5F});
+  ImGui::Begin("Loading", nullptr, k_card_window);
   const float width = ui.px(320);
-  {
-    const FontScope strong(ui.fonts.strong);
-    const std::string name =
-        fitted(ui.fonts.strong, std::filesystem::path(loading.path).filename().string(), width);
-    ImGui::TextUnformatted(name.c_str());
-  }
+  heading(ui, fitted(ui.fonts.strong, std::filesystem::path(loading.path).filename().string(), width));
   hint(ui, loading.status.stage);
   progress_bar(ui, loading.status.fraction, width);
   ImGui::Dummy(ImVec2(1, ui.px(2)));
-  if (button(ui, "Cancel", {.width = width})) context.edits.ask(CancelLoading{});
+  if (button(ui, "Cancel", {.width = width})) context.edits.ask(&Commands::cancel_loading);
   ImGui::End();
 }
 
@@ -94,11 +78,10 @@ void draw_toasts(const PanelContext& context) {
   float top = ui.px(k_bar_height + 12);
   for (const Toast& toast : state.toasts) {
     const float width = std::min(ui.px(460), static_cast<float>(area.max.x - area.min.x) - ui.px(24));
-    ImGui::SetNextWindowPos(ImVec2(0.5F * static_cast<float>(area.min.x + area.max.x), top), ImGuiCond_Always,
-                            ImVec2(0.5F, 0.0F));
+    place_window({area.middle_x(), top}, {0.5F, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.97F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
-    ImGui::Begin(fmt::format("Toast {}", toast.number).c_str(), nullptr, k_card);
+    ImGui::Begin(fmt::format("Toast {}", toast.number).c_str(), nullptr, k_card_window);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_icon(*ImGui::GetWindowDrawList(), toast.failure ? Icon::alert : Icon::check,
               {at.x + ui.px(8), at.y + 0.5F * ui.fonts.body.size}, ui.px(14),
@@ -108,7 +91,7 @@ void draw_toasts(const PanelContext& context) {
     ImGui::TextUnformatted(toast.text.c_str());
     ImGui::PopTextWrapPos();
     top += ImGui::GetWindowHeight() + ui.px(8);
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) context.edits.ask(DismissToasts{});
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) context.edits.ask(&Commands::dismiss_toasts);
     ImGui::End();
     ImGui::PopStyleColor();
   }

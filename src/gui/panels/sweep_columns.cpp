@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "gui/direction.hpp"
-#include "gui/ui.hpp"
+#include "gui/draw/ui.hpp"
+#include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 #include "session/sweep/sweep_texts.hpp"
 

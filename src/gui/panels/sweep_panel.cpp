@@ -1,14 +1,13 @@
-#include "gui/panels/sweep_panel.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "gui/direction.hpp"
-#include "gui/panels/sweep_options_fold.hpp"
-#include "gui/widgets.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/panels.hpp"
+#include "gui/panels/workspace.hpp"
+#include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 #include "session/sweep/sweep_stages.hpp"
 
@@ -124,7 +123,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   right -= ui.px(4);
   place(text_size(ui.fonts.body, action).x + ui.px(24));
   if (button(ui, action, {.width = 0.0F, .strong = !sweep.running && !sweep.map})) {
-    sweep.running ? context.edits.ask(CancelSweep{}) : context.edits.ask(StartSweep{});
+    context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
     options_ = false;
   }
   if (sweep.running) {
@@ -208,7 +207,7 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
   ImGui::SetItemAllowOverlap();
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
                        ImGui::IsMouseHoveringRect(im(min), im(max));
-  const glm::dvec3 present = glm::normalize(context.state.settings.method.direction);
+  const glm::dvec3 present = context.state.settings.direction();
   const bool here = std::abs(glm::dot(present, candidate.candidate.direction)) > 1.0 - 1e-10;
   std::string tip = all_reasons(candidate);
   if (candidate.pareto) tip += "\nNo other listed direction beats it in undercut, patches and depth alike.";
@@ -255,7 +254,7 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
   if (compare) {
     compared = chosen ? std::nullopt : std::optional(index);
   } else if (clicked) {
-    context.edits.ask(FlyToDirection{candidate.candidate.direction});
+    context.edits.ask(&Commands::fly_to_direction, candidate.candidate.direction);
   }
   ImGui::PopID();
   ImGui::SetCursorScreenPos(ImVec2(min.x, max.y));

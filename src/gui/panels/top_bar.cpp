@@ -1,10 +1,11 @@
 // The thin bar on top: the part's name with recent files, and what is done with it.
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 
 namespace moldlight::gui {
 
@@ -19,7 +20,7 @@ void draw_recent(const PanelContext& context) {
   const Ui& ui = context.ui;
   const auto offer = [&](const std::string& path) {
     const std::string name = fmt::format("{}##{}", fs::path(path).filename().string(), path);
-    if (ImGui::MenuItem(name.c_str())) context.edits.ask(OpenPart{path});
+    if (ImGui::MenuItem(name.c_str())) context.edits.ask(&Commands::open_part, path);
     tooltip(ui, {}, path);
   };
   if (!context.state.recent.empty()) hint(ui, "Recent");
@@ -78,30 +79,28 @@ void draw_right(const PanelContext& context) {
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
                        static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
   if (icon_button(ui, "open", Icon::open, "Open a part (Ctrl+O)")) edits.dialogs.browser = true;
+  float gap = step;
+  const auto item = [&](const char* id, Icon icon, std::string_view tip, bool chosen = false) {
+    ImGui::SameLine(0.0F, std::exchange(gap, step));
+    return icon_button(ui, id, icon, tip, chosen);
+  };
   if (part) {
-    ImGui::SameLine(0.0F, step);
-    if (icon_button(ui, "export", Icon::export_file, "Export what was measured (Ctrl+E)"))
+    if (item("export", Icon::export_file, "Export what was measured (Ctrl+E)"))
       edits.dialogs.exporting = true;
-    ImGui::SameLine(0.0F, step);
-    if (icon_button(ui, "picture", Icon::picture, "Save a picture with the legend (F12)"))
-      edits.ask(TakePicture{});
-    ImGui::SameLine(0.0F, step + ui.px(16));
+    if (item("picture", Icon::picture, "Save a picture with the legend (F12)"))
+      edits.ask(&Commands::take_picture);
+    gap = step + ui.px(16);
     ImGui::BeginDisabled(!context.state.can_undo);
-    if (icon_button(ui, "undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(Undo{});
+    if (item("undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(&Commands::undo);
     ImGui::EndDisabled();
-    ImGui::SameLine(0.0F, step);
     ImGui::BeginDisabled(!context.state.can_redo);
-    if (icon_button(ui, "redo", Icon::redo, "Redo (Ctrl+Y)")) edits.ask(Redo{});
+    if (item("redo", Icon::redo, "Redo (Ctrl+Y)")) edits.ask(&Commands::redo);
     ImGui::EndDisabled();
   }
-  ImGui::SameLine(0.0F, step);
-  if (icon_button(ui, "help", Icon::help, "Keys and mouse (H)", context.state.dialogs.help)) {
+  if (item("help", Icon::help, "Keys and mouse (H)", context.state.dialogs.help))
     edits.dialogs.help = !edits.dialogs.help;
-  }
-  ImGui::SameLine(0.0F, step);
-  if (icon_button(ui, "settings", Icon::settings, "Window settings", context.state.dialogs.settings)) {
+  if (item("settings", Icon::settings, "Window settings", context.state.dialogs.settings))
     edits.dialogs.settings = !edits.dialogs.settings;
-  }
 }
 
 }  // namespace
@@ -120,9 +119,7 @@ void draw_top_bar(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, near ? 1.0F : k_resting_alpha);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, near ? ui.colours->panel : IM_COL32(0, 0, 0, 0));
   ImGui::Begin("Bar", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoScrollWithMouse);
+               k_fixed_window | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   draw_left(context);
   draw_right(context);
   ImGui::End();

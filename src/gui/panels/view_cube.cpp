@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/widgets.hpp"
 
 namespace moldlight::gui {
 
@@ -79,9 +79,7 @@ void draw_view_cube(const PanelContext& context) {
   ImGui::SetNextWindowPos(im(corner));
   ImGui::SetNextWindowSize(ImVec2(size, size));
   ImGui::Begin("View cube", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+               k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::SetCursorScreenPos(im(corner));
   const bool clicked = ImGui::InvisibleButton("cube", ImVec2(size, size));
   const bool hovered = ImGui::IsItemHovered();
@@ -103,7 +101,7 @@ void draw_view_cube(const PanelContext& context) {
     if (face.facing > 0.25) {
       draw_name(ui, list, face, half, side.name, under_mouse ? ui.colours->on_accent : ui.colours->text);
     }
-    if (under_mouse && clicked) context.edits.ask(LookFrom{standard_orientation(side.view)});
+    if (under_mouse && clicked) context.edits.ask(&Commands::look_from, standard_orientation(side.view));
   }
   ImGui::End();
 }

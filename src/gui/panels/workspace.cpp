@@ -1,8 +1,6 @@
 #include "gui/panels/workspace.hpp"
 
-#include "gui/panels/comparison.hpp"
-#include "gui/panels/direction_map.hpp"
-#include "gui/panels/start_page.hpp"
+#include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
 

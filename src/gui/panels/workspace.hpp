@@ -1,16 +1,77 @@
 // All panels of a frame, and what some of them remember.
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "gui/input/keys.hpp"
-#include "gui/panels/export_dialog.hpp"
-#include "gui/panels/file_browser.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/sweep_panel.hpp"
+#include "gui/panels/sweep_columns.hpp"
 
 namespace moldlight::gui {
+
+/// Size of a candidate's small picture, pixels; `scale`: pixels per layout unit.
+[[nodiscard]] glm::ivec2 candidate_picture_size(float scale);
+
+/// The sweep along the bottom: its options, how far it is, and the best directions as a table to sort and
+/// click.
+class SweepPanel {
+ public:
+  /// `pictures`: a texture a candidate of the result; 0, or too few of them, where there is none yet.
+  void draw(const PanelContext& context, std::span<const unsigned> pictures);
+
+ private:
+  void draw_header(const PanelContext& context, bool open);
+  void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
+  void draw_row(const PanelContext& context, std::size_t index, unsigned picture);
+  void draw_footer(const PanelContext& context, std::size_t shown);
+
+  SweepOrder order_;
+  std::size_t first_ = 0;  // row on top
+  bool options_ = false, expanded_ = false;
+};
+
+/// The window's own file browser: no dialog program of the desktop is needed.
+class FileBrowser {
+ public:
+  /// Draws the dialog while it is open; asks to open the part that is chosen.
+  void draw(const PanelContext& context);
+
+ private:
+  struct Entry {
+    std::string name;
+    bool folder = false;
+    std::uintmax_t bytes = 0;
+  };
+  void enter(const std::filesystem::path& folder);
+  void draw_head(const PanelContext& context);
+  void draw_list(const PanelContext& context);
+
+  std::filesystem::path folder_;
+  std::vector<Entry> entries_;
+  std::string problem_;
+  std::array<char, 128> filter_{};
+  bool all_files_ = false;
+  bool open_ = false;
+};
+
+/// What `classify` writes, from the window.
+class ExportDialog {
+ public:
+  /// Draws the dialog while it is open; asks for the export when it is confirmed.
+  void draw(const PanelContext& context);
+
+ private:
+  void ask_for_files(Edits& edits) const;
+
+  bool open_ = false;
+  std::array<char, 1024> base_{};  // path without extension
+  bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, borders_ = false,
+       picture_ = true;
+  int mesh_format_ = 0;
+};
 
 class Workspace {
  public:

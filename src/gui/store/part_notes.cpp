@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "gui/direction.hpp"
-#include "gui/store/state_folder.hpp"
+#include "gui/store/files.hpp"
+#include "gui/view/direction.hpp"
 #include "session/method_options.hpp"
 #include "session/option_table.hpp"
 

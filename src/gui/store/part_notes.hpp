@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "gui/look_settings.hpp"
+#include "gui/store/settings.hpp"
 #include "session/settings.hpp"
 
 namespace moldlight::gui {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "gui/store/state_folder.hpp"
+#include "gui/store/files.hpp"
 #include "session/option_table.hpp"
 
 namespace moldlight::gui {

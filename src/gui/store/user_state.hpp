@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/window_settings.hpp"
+#include "gui/store/settings.hpp"
 #include "session/sweep/sweep_settings.hpp"
 
 namespace moldlight::gui {

@@ -1,0 +1,313 @@
+#include "gui/commands.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "gui/app.hpp"
+#include "gui/store/files.hpp"
+#include "gui/view/direction.hpp"
+#include "mold/round_wall.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+void Commands::open_part(const std::string& path) { app.open(path); }
+
+void Commands::cancel_loading() {
+  app.loader_.give_up();
+  app.state_.loading.reset();
+}
+
+void Commands::undo() { app.state_.settings = app.history_.undo(); }
+
+void Commands::redo() { app.state_.settings = app.history_.redo(); }
+
+void Commands::fit_view() { look_from(app.state_.camera.orientation); }
+
+void Commands::look_from(const glm::dquat& orientation) {
+  if (!app.state_.model) return;
+  Camera camera = app.state_.camera;
+  camera.orientation = orientation;
+  app.fit(camera, false);
+}
+
+void Commands::look_along_direction() {
+  look_from(looking_along(-app.state_.settings.method.direction, app.state_.camera.up()));
+}
+
+void Commands::toggle_projection() {
+  Projection& projection = app.state_.camera.projection;
+  projection = projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
+}
+
+void Commands::take_normal() {
+  if (app.state_.hover) app.set_direction(app.state_.model->geometry.normals[app.state_.hover->point.facet]);
+}
+
+void Commands::take_axis() {
+  if (!app.state_.hover) return;
+  const PartModel& model = *app.state_.model;
+  const auto axis = round_wall_axis(model.geometry, model.adjacency, app.state_.hover->point.facet);
+  if (!axis) {
+    say("There is no round wall under the cursor; point at a cylinder, a cone or a hole", false);
+    return;
+  }
+  // Of its two senses the one that leaves the core where it is.
+  app.set_direction(glm::dot(*axis, app.state_.settings.method.direction) < 0.0 ? -*axis : *axis);
+}
+
+void Commands::fly_to_direction(const glm::dvec3& direction) {
+  glm::dvec3& present = app.state_.settings.method.direction;
+  if (app.state_.window.motion) {
+    app.turn_.start(app.state_.settings.direction(), direction, app.now_s_);
+  } else {
+    present = direction;
+    app.history_.settle(app.state_.settings);
+  }
+}
+
+void Commands::choose_face(const std::optional<FacetIndex>& facet) {
+  auto face = facet ? face_of(*app.state_.model, *facet) : std::nullopt;
+  auto& chosen = app.state_.face;
+  if (chosen.has_value() == face.has_value() && (!face || face->number == chosen->number)) return;
+  chosen = std::move(face);
+  app.scene_->choose_face(chosen ? &*chosen : nullptr);
+  app.measure_face();
+}
+
+void Commands::take_picture() {
+  if (!app.state_.model) return;
+  const fs::path part(app.state_.path);
+  // A name of its own for each picture: none is ever overwritten.
+  for (int number = 1; number < 10000; ++number) {
+    const fs::path path = part.parent_path() / fmt::format("{}-{:02}.png", part.stem().string(), number);
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) continue;
+    app.picture_request_ = path.string();
+    return;
+  }
+}
+
+void Commands::export_files(const OutputPaths& files, const std::string& picture) {
+  const Figures& figures = app.state_.figures;
+  if (app.export_.running() || !figures.shown || figures.measuring) return;
+  app.export_.start([files, palette = app.state_.settings.look.palette, model = app.state_.model,
+                     result = *figures.shown](const Progress&) {
+    write_outputs(files, *model, result, palette);
+    return std::string("Exported");
+  });
+  if (!picture.empty()) app.picture_request_ = picture;
+}
+
+void Commands::start_sweep() {
+  app.state_.sweep_choices.compared.reset();
+  app.pictures_.reset();
+  app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
+}
+
+void Commands::cancel_sweep() { app.sweep_.cancel(); }
+
+void Commands::save_notes_beside(bool beside) {
+  app.state_.notes_beside = beside;
+  app.saved_notes_ = {};
+  if (!beside) {
+    std::error_code ignored;
+    fs::remove(notes_path_beside(app.state_.path), ignored);
+  }
+  app.save();
+}
+
+void Commands::reset_layout() { app.layout_.reset(); }
+
+void Commands::dismiss_toasts() { app.state_.toasts.clear(); }
+
+void Commands::say(const std::string& text, bool failure) { app.say(text, failure); }
+
+void Commands::quit() { app.quitting_ = true; }
+
+void Edits::keep_bookmark() {
+  const glm::dvec3& direction = settings.method.direction;
+  bookmarks.push_back({.note = direction_text(direction), .direction = tidy(direction)});
+}
+
+namespace {
+
+constexpr double k_nudge_deg = 1.0, k_fine_nudge_deg = 0.1;
+
+/// What a key finds, and what it may change.
+struct Pressed {
+  const KeyPress& key;
+  const AppState& state;
+  Edits& edits;
+  LookSettings& look = edits.settings.look;
+  glm::dvec3& direction = edits.settings.method.direction;
+};
+
+template <typename Enum>
+void take_the_other(Enum& one_of_two) {
+  one_of_two = one_of_two == Enum{0} ? Enum{1} : Enum{0};
+}
+
+/// Gives up a drag, closes what is open, and takes back what was chosen.
+void escape(const Pressed& p) {
+  p.edits.give_up_drag = true;
+  const bool hidden = p.edits.dialogs.panels_hidden;
+  p.edits.dialogs = {};
+  p.edits.dialogs.panels_hidden = hidden;
+  p.edits.sweep_choices.compared.reset();
+  p.edits.sweep_choices.large_ball = false;
+  if (p.state.face) p.edits.ask(&Commands::choose_face, std::nullopt);
+  p.edits.ask(&Commands::dismiss_toasts);
+}
+
+/// Arrow keys move the direction's tip on the screen.
+void nudge(const Pressed& p) {
+  const Camera& camera = p.state.camera;
+  const glm::dvec3 toward = p.key.key == GLFW_KEY_LEFT    ? -camera.right()
+                            : p.key.key == GLFW_KEY_RIGHT ? camera.right()
+                            : p.key.key == GLFW_KEY_UP    ? camera.up()
+                                                          : -camera.up();
+  const double angle_deg = p.key.shift ? k_fine_nudge_deg : k_nudge_deg;
+  p.direction = nudged(p.edits.settings.direction(), toward, camera.toward_viewer(), angle_deg);
+}
+
+void keep_bookmark(const Pressed& p) {
+  p.edits.keep_bookmark();
+  p.edits.ask(&Commands::say, "Bookmark kept: " + p.edits.bookmarks.back().note, false);
+}
+
+/// The best direction beside the present one, then the next ones, then none.
+void compare_next(const Pressed& p) {
+  auto& compared = p.edits.sweep_choices.compared;
+  const std::size_t count = p.state.sweep.result ? p.state.sweep.result->candidates.size() : 0;
+  const std::size_t next = compared ? *compared + 1 : 0;
+  compared = next < count ? std::optional(next) : std::nullopt;
+}
+
+/// Views as on the number pad of other programs; with Ctrl from the other side.
+void look_from_side(const Pressed& p) {
+  const auto [view, opposite] = p.key.key == '1'   ? std::pair(StandardView::front, StandardView::back)
+                                : p.key.key == '3' ? std::pair(StandardView::right, StandardView::left)
+                                                   : std::pair(StandardView::top, StandardView::bottom);
+  p.edits.ask(&Commands::look_from, standard_orientation(p.key.ctrl ? opposite : view));
+}
+
+/// When a key acts: with a part alone or without one, too; with Ctrl alone, without it, or either way.
+enum class When : std::uint8_t { always, with_ctrl, part, part_no_ctrl };
+
+/// A line of the help sheet, and what its keys do; a line without keys is the mouse's.
+struct Shortcut {
+  HelpLine help;
+  When when = When::always;
+  std::vector<int> keys = {};
+  std::function<void(const Pressed&)> act = {};
+};
+
+const std::vector<Shortcut>& shortcuts() {
+  using enum HelpLine::Group;
+  using enum When;
+  using P = const Pressed&;
+  const auto asks = [](void (Commands::*command)()) { return [=](P p) { p.edits.ask(command); }; };
+  static const std::vector<Shortcut> k_shortcuts = {
+      {{direction, "Drag the arrow's tip", "turn the parting direction"}},
+      {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
+      {{direction, "Esc", "undo the drag"}, always, {GLFW_KEY_ESCAPE}, escape},
+      {{direction, "Double click", "direction: normal of that facet"}},
+      {{direction, "Click", "choose the CAD face there (STEP)"}},
+      {{direction, "Alt + double click", "direction: axis of that round wall"}},
+      {{direction, "N / A", "the same for the facet under the cursor"},
+       part_no_ctrl,
+       {'N', 'A'},
+       [](P p) { p.edits.ask(p.key.key == 'N' ? &Commands::take_normal : &Commands::take_axis); }},
+      {{direction, "Arrow keys", "turn by 1°, with Shift by 0.1°"},
+       part,
+       {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
+       nudge},
+      {{direction, "X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction); }},
+      {{direction, "B", "bookmark the direction"}, part_no_ctrl, {'B'}, keep_bookmark},
+      {{direction, "W", "sweep: find directions, or cancel"},
+       part_no_ctrl,
+       {'W'},
+       [](P p) { p.edits.ask(p.state.sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep); }},
+      {{direction, "C", "compare with the best, the next …"}, part_no_ctrl, {'C'}, compare_next},
+      {{direction, "M", "map of directions, large"},
+       part_no_ctrl,
+       {'M'},
+       [](P p) { p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball; }},
+
+      {{view, "1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
+       part,
+       {'1', '3', '7'},
+       look_from_side},
+      {{view, "0", "along the parting direction"}, part, {'0'}, asks(&Commands::look_along_direction)},
+      {{view, "5", "parallel or perspective"}, part, {'5'}, asks(&Commands::toggle_projection)},
+      {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
+      {{view, "O", "open or close the mold"},
+       part_no_ctrl,
+       {'O'},
+       [](P p) { p.look.open_mold = p.look.open_mold > 0.0 ? 0.0 : 0.5; }},
+      {{view, "S", "section plane"}, part_no_ctrl, {'S'}, [](P p) { p.look.section = !p.look.section; }},
+      {{view, "D", "colour by region or by draft angle"},
+       part_no_ctrl,
+       {'D'},
+       [](P p) { take_the_other(p.look.colouring); }},
+      {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
+      {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
+
+      {{program, "Ctrl+O", "open a part"}, with_ctrl, {'O'}, [](P p) { p.edits.dialogs.browser = true; }},
+      {{program, "Ctrl+E", "export"},
+       with_ctrl,
+       {'E'},
+       [](P p) { p.edits.dialogs.exporting = p.state.model != nullptr; }},
+      {{program, "F12", "picture with legend"}, part_no_ctrl, {GLFW_KEY_F12}, asks(&Commands::take_picture)},
+      {{program, "Ctrl+Z / Ctrl+Y", "undo, redo"},
+       with_ctrl,
+       {'Z', 'Y'},
+       [](P p) { p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo); }},
+      {{program, "Tab", "hide the panels"},
+       always,
+       {GLFW_KEY_TAB},
+       [](P p) { p.edits.dialogs.panels_hidden = !p.edits.dialogs.panels_hidden; }},
+      {{program, "H", "this sheet"},
+       always,
+       {'H', GLFW_KEY_F1},
+       [](P p) { p.edits.dialogs.help = !p.edits.dialogs.help; }},
+      {{program, "Double click a value", "type it"}},
+      {{program, "Right click", "reset, copy"}},
+      {{program, "Ctrl+Q", "quit"}, with_ctrl, {'Q'}, asks(&Commands::quit)},
+  };
+  return k_shortcuts;
+}
+
+bool acts(When when, const KeyPress& press, const AppState& state) {
+  if (when == When::always) return true;
+  if (when == When::with_ctrl) return press.ctrl;
+  return state.model && (when == When::part || !press.ctrl);
+}
+
+}  // namespace
+
+bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'; }
+
+void apply_shortcut(KeyPress press, const AppState& state, Edits& edits) {
+  if (press.key >= GLFW_KEY_KP_0 && press.key <= GLFW_KEY_KP_9) press.key += '0' - GLFW_KEY_KP_0;
+  for (const Shortcut& each : shortcuts()) {
+    const bool meant = std::ranges::find(each.keys, press.key) != each.keys.end();
+    if (meant && acts(each.when, press, state)) return each.act({press, state, edits});
+  }
+}
+
+std::vector<HelpLine> help_lines(HelpLine::Group group) {
+  std::vector<HelpLine> lines;
+  for (const Shortcut& each : shortcuts()) {
+    if (each.help.group == group) lines.push_back(each.help);
+  }
+  return lines;
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,88 @@
+// What panels, mouse and keys ask for in a frame. The app carries it out when the frame's windows are done.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gui/app_state.hpp"
+#include "session/write_outputs.hpp"
+
+namespace moldlight::gui {
+
+class App;
+
+/// Everything that the window can be asked to do beside changing a value. What each touches stands in
+/// commands.cpp, with the keys.
+struct Commands {
+  App& app;
+
+  void open_part(const std::string& path);
+  void cancel_loading();
+  void undo();
+  void redo();
+  void fit_view();
+  /// Flies to where the part is seen from this side, and fits it.
+  void look_from(const glm::dquat& orientation);
+  /// Looks along the parting direction, onto the core.
+  void look_along_direction();
+  void toggle_projection();
+  /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
+  void take_normal();
+  void take_axis();
+  /// The parting direction turns to this one.
+  void fly_to_direction(const glm::dvec3& direction);
+  /// Chooses the CAD face of the facet; of nothing, none.
+  void choose_face(const std::optional<FacetIndex>& facet);
+  void take_picture();
+  /// Writes files that `classify` would write too, and a picture, each if its path is not empty.
+  void export_files(const OutputPaths& files, const std::string& picture);
+  void start_sweep();
+  void cancel_sweep();
+  void save_notes_beside(bool beside);
+  void reset_layout();
+  void dismiss_toasts();
+  void say(const std::string& text, bool failure);
+  void quit();
+};
+
+/// Values begin as they are in the state; commands are carried out in order after them.
+struct Edits : Editable {
+  bool dragging = false;      // a drag is under way that is one step of undo
+  bool give_up_drag = false;  // the drag is undone
+  std::vector<std::function<void(Commands&)>> commands;
+
+  explicit Edits(const Editable& state) : Editable(state) {}
+
+  /// Puts the direction among the bookmarks, under a note that tells it.
+  void keep_bookmark();
+
+  /// ask(&Commands::open_part, path).
+  template <typename... Parameters, typename... Arguments>
+  void ask(void (Commands::*command)(Parameters...), const Arguments&... arguments) {
+    commands.emplace_back([=](Commands& commands_) { (commands_.*command)(arguments...); });
+  }
+};
+
+/// A key press. `key` is GLFW's code, which is ASCII's upper case for letters and digits.
+struct KeyPress {
+  int key = 0;
+  bool ctrl = false, shift = false, alt = false;
+};
+
+/// Whether a key ends the program, also while text is being typed.
+[[nodiscard]] bool ends_program(const KeyPress& press);
+/// For keys pressed while no text is being typed.
+void apply_shortcut(KeyPress press, const AppState& state, Edits& edits);
+
+/// A line of the help sheet.
+struct HelpLine {
+  enum class Group : std::uint8_t { direction, view, program } group;
+  const char *keys, *meaning;
+};
+/// Of keys and mouse; how the mouse moves the camera is the user's choice and not among them.
+[[nodiscard]] std::vector<HelpLine> help_lines(HelpLine::Group group);
+
+}  // namespace moldlight::gui

@@ -1,0 +1,213 @@
+#include "gui/draw/panel_layout.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "base/check.hpp"
+#include "gui/draw/widgets.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_widest_bottom = 1120.0F;  // layout units
+
+/// A panel in imgui.ini as ImGui writes it: the position in pixels of a window of k_layout_size.
+glm::vec2 parse_pair(std::string_view text) {
+  glm::vec2 pair(0.0F);
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, pair.x);
+  if (first.ec == std::errc() && first.ptr != end) std::from_chars(first.ptr + 1, end, pair.y);
+  return pair;
+}
+
+}  // namespace
+
+std::vector<PanelPlace> parse_layout(std::string_view ini, float panel_width) {
+  constexpr std::string_view k_heading = "[Window][", k_position = "Pos=", k_collapsed = "Collapsed=";
+  std::vector<PanelPlace> places;
+  bool in_window = false;
+  while (!ini.empty()) {
+    const std::size_t end = ini.find('\n');
+    std::string_view line = ini.substr(0, end);
+    ini.remove_prefix(end == std::string_view::npos ? ini.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with('[')) {
+      in_window = line.starts_with(k_heading) && line.ends_with(']');
+      if (in_window) {
+        line.remove_prefix(k_heading.size());
+        line.remove_suffix(1);
+        places.push_back({.name = std::string(line)});
+      }
+    } else if (in_window && line.starts_with(k_position)) {
+      PanelPlace& place = places.back();
+      place.offset = parse_pair(line.substr(k_position.size()));
+      place.from_right = place.offset.x + 0.5F * panel_width > 0.5F * k_layout_size.x;
+      if (place.from_right) place.offset.x = k_layout_size.x - panel_width - place.offset.x;
+    } else if (in_window && line.starts_with(k_collapsed)) {
+      places.back().collapsed = line.substr(k_collapsed.size()) == "1";
+    }
+  }
+  return places;
+}
+
+std::string layout_text(const std::vector<PanelPlace>& places, float panel_width) {
+  std::string text;
+  for (const PanelPlace& place : places) {
+    const float x = place.from_right ? k_layout_size.x - panel_width - place.offset.x : place.offset.x;
+    text += fmt::format("[Window][{}]\nPos={:.0f},{:.0f}\nCollapsed={}\n\n", place.name, x, place.offset.y,
+                        place.collapsed ? 1 : 0);
+  }
+  return text;
+}
+
+PanelLayout::PanelLayout(std::string_view ini) {
+  for (PanelPlace& place : parse_layout(ini, k_panel_width)) panels_.push_back({.place = std::move(place)});
+}
+
+PanelLayout::Panel& PanelLayout::panel(std::string_view name) {
+  const auto named = [&](const auto& candidate) { return candidate.name == name; };
+  const auto found =
+      std::find_if(panels_.begin(), panels_.end(), [&](const Panel& p) { return named(p.place); });
+  if (found != panels_.end()) return *found;
+  PanelPlace place{.name = std::string(name)};
+  const std::vector<PanelPlace> shipped = parse_layout(shipped_layout(), k_panel_width);
+  if (const auto known = std::find_if(shipped.begin(), shipped.end(), named); known != shipped.end())
+    place = *known;
+  return panels_.emplace_back(Panel{.place = place});
+}
+
+void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
+  place_all_ = pending_ || size != size_ || scale != scale_;
+  pending_ = false;
+  size_ = size;
+  scale_ = scale;
+  for (Panel& each : panels_) each.drawn = false;
+}
+
+bool PanelLayout::begin(const Ui& ui, const char* name) {
+  CHECK(open_ == nullptr);
+  Panel& each = panel(name);
+  open_ = &each;
+  const float width = ui.px(k_panel_width);
+  const bool fresh = place_all_ || each.max == glm::vec2(0.0F);
+  glm::vec2 at = each.place.offset * scale_;
+  if (each.place.from_right) at.x = static_cast<float>(size_.x) - width - at.x;
+  // A panel dragged off a window that has shrunk would be lost.
+  at = glm::clamp(at, glm::vec2(0.0F),
+                  glm::max(glm::vec2(size_) - glm::vec2(width, ui.px(32)), glm::vec2(0.0F)));
+  if (fresh) {
+    ImGui::SetNextWindowPos(ImVec2(std::round(at.x), std::round(at.y)));
+    ImGui::SetNextWindowCollapsed(each.place.collapsed);
+  }
+  const float room =
+      std::max(static_cast<float>(size_.y) - (fresh ? at.y : each.min.y) - ui.px(8), ui.px(64));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, room));
+  if (each.toggle) {
+    ImGui::SetNextWindowCollapsed(!each.place.collapsed);
+    each.toggle = false;
+  }
+  // ImGui's own title bar would have the body font and a heavy arrow.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(ui.px(8), 0.5F * (ui.px(k_title_height) - ui.fonts.body.size)));
+  const bool open = ImGui::Begin(("##" + each.place.name).c_str(), nullptr,
+                                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  each.min = from_im(ImGui::GetWindowPos());
+  each.max = each.min + from_im(ImGui::GetWindowSize());
+  each.drawn = true;
+  each.place.collapsed = ImGui::IsWindowCollapsed();
+  draw_title(ui, each);
+  if (!fresh) {
+    const float middle = 0.5F * (each.min.x + each.max.x);
+    each.place.from_right = middle > 0.5F * static_cast<float>(size_.x);
+    each.place.offset = each.min / scale_;
+    if (each.place.from_right)
+      each.place.offset.x = (static_cast<float>(size_.x) - each.min.x - width) / scale_;
+  }
+  return open;
+}
+
+void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float middle = each.min.y + 0.5F * ui.px(k_title_height);
+  list.PushClipRect(im(each.min), im(each.max));
+  draw_text(list, ui.fonts.strong, {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size},
+            ui.colours->text, each.place.name);
+  const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
+  const bool hovered =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
+  draw_icon(list, each.place.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
+            hovered ? ui.colours->text : ui.colours->faint);
+  list.PopClipRect();
+  each.toggle = hovered && ImGui::IsMouseClicked(0);
+}
+
+void PanelLayout::end() {
+  CHECK(open_ != nullptr);
+  ImGui::End();
+  open_ = nullptr;
+}
+
+bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
+  CHECK(open_ == nullptr);
+  Panel& each = panel(name);
+  each.drawn = false;
+  const FreeArea area = free_area(false);
+  open_ = &each;
+  each.bottom = each.drawn = true;
+  const float gap = ui.px(12);
+  const float room = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
+  const float width = std::min(room, ui.px(k_widest_bottom));
+  place_window({std::round(area.middle_x()), static_cast<float>(size_.y) - gap}, {0.5F, 1.0F});
+  ImGui::SetNextWindowSizeConstraints(
+      ImVec2(width, 0.0F), ImVec2(width, static_cast<float>(size_.y) - ui.px(k_bar_height) - 2.0F * gap));
+  ImGui::Begin(("##" + each.place.name).c_str(), nullptr, k_card_window);
+  each.min = from_im(ImGui::GetWindowPos());
+  each.max = each.min + from_im(ImGui::GetWindowSize());
+  return !each.place.collapsed;
+}
+
+void PanelLayout::fold(bool collapsed) {
+  CHECK(open_ != nullptr);
+  open_->place.collapsed = collapsed;
+}
+
+FreeArea PanelLayout::free_area(bool panels_hidden) const {
+  FreeArea area{.window = size_, .min = {0, 0}, .max = size_};
+  if (panels_hidden) return area;
+  area.min.y = static_cast<int>(k_bar_height * scale_);
+  for (const Panel& each : panels_) {
+    if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
+    if (!each.drawn || each.place.collapsed || each.bottom) continue;
+    if (each.place.from_right) {
+      area.max.x = std::min(area.max.x, static_cast<int>(each.min.x));
+    } else {
+      area.min.x = std::max(area.min.x, static_cast<int>(each.max.x));
+    }
+  }
+  // Panels that were moved into the middle leave no free area to speak of.
+  if (area.max.x - area.min.x < size_.x / 3) {
+    area.min.x = 0;
+    area.max.x = size_.x;
+  }
+  return area;
+}
+
+std::string PanelLayout::text() const {
+  std::vector<PanelPlace> places;
+  for (const Panel& each : panels_) places.push_back(each.place);
+  return layout_text(places, k_panel_width);
+}
+
+void PanelLayout::reset() {
+  panels_.clear();
+  pending_ = true;
+}
+
+}  // namespace moldlight::gui

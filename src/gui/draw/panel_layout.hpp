@@ -1,0 +1,85 @@
+// The floating panels' windows: placed by the layout, moved and collapsed by the user. Places are independent
+// of the window's size and scale: a panel keeps its distance to the nearer edges.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gui/draw/ui.hpp"
+
+namespace moldlight::gui {
+
+/// Width of every panel and height of the bar on top, layout units.
+inline constexpr float k_panel_width = 272.0F;
+inline constexpr float k_bar_height = 40.0F;
+inline constexpr float k_title_height = 28.0F;
+
+/// Where a panel's upper left corner is: in layout units from the window's left or right edge and from its
+/// top.
+struct PanelPlace {
+  std::string name;
+  glm::vec2 offset{0.0F};  // from_right: distance of the panel's right edge from the window's
+  bool from_right = false;
+  bool collapsed = false;
+};
+
+/// The size in layout units for which imgui.ini is written.
+inline constexpr glm::vec2 k_layout_size{1280.0F, 720.0F};
+
+/// Places from text as in imgui.ini (written for k_layout_size); panels it does not name are left out.
+[[nodiscard]] std::vector<PanelPlace> parse_layout(std::string_view ini, float panel_width);
+[[nodiscard]] std::string layout_text(const std::vector<PanelPlace>& places, float panel_width);
+
+/// The layout that comes with the program.
+[[nodiscard]] std::string_view shipped_layout();
+
+/// The part of the window that panels leave free, pixels.
+struct FreeArea {
+  glm::ivec2 window{0};
+  glm::ivec2 min{0}, max{0};
+
+  [[nodiscard]] float middle_x() const { return 0.5F * static_cast<float>(min.x + max.x); }
+  bool operator==(const FreeArea&) const = default;
+};
+
+class PanelLayout {
+ public:
+  /// `ini` as imgui.ini; panels that it does not name get their place from the shipped one.
+  explicit PanelLayout(std::string_view ini);
+
+  /// `size` in pixels. Panels are put back in place when it or the scale changed.
+  void begin_frame(const glm::ivec2& size, float scale);
+  /// Begins the panel's window; false if there is nothing to draw in it. Call end() either way.
+  bool begin(const Ui& ui, const char* name);
+  void end();
+  /// The same for a panel along the bottom, between those on the sides; it is as high as what is in it, and
+  /// its first row is its title, which the panel draws. False if it is folded up to that row.
+  bool begin_bottom(const Ui& ui, const char* name);
+  /// Folds the panel that is open up or down from the next frame on.
+  void fold(bool collapsed);
+
+  /// What the panels left free when they were last drawn.
+  [[nodiscard]] FreeArea free_area(bool panels_hidden) const;
+  [[nodiscard]] std::string text() const;
+  void reset();
+
+ private:
+  struct Panel {
+    PanelPlace place;
+    glm::vec2 min{0.0F}, max{0.0F};  // on the screen when last drawn, pixels
+    bool drawn = false;
+    bool bottom = false;
+    bool toggle = false;  // its chevron was clicked
+  };
+  void draw_title(const Ui& ui, Panel& each) const;
+  Panel& panel(std::string_view name);
+
+  std::vector<Panel> panels_;
+  Panel* open_ = nullptr;
+  glm::ivec2 size_{0};
+  float scale_ = 0.0F;
+  bool place_all_ = false, pending_ = true;  // this frame; the next one
+};
+
+}  // namespace moldlight::gui

@@ -1,0 +1,133 @@
+#include "gui/draw/theme.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr ImU32 rgba(std::uint32_t rgb, int alpha = 255) {
+  return IM_COL32((rgb >> 16) & 0xFF, (rgb >> 8) & 0xFF, rgb & 0xFF, alpha);
+}
+
+constexpr ThemeColours k_dark = {
+    .panel = rgba(0x1A1C1F, 224),
+    .panel_border = rgba(0xFFFFFF, 20),
+    .popup = rgba(0x202327, 250),
+    .text = rgba(0xE9EBEE),
+    .muted = rgba(0x9BA1A8),
+    .faint = rgba(0x666C74),
+    .field = rgba(0xFFFFFF, 16),
+    .field_hovered = rgba(0xFFFFFF, 26),
+    .field_active = rgba(0xFFFFFF, 36),
+    .fill = rgba(0xFFFFFF, 34),
+    .accent = rgba(0xDADEE3),
+    .on_accent = rgba(0x16181A),
+    .line = rgba(0xFFFFFF, 22),
+    .scrim = rgba(0x0C0D0E, 150),
+    .warning = rgba(0xE8C26A),
+};
+
+constexpr ThemeColours k_light = {
+    .panel = rgba(0xFCFCFD, 228),
+    .panel_border = rgba(0x000000, 24),
+    .popup = rgba(0xFFFFFF, 252),
+    .text = rgba(0x1B1D20),
+    .muted = rgba(0x5D636A),
+    .faint = rgba(0xA2A8AF),
+    .field = rgba(0x000000, 14),
+    .field_hovered = rgba(0x000000, 24),
+    .field_active = rgba(0x000000, 34),
+    .fill = rgba(0x000000, 28),
+    .accent = rgba(0x33373C),
+    .on_accent = rgba(0xFFFFFF),
+    .line = rgba(0x000000, 22),
+    .scrim = rgba(0xE8EAEC, 150),
+    .warning = rgba(0x9A6A00),
+};
+
+ImVec4 unpacked(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
+
+}  // namespace
+
+const ThemeColours& theme_colours(Theme theme) { return theme == Theme::dark ? k_dark : k_light; }
+
+ImU32 faded(ImU32 colour, float alpha) {
+  const auto own = static_cast<float>((colour >> IM_COL32_A_SHIFT) & 0xFF);
+  const auto scaled = static_cast<ImU32>(own * alpha + 0.5F);
+  return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);
+}
+
+ImU32 packed(const Colour& colour, float alpha) {
+  return IM_COL32(colour.r, colour.g, colour.b, static_cast<int>(alpha * 255.0F + 0.5F));
+}
+
+ImU32 mixed(ImU32 a, ImU32 b, float share_of_b) {
+  ImU32 result = 0;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto from = static_cast<float>((a >> shift) & 0xFF), to = static_cast<float>((b >> shift) & 0xFF);
+    result |= static_cast<ImU32>(from + (to - from) * share_of_b + 0.5F) << shift;
+  }
+  return result;
+}
+
+void apply_style(Theme theme, float scale) {
+  const ThemeColours& c = theme_colours(theme);
+  ImGuiStyle style;
+  style.WindowPadding = ImVec2(12, 8);
+  style.WindowRounding = 8;
+  style.WindowBorderSize = 1;
+  style.WindowMinSize = ImVec2(16, 16);
+  style.WindowTitleAlign = ImVec2(0.0F, 0.5F);
+  style.WindowMenuButtonPosition = ImGuiDir_None;
+  style.ChildRounding = 6;
+  style.ChildBorderSize = 0;
+  style.PopupRounding = 8;
+  style.PopupBorderSize = 1;
+  style.FramePadding = ImVec2(8, 4);
+  style.FrameRounding = 6;
+  style.FrameBorderSize = 0;
+  style.ItemSpacing = ImVec2(6, 4);
+  style.ItemInnerSpacing = ImVec2(8, 4);
+  style.ScrollbarSize = 10;
+  style.ScrollbarRounding = 5;
+  style.GrabRounding = 6;
+  style.DisplaySafeAreaPadding = ImVec2(0, 0);
+  style.ScaleAllSizes(scale);
+  style.WindowBorderSize = style.PopupBorderSize = 1;
+  style.AntiAliasedLinesUseTex = false;
+  style.CircleTessellationMaxError = 0.2F;
+  style.DisabledAlpha = 0.45F;
+
+  auto& colours = style.Colors;
+  for (ImVec4& colour : colours) colour = unpacked(c.field);
+  colours[ImGuiCol_Text] = unpacked(c.text);
+  colours[ImGuiCol_TextDisabled] = unpacked(c.muted);
+  colours[ImGuiCol_WindowBg] = unpacked(c.panel);
+  colours[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
+  colours[ImGuiCol_PopupBg] = unpacked(c.popup);
+  colours[ImGuiCol_Border] = unpacked(c.panel_border);
+  colours[ImGuiCol_BorderShadow] = ImVec4(0, 0, 0, 0);
+  colours[ImGuiCol_FrameBg] = unpacked(c.field);
+  colours[ImGuiCol_FrameBgHovered] = unpacked(c.field_hovered);
+  colours[ImGuiCol_FrameBgActive] = unpacked(c.field_active);
+  for (const int index : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}) {
+    colours[index] = unpacked(c.panel);
+  }
+  colours[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
+  colours[ImGuiCol_ScrollbarGrab] = unpacked(c.field_hovered);
+  colours[ImGuiCol_ScrollbarGrabHovered] = unpacked(c.field_active);
+  colours[ImGuiCol_ScrollbarGrabActive] = unpacked(c.field_active);
+  colours[ImGuiCol_CheckMark] = unpacked(c.accent);
+  colours[ImGuiCol_Button] = unpacked(c.field);
+  colours[ImGuiCol_ButtonHovered] = unpacked(c.field_hovered);
+  colours[ImGuiCol_ButtonActive] = unpacked(c.field_active);
+  colours[ImGuiCol_Header] = unpacked(c.field_hovered);
+  colours[ImGuiCol_HeaderHovered] = unpacked(c.field_hovered);
+  colours[ImGuiCol_HeaderActive] = unpacked(c.field_active);
+  colours[ImGuiCol_Separator] = unpacked(c.line);
+  colours[ImGuiCol_TextSelectedBg] = unpacked(faded(c.accent, 0.3F));
+  colours[ImGuiCol_ModalWindowDimBg] = unpacked(c.scrim);
+  colours[ImGuiCol_NavHighlight] = unpacked(c.accent);
+  ImGui::GetStyle() = style;
+}
+
+}  // namespace moldlight::gui

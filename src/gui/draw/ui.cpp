@@ -1,0 +1,50 @@
+#include "gui/draw/ui.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace moldlight::gui {
+
+glm::vec2 text_size(const SizedFont& font, std::string_view text) {
+  if (text.empty()) return {0.0F, font.size};  // ImGui would look for the end of a null pointer's string
+  const ImVec2 size = font.font->CalcTextSizeA(font.size, std::numeric_limits<float>::max(), 0.0F,
+                                               text.data(), text.data() + text.size());
+  return {std::ceil(size.x), size.y};
+}
+
+void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU32 colour,
+               std::string_view text) {
+  if (text.empty()) return;
+  list.AddText(font.font, font.size, ImVec2(std::round(at.x), std::round(at.y)), colour, text.data(),
+               text.data() + text.size());
+}
+
+std::string grouped(std::string_view number) {
+  constexpr std::string_view k_gap = "\u2009";
+  const std::size_t start = number.starts_with('-') ? 1 : 0;
+  const std::size_t end = std::min(number.find_first_not_of("0123456789", start), number.size());
+  std::string result(number.substr(0, start));
+  for (std::size_t k = start; k < end; ++k) {
+    if (k > start && (end - k) % 3 == 0 && end - start > 3) result += k_gap;
+    result += number[k];
+  }
+  return result + std::string(number.substr(end));
+}
+
+std::string fitted(const SizedFont& font, std::string_view text, float width) {
+  if (text_size(font, text).x <= width) return std::string(text);
+  // Bytes of UTF-8 that continue a character may not be cut off from it.
+  const auto boundary = [&](std::size_t at) {
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
+    return std::min(at, text.size());
+  };
+  for (std::size_t kept = text.size(); kept > 1; --kept) {
+    const std::string shorter = std::string(text.substr(0, boundary(kept / 2))) + "…" +
+                                std::string(text.substr(boundary(text.size() - kept / 2)));
+    if (text_size(font, shorter).x <= width) return shorter;
+  }
+  return "…";
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,90 @@
+// What every panel needs to draw: scale, fonts, colours, time. And the few names that changed between
+// versions of ImGui.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <imgui.h>
+
+#include "gui/draw/fonts.hpp"
+#include "gui/draw/theme.hpp"
+
+namespace moldlight::gui {
+
+/// Where a control was drawn, pixels.
+struct ControlPlace {
+  glm::vec2 min{0.0F}, max{0.0F};
+  [[nodiscard]] glm::vec2 centre() const { return 0.5F * (min + max); }
+};
+
+/// What the controls remember from one frame to the next.
+struct UiMemory {
+  ImGuiID typing_id = 0;  // the control into which a value is being typed
+  std::array<char, 64> typed{};
+  bool typing_starts = false;
+  ImGuiID resting_on = 0;  // the item on which the mouse rests
+  double resting_since_s = 0.0;
+  double wake_s = std::numeric_limits<double>::infinity();  // when the next frame is wanted at the latest
+  std::map<std::string, ControlPlace, std::less<>>
+      controls;  // of this frame, by label: recorded input finds them
+};
+
+struct Ui {
+  float scale = 1.0F;  // pixels per layout unit
+  Fonts fonts;
+  const ThemeColours* colours = nullptr;
+  double now_s = 0.0;
+  UiMemory* memory = nullptr;
+
+  /// Whole pixels of a length in layout units.
+  [[nodiscard]] float px(float units) const { return std::round(units * scale); }
+};
+
+[[nodiscard]] inline ImVec2 im(const glm::vec2& v) { return {v.x, v.y}; }
+[[nodiscard]] inline glm::vec2 from_im(const ImVec2& v) { return {v.x, v.y}; }
+
+/// A GL texture as ImGui takes it.
+[[nodiscard]] inline ImTextureID texture_id(unsigned name) {
+#if IMGUI_VERSION_NUM >= 19140
+  return static_cast<ImTextureID>(name);
+#else
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
+#endif
+}
+
+inline void push_font(const SizedFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::PushFont(font.font, font.size);
+#else
+  ImGui::PushFont(font.font);
+#endif
+}
+
+/// Pops the font when it goes out of scope.
+class FontScope {
+ public:
+  explicit FontScope(const SizedFont& font) { push_font(font); }
+  ~FontScope() { ImGui::PopFont(); }
+  FontScope(const FontScope&) = delete;
+  FontScope& operator=(const FontScope&) = delete;
+};
+
+/// Size of a text in a font, pixels.
+[[nodiscard]] glm::vec2 text_size(const SizedFont& font, std::string_view text);
+/// Draws a text with its upper left corner there.
+void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU32 colour,
+               std::string_view text);
+/// Digits before the point in groups of three: "1 234.5" with thin gaps.
+[[nodiscard]] std::string grouped(std::string_view number);
+/// Shortened in its middle to fit a width in pixels.
+[[nodiscard]] std::string fitted(const SizedFont& font, std::string_view text, float width);
+
+}  // namespace moldlight::gui

@@ -1,0 +1,389 @@
+#include "gui/draw/widgets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "session/option.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
+
+/// A row's place on the screen, and what the mouse does to it.
+struct Row {
+  glm::vec2 min{0.0F}, max{0.0F};
+  bool hovered = false, active = false, clicked = false;
+  [[nodiscard]] float middle() const { return 0.5F * (min.y + max.y); }
+};
+
+Row begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
+  const std::string id(label);
+  if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
+  Row row;
+  row.clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(std::max(width, 1.0F), ui.px(k_row_height)));
+  row.min = from_im(ImGui::GetItemRectMin());
+  row.max = from_im(ImGui::GetItemRectMax());
+  row.hovered = ImGui::IsItemHovered();
+  row.active = ImGui::IsItemActive();
+  ui.memory->controls[id] = {row.min, row.max};
+  return row;
+}
+
+ImU32 field_colour(const Ui& ui, const Row& row) {
+  return row.active ? ui.colours->field_active : row.hovered ? ui.colours->field_hovered : ui.colours->field;
+}
+
+void draw_row_text(const SizedFont& font, float left, const Row& row, ImU32 colour, std::string_view text) {
+  draw_text(*ImGui::GetWindowDrawList(), font, {left, row.middle() - 0.5F * font.size}, colour, text);
+}
+
+/// The label; a changed setting has a dot before it, which tells where a reset does something.
+void draw_label(const Ui& ui, const Row& row, std::string_view label, bool modified) {
+  const std::string_view shown = label.substr(0, label.find("##"));
+  float left = row.min.x + ui.px(8);
+  if (modified) {
+    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(left + ui.px(2), row.middle()), 2.5F * ui.scale,
+                                                ui.colours->text);
+    left += ui.px(9);
+  }
+  draw_row_text(ui.fonts.body, left, row, modified ? ui.colours->text : ui.colours->muted, shown);
+}
+
+void draw_value(const Ui& ui, const Row& row, std::string_view text) {
+  draw_row_text(ui.fonts.body, row.max.x - ui.px(8) - text_size(ui.fonts.body, text).x, row, ui.colours->text,
+                text);
+}
+
+double snapped(double value, const SliderSpec& spec) {
+  if (spec.snap) {
+    value = spec.snap(value);
+  } else if (spec.step > 0.0)
+    value = std::round(value / spec.step) * spec.step;
+  return std::clamp(value, spec.min, spec.max);
+}
+
+double share_of(double value, const SliderSpec& spec) {
+  const double share = spec.logarithmic ? std::log(value / spec.min) / std::log(spec.max / spec.min)
+                                        : (value - spec.min) / (spec.max - spec.min);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double value_at(double share, const SliderSpec& spec) {
+  share = std::clamp(share, 0.0, 1.0);
+  return spec.logarithmic ? spec.min * std::pow(spec.max / spec.min, share)
+                          : spec.min + share * (spec.max - spec.min);
+}
+
+void start_typing(UiMemory& memory, ImGuiID id, const std::string& text) {
+  memory.typing_id = id;
+  memory.typing_starts = true;
+  std::snprintf(memory.typed.data(), memory.typed.size(), "%s", text.c_str());
+}
+
+/// The typed field in place of a row; true when a number was entered.
+bool typed_row(const Ui& ui, ImGuiID id, float width, double& value) {
+  UiMemory& memory = *ui.memory;
+  ImGui::SetNextItemWidth(width);
+  if (memory.typing_starts) ImGui::SetKeyboardFocusHere();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(ui.px(8), 0.5F * (ui.px(k_row_height) - ui.fonts.body.size)));
+  ImGui::PushID(static_cast<int>(id));
+  const bool entered =
+      ImGui::InputText("##typed", memory.typed.data(), memory.typed.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = ImGui::IsItemDeactivated(), edited = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopID();
+  ImGui::PopStyleVar();
+  memory.typing_starts = false;
+  if (!entered && !left) return false;
+  memory.typing_id = 0;
+  const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
+  if (given_up) return false;
+  try {
+    value = parse_real(memory.typed.data(), "value");
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+bool wants_typing() {
+  return ImGui::IsItemHovered() &&
+         (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl));
+}
+
+}  // namespace
+
+bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified) {
+  const std::string id_text(label);
+  const ImGuiID id = ImGui::GetID(id_text.c_str());
+  if (ui.memory->typing_id == id) {
+    double typed = value;
+    if (!typed_row(ui, id, ImGui::GetContentRegionAvail().x, typed)) return false;
+    typed = std::clamp(typed, spec.min, spec.max);
+    const bool changed = typed != value;
+    value = typed;
+    return changed;
+  }
+  const Row row = begin_row(ui, label);
+  const double before = value;
+  if (wants_typing()) {
+    start_typing(*ui.memory, id, real_text(value));
+  } else if (row.active) {
+    const float mouse = ImGui::GetIO().MousePos.x;
+    // A press alone changes nothing: the first of two clicks that start typing would.
+    if (std::abs(ImGui::GetMouseDragDelta(0, 0.0F).x) >= 2.0F * ui.scale) {
+      value = snapped(value_at((mouse - row.min.x) / (row.max.x - row.min.x), spec), spec);
+    }
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ui.px(6);
+  list.AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), rounding);
+  const float end = row.min.x + static_cast<float>(share_of(value, spec)) * (row.max.x - row.min.x);
+  list.PushClipRect(im(row.min), ImVec2(std::round(end), row.max.y), true);
+  list.AddRectFilled(im(row.min), im(row.max), ui.colours->fill, rounding);
+  list.PopClipRect();
+  if (row.hovered || row.active) {
+    const float x = std::clamp(std::round(end), row.min.x + ui.px(4), row.max.x - ui.px(4));
+    list.AddRectFilled(ImVec2(x - ui.px(1), row.min.y + ui.px(6)), ImVec2(x + ui.px(1), row.max.y - ui.px(6)),
+                       ui.colours->accent, ui.px(1));
+  }
+  draw_label(ui, row, label, modified);
+  draw_value(ui, row, spec.text(value));
+  if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  return value != before;
+}
+
+bool number_field(const Ui& ui, const char* id_text, std::string_view label, double& value, int decimals,
+                  float width) {
+  const ImGuiID id = ImGui::GetID(id_text);
+  if (ui.memory->typing_id == id) {
+    double typed = value;
+    if (!typed_row(ui, id, width, typed)) return false;
+    const bool changed = typed != value;
+    value = typed;
+    return changed;
+  }
+  const Row row = begin_row(ui, id_text, width);
+  if (row.clicked) start_typing(*ui.memory, id, real_text(value));
+  ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
+  draw_row_text(ui.fonts.body, row.min.x + ui.px(8), row, ui.colours->muted, label);
+  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
+  draw_value(ui, row, fmt::format("{:.{}f}", shown, decimals));
+  if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  return false;
+}
+
+bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified) {
+  const Row row = begin_row(ui, label);
+  if (row.clicked) on = !on;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (row.hovered) list.AddRectFilled(im(row.min), im(row.max), ui.colours->field, ui.px(6));
+  draw_label(ui, row, label, modified);
+  const float height = ui.px(14), width = ui.px(24);
+  const glm::vec2 min(row.max.x - ui.px(8) - width, std::round(row.middle() - 0.5F * height));
+  list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height),
+                     on ? ui.colours->accent : ui.colours->field_active, 0.5F * height);
+  const float knob = 0.5F * height - ui.px(2);
+  list.AddCircleFilled(
+      ImVec2(on ? min.x + width - 0.5F * height : min.x + 0.5F * height, min.y + 0.5F * height), knob,
+      on ? ui.colours->on_accent : ui.colours->muted);
+  return row.clicked;
+}
+
+bool choice(const Ui& ui, std::string_view label, std::span<const std::string_view> words, int& index,
+            bool modified) {
+  ImGui::PushID(label.data(), label.data() + label.size());
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
+  std::vector<float> widths;
+  float total = 0.0F;
+  for (const std::string_view word : words) {
+    widths.push_back(text_size(ui.fonts.body, word).x + ui.px(12));
+    total += widths.back();
+  }
+  const glm::vec2 box_min(start.x + width - total, start.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  Row label_row{.min = start, .max = start + glm::vec2(width, height)};
+  draw_label(ui, label_row, label, modified);
+  list.AddRectFilled(im(box_min), im(label_row.max), ui.colours->field, ui.px(6));
+  bool changed = false;
+  float left = box_min.x;
+  ImGui::BeginGroup();
+  ImGui::Dummy(ImVec2(width, height));
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    ImGui::SetCursorScreenPos(ImVec2(left, start.y));
+    ImGui::PushID(static_cast<int>(k));
+    const bool clicked = ImGui::InvisibleButton("word", ImVec2(widths[k], height));
+    const bool chosen = static_cast<int>(k) == index;
+    const glm::vec2 min(left, start.y), max(left + widths[k], start.y + height);
+    if (chosen || ImGui::IsItemHovered()) {
+      const glm::vec2 inset(ui.px(2), ui.px(2));
+      list.AddRectFilled(im(min + inset), im(max - inset),
+                         chosen ? ui.colours->accent : ui.colours->field_hovered, ui.px(4));
+    }
+    draw_text(list, ui.fonts.body, {left + ui.px(6), start.y + 0.5F * (height - ui.fonts.body.size)},
+              chosen ? ui.colours->on_accent : ui.colours->text, words[k]);
+    ui.memory->controls[fmt::format("{}={}", label, words[k])] = {min, max};
+    if (clicked && !chosen) {
+      index = static_cast<int>(k);
+      changed = true;
+    }
+    left += widths[k];
+    ImGui::PopID();
+  }
+  ImGui::EndGroup();
+  ImGui::PopID();
+  return changed;
+}
+
+bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
+  const std::string_view shown = label.substr(0, label.find("##"));
+  const float text_width = text_size(ui.fonts.body, shown).x;
+  const Row row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
+  const bool filled = spec.strong || spec.chosen;
+  const ImU32 back = filled ? faded(ui.colours->accent, row.hovered ? 0.85F : 1.0F) : field_colour(ui, row);
+  ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
+  draw_row_text(ui.fonts.body, 0.5F * (row.min.x + row.max.x - text_width), row,
+                filled ? ui.colours->on_accent : ui.colours->text, shown);
+  return row.clicked;
+}
+
+bool icon_button(const Ui& ui, const char* id, Icon icon, std::string_view tip, bool chosen) {
+  const Row row = begin_row(ui, id, ui.px(k_row_height));
+  if (row.hovered || chosen) {
+    ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
+  }
+  draw_icon(*ImGui::GetWindowDrawList(), icon, 0.5F * (row.min + row.max), ui.px(14),
+            row.hovered ? ui.colours->text : ui.colours->muted);
+  tooltip(ui, {}, tip);
+  return row.clicked;
+}
+
+bool chip(const Ui& ui, std::string_view label, bool on, float width) {
+  const Row row = begin_row(ui, label, width);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = 0.5F * (row.max.y - row.min.y);
+  if (on || row.hovered) {
+    list.AddRectFilled(im(row.min), im(row.max), on ? ui.colours->field_active : ui.colours->field, rounding);
+  }
+  if (!on) list.AddRect(im(row.min), im(row.max), ui.colours->line, rounding);
+  draw_row_text(ui.fonts.body, row.min.x + ui.px(9), row, on ? ui.colours->text : ui.colours->muted, label);
+  return row.clicked;
+}
+
+bool disclosure(const Ui& ui, std::string_view label, bool open) {
+  const Row row = begin_row(ui, "disclosure");
+  const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
+  draw_row_text(ui.fonts.small, row.min.x + ui.px(8), row, colour, label);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const glm::vec2 at(row.min.x + ui.px(16) + text_size(ui.fonts.small, label).x, row.middle());
+  const float half = ui.px(3), lift = (open ? -0.5F : 0.5F) * half;
+  const ImVec2 points[3] = {ImVec2(at.x - half, at.y - lift), ImVec2(at.x, at.y + lift),
+                            ImVec2(at.x + half, at.y - lift)};
+  list.AddPolyline(points, 3, colour, ImDrawFlags_None, 1.25F * ui.scale);
+  return row.clicked;
+}
+
+bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  place_window(0.5F * from_im(window), glm::vec2(0.5F));
+  if (size.y > 0.0F) {
+    ImGui::SetNextWindowSize(im(size));
+  } else if (size.x > 0.0F) {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), ImVec2(size.x, window.y));
+  }
+  ImGui::SetNextWindowBgAlpha(1.0F);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  if (size.y <= 0.0F) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  return ImGui::Begin(name, nullptr, flags);
+}
+
+void end_dialog() {
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
+  constexpr double k_rest_s = 0.5;
+  if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
+  UiMemory& memory = *ui.memory;
+  const glm::vec2 corner = from_im(ImGui::GetItemRectMin());
+  const auto item = static_cast<ImGuiID>(static_cast<int>(corner.x) * 8192 + static_cast<int>(corner.y) + 1);
+  if (item != memory.resting_on) {
+    memory.resting_on = item;
+    memory.resting_since_s = ui.now_s;
+  }
+  if (ui.now_s - memory.resting_since_s < k_rest_s) {
+    memory.wake_s = std::min(memory.wake_s, memory.resting_since_s + k_rest_s);
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(260));
+  if (!title.empty()) heading(ui, title);
+  coloured_text(title.empty() ? ui.colours->text : ui.colours->muted, text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void place_window(const glm::vec2& at, const glm::vec2& pivot) {
+  ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
+}
+
+void heading(const Ui& ui, std::string_view text) {
+  const FontScope strong(ui.fonts.strong);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+void coloured_text(ImU32 colour, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+}
+
+void hint(const Ui& ui, std::string_view text) {
+  const FontScope small(ui.fonts.small);
+  // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
+  const bool wraps = ImGui::GetContentRegionAvail().x > ui.px(k_least_wrap);
+  if (wraps) ImGui::PushTextWrapPos(0.0F);
+  coloured_text(ui.colours->muted, text);
+  if (wraps) ImGui::PopTextWrapPos();
+}
+
+void figure_right(const Ui& ui, const SizedFont& font, float right, float top, std::string_view value,
+                  std::string_view unit, ImU32 colour) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!unit.empty()) {
+    right -= text_size(font, unit).x;
+    draw_text(list, font, {right, top}, faded(ui.colours->muted, 1.0F), unit);
+    right -= ui.px(3);
+  }
+  draw_text(list, font, {right - text_size(font, value).x, top}, colour, value);
+}
+
+void progress_bar(const Ui& ui, double fraction, float width) {
+  const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
+  const float height = ui.px(4);
+  ImGui::Dummy(ImVec2(width, height));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height), ui.colours->field_hovered,
+                     0.5F * height);
+  if (fraction < 0.0) return;
+  const float done = std::max(height, width * static_cast<float>(std::min(fraction, 1.0)));
+  list.AddRectFilled(im(min), ImVec2(min.x + done, min.y + height), ui.colours->accent, 0.5F * height);
+}
+
+}  // namespace moldlight::gui

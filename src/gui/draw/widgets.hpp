@@ -1,0 +1,80 @@
+// The window's own controls: one row each, name on the left and value on the right, no boxes in boxes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gui/draw/icons.hpp"
+#include "gui/draw/ui.hpp"
+
+namespace moldlight::gui {
+
+/// Height of a control, layout units.
+inline constexpr float k_row_height = 24.0F;
+
+/// A number on a bar that is dragged, or typed into after a double click or Ctrl+click.
+struct SliderSpec {
+  double min = 0.0, max = 1.0;
+  double step = 0.0;                        // values of a drag are multiples of it; 0: any
+  bool logarithmic = false;                 // min > 0
+  std::function<double(double)> snap = {};  // to the round values that a drag stops at, in place of the step
+  std::function<std::string(double)> text = {};  // as shown, unit included
+};
+bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified);
+
+/// A number that is typed.
+bool number_field(const Ui& ui, const char* id, std::string_view label, double& value, int decimals,
+                  float width);
+
+bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified);
+
+/// One of a few words, side by side.
+bool choice(const Ui& ui, std::string_view label, std::span<const std::string_view> words, int& index,
+            bool modified);
+
+struct ButtonSpec {
+  float width = 0.0F;   // pixels; 0: as wide as the text
+  bool strong = false;  // the one that Enter stands for
+  bool chosen = false;
+};
+bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec = {});
+bool icon_button(const Ui& ui, const char* id, Icon icon, std::string_view tip, bool chosen = false);
+
+/// A switch as a small rounded word.
+bool chip(const Ui& ui, std::string_view label, bool on, float width);
+/// A quiet row that shows or hides more rows.
+bool disclosure(const Ui& ui, std::string_view label, bool open);
+
+/// A window in the middle of the screen over a scrim; `size` in pixels, 0: as wide or high as what is in it.
+/// Call end_dialog() either way.
+bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size);
+void end_dialog();
+
+/// A tooltip for the item just drawn, shown when the mouse rests on it: a title (may be empty) and a
+/// sentence.
+void tooltip(const Ui& ui, std::string_view title, std::string_view text);
+
+/// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
+inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+inline constexpr ImGuiWindowFlags k_card_window =
+    k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+/// The next window's place: that of its point at `pivot`, which is a share of its size.
+void place_window(const glm::vec2& at, const glm::vec2& pivot);
+
+/// Text in the strong font.
+void heading(const Ui& ui, std::string_view text);
+void coloured_text(ImU32 colour, std::string_view text);
+/// Text in the small font and the muted colour, wrapped to the panel's width.
+void hint(const Ui& ui, std::string_view text);
+/// A text with its unit muted behind it, right-aligned to `right` (pixels).
+void figure_right(const Ui& ui, const SizedFont& font, float right, float top, std::string_view value,
+                  std::string_view unit, ImU32 colour);
+
+/// A thin bar from 0 to 1; less than 0: no share is known.
+void progress_bar(const Ui& ui, double fraction, float width);
+
+}  // namespace moldlight::gui

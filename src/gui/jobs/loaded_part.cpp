@@ -1,0 +1,53 @@
+#include "gui/jobs/loaded_part.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "mold/candidates/find_candidates.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+std::vector<FeatureDirection> feature_directions(const PartModel& model, const Progress& progress) {
+  CandidateOptions options;
+  options.kinds = {CandidateKind::axis, CandidateKind::revolution, CandidateKind::plane,
+                   CandidateKind::perpendicular};
+  options.most_per_kind = 12;
+  options.merge_deg = 0.2;
+  std::vector<FeatureDirection> features;
+  for (const Candidate& candidate :
+       find_candidates(model.part.mesh, model.geometry, model.adjacency, options, progress)) {
+    features.push_back({candidate.direction, candidate.sources.front().reason});
+  }
+  return features;
+}
+
+}  // namespace
+
+LoadedPart load_for_window(const std::string& path, const ReadOptions& options, const Progress& progress) {
+  LoadedPart loaded{
+      .path = path, .model = load_part(path, options, progress), .geometry = {}, .features = {}};
+  progress.report("preparing the picture", 0.0);
+  const PartModel& model = *loaded.model;
+  loaded.geometry = std::make_shared<const ViewGeometry>(
+      view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
+  loaded.features = feature_directions(model, progress);
+  progress.report("ready", 1.0);
+  return loaded;
+}
+
+glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features, const glm::dvec3& direction) {
+  glm::dvec3 best = direction;
+  double best_cosine = 0.0;
+  for (const FeatureDirection& feature : features) {
+    const double cosine = glm::dot(feature.direction, direction);
+    if (std::abs(cosine) <= best_cosine) continue;
+    best_cosine = std::abs(cosine);
+    best = cosine > 0.0 ? feature.direction : -feature.direction;
+  }
+  return best;
+}
+
+}  // namespace moldlight::gui

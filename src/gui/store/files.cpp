@@ -1,0 +1,65 @@
+#include "gui/store/files.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "io/atomic_file.hpp"
+#include "io/png.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> state_folder() {
+  // The specification has relative paths ignored.
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state != nullptr && fs::path(state).is_absolute()) return fs::path(state) / "moldlight";
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local/state/moldlight";
+  return std::nullopt;
+}
+
+std::optional<std::string> read_text(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::error_code ignored;  // write_file says what is wrong with the folder
+  fs::create_directories(path.parent_path(), ignored);
+  write_file(path.string(), text);
+}
+
+std::vector<std::string> shipped_parts() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  std::vector<fs::path> folders = {program / "../share/moldlight/parts"};
+  // A program that was built but not installed stands some folders below the source tree.
+  for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
+    folders.push_back(folder / "assets/parts");
+  }
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder, error)) continue;
+    std::vector<std::string> parts;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      if (entry.path().extension() == ".stl")
+        parts.push_back(fs::weakly_canonical(entry.path(), error).string());
+    }
+    std::sort(parts.begin(), parts.end());
+    if (!parts.empty()) return parts;
+  }
+  return {};
+}
+
+void write_picture(const std::string& path, const glm::ivec2& size, std::vector<std::uint8_t> rgba) {
+  for (std::size_t alpha = 3; alpha < rgba.size(); alpha += 4) rgba[alpha] = 255;
+  write_png(path, {.width = size.x, .height = size.y, .rgba = std::move(rgba)});
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,32 @@
+// Files of the window: the user's own state (XDG base directories), the parts that come with the program,
+// pictures.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace moldlight::gui {
+
+/// $XDG_STATE_HOME/moldlight, else ~/.local/state/moldlight; nothing without a home. Need not exist yet.
+[[nodiscard]] std::optional<std::filesystem::path> state_folder();
+
+/// All bytes of a small text file; nothing where it cannot be read.
+[[nodiscard]] std::optional<std::string> read_text(const std::filesystem::path& path);
+
+/// Replaces the file whole or not at all, and makes its folder. Throws FileError.
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+/// Paths of the shipped parts, by name: beside the installed program or in the source tree; empty where they
+/// are not found.
+[[nodiscard]] std::vector<std::string> shipped_parts();
+
+/// A PNG of the window: RGBA8, rows from above; the alpha is ignored. The file is replaced whole or not at
+/// all; throws FileError.
+void write_picture(const std::string& path, const glm::ivec2& size, std::vector<std::uint8_t> rgba);
+
+}  // namespace moldlight::gui

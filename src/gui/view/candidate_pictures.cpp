@@ -1,0 +1,126 @@
+#include "gui/view/candidate_pictures.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "base/error.hpp"
+#include "mold/map_frame.hpp"
+#include "session/classification.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr int k_small_maps = 512;
+constexpr int k_refinements = 6;
+constexpr double k_fill = 0.9;
+/// Of the lines in a small picture, to those in a large one.
+constexpr double k_thin = 0.6;
+
+/// From aside and above, as the pull sees above: what is under the part's ledges shows, and where it opens
+/// too.
+Camera telling_view(const PartModel& model, const glm::dvec3& direction, const glm::ivec2& size) {
+  const MapFrame frame = map_frame(direction);
+  Camera camera;
+  camera.orientation = looking_along(-(0.62 * frame.z + 0.62 * frame.x + 0.48 * frame.y), frame.z);
+  return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_fill);
+}
+
+std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const MethodSettings& method,
+                                            const Progress& progress) {
+  try {
+    return classify_exact(model, method, progress, true).split;
+  } catch (const UsageError&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+SplitView split_view_of(const Camera& camera, const glm::ivec2& window, std::size_t candidate, int side) {
+  SplitView split{.candidate = candidate, .left = window.x / 2, .size = {}, .camera = camera};
+  split.size = {window.x - split.left, window.y};
+  // What is in the middle of the left half's free part is in the middle of the right one's too.
+  const int shift = window.x - split.left - side;
+  const double aside = 0.5 * window.x - (split.left + 0.5 * split.size.x) + shift;
+  split.camera = panned(camera, {aside, 0.0}, split.size);
+  return split;
+}
+
+void draw_split(const Ui& ui, const SplitView& split, unsigned texture) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto left = static_cast<float>(split.left), right = left + static_cast<float>(split.size.x);
+  const auto bottom = static_cast<float>(split.size.y);
+  list.AddImage(texture_id(texture), ImVec2(left, 0.0F), ImVec2(right, bottom), ImVec2(0, 1), ImVec2(1, 0));
+  list.AddRectFilled(ImVec2(left - 0.5F * ui.px(2), 0.0F), ImVec2(left + 0.5F * ui.px(2), bottom),
+                     ui.colours->line);
+}
+
+CandidatePictures::CandidatePictures(const gl::Context& context, const LoadedPart& part,
+                                     std::shared_ptr<const SweepResult> result, std::function<void()> wake)
+    : context_(&context),
+      result_(std::move(result)),
+      scene_(context, part),
+      small_(result_->candidates.size()),
+      job_({.work =
+                [model = part.model](const MethodSettings& method, const Progress& progress) {
+                  return Split{method, split_mesh(*model, method, progress)};
+                },
+            .wake = std::move(wake)}) {}
+
+bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& size_px) {
+  const bool fits = std::all_of(small_.begin(), small_.end(),
+                                [&](const auto& target) { return !target || target->size() == size_px; });
+  if (!fits || theme_ != view.theme || palette_ != view.palette) {
+    for (auto& target : small_) target.reset();
+    theme_ = view.theme;
+    palette_ = view.palette;
+  }
+  const auto missing = std::find(small_.begin(), small_.end(), std::nullopt);
+  if (missing == small_.end()) return false;
+  const SweepCandidate& candidate = result_->candidates[static_cast<std::size_t>(missing - small_.begin())];
+  missing->emplace(context_->functions(), size_px);
+  SceneSettings scene;
+  scene.method = result_->settings.method;
+  scene.method.direction = candidate.candidate.direction;
+  scene.method.resolution = std::min(scene.method.resolution, k_small_maps);
+  scene.view.theme = view.theme;
+  scene.view.palette = view.palette;
+  scene.view.tau_deg = view.tau_deg;
+  scene.view.pixel_scale = k_thin * view.pixel_scale;
+  scene.camera = telling_view(*scene_.part().model, scene.method.direction, size_px);
+  for (int pass = 0; pass < k_refinements; ++pass) {
+    if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
+  }
+  return std::find(missing, small_.end(), std::nullopt) != small_.end();
+}
+
+std::vector<unsigned> CandidatePictures::textures() const {
+  std::vector<unsigned> names;
+  for (const auto& target : small_) names.push_back(target ? target->texture() : 0);
+  return names;
+}
+
+bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settings) {
+  settings.method.direction = result_->candidates[split.candidate].candidate.direction;
+  settings.camera = split.camera;
+  settings.marks = {};
+  if (wanted_ != settings.method) {
+    wanted_ = settings.method;
+    job_.request(settings.method);
+  }
+  if (auto found = job_.take()) split_ = std::move(found);
+  settings.split = split_ && split_->of == settings.method ? split_->mesh : nullptr;
+  static_cast<void>(beside(split.size));
+  return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);
+}
+
+unsigned CandidatePictures::beside(const glm::ivec2& size) {
+  if (!beside_ || beside_->size() != size) beside_.emplace(context_->functions(), size);
+  return beside_->texture();
+}
+
+}  // namespace moldlight::gui

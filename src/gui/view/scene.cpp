@@ -1,0 +1,161 @@
+#include "gui/view/scene.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "mold/map_frame.hpp"
+#include "session/classifier.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr double k_fill = 0.92;  // of the free area
+
+}  // namespace
+
+Scene::Scene(const gl::Context& context, const LoadedPart& part)
+    : context_(&context),
+      part_(part),
+      maps_(context, part.model),
+      view_(context.functions(), *part.geometry),
+      map_picture_(context.functions()) {}
+
+bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
+  const MethodSettings& method = settings.method;
+  const MapInputs inputs{.direction = unit_direction(method.direction),
+                         .tau_deg = method.tau_deg,
+                         .settings = map_settings(method, part_.model->frame.diagonal)};
+  if (settings.split != split_) {
+    split_ = settings.split;
+    split_ ? maps_.take_split(*split_, *part_.geometry, method) : maps_.drop_split();
+  }
+  // Coarse maps do until the split mesh is there, which comes at once.
+  const bool fine = settings.maps_looked_at && !settings.direction_moves;
+  if (maps_of_ != inputs || (fine && maps_are_coarse_)) {
+    fine ? maps_.draw_resting(method) : maps_.draw_moving(method);
+    maps_of_ = inputs;
+    maps_are_coarse_ = !fine;
+    thumbnails_stale_ = true;
+  }
+  if (fine && settings.samples) compare_with(settings.samples);
+  if (settings.view.contour_edges) find_contour_edges(inputs);
+  drawn_ = true;
+  return view_.draw(target, maps_.subject(), settings.camera, settings.view, settings.marks);
+}
+
+void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
+  const std::uint64_t revision = maps_.maps().revision();
+  if (compared_samples_ == samples && compared_maps_ == revision) return;
+  if (!sample_pass_) sample_pass_.emplace(context_->functions());
+  comparison_ = std::make_shared<const MapComparison>(
+      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.buffers(), maps_.maps())));
+  compared_samples_ = samples;
+  compared_maps_ = revision;
+}
+
+void Scene::find_contour_edges(const MapInputs& inputs) {
+  if (contour_of_ == inputs) return;
+  const PartModel& model = *part_.model;
+  const std::vector<FacetClass> classes = facet_classes(model.geometry, inputs.direction, inputs.tau_deg);
+  const TriangleMesh& mesh = model.part.mesh;
+  view_.set_contour_edges(contour_edges(mesh, model.edges.convex, classes, model.frame),
+                          contour_edges(mesh, model.edges.concave, classes, model.frame));
+  contour_of_ = inputs;
+}
+
+void Scene::choose_face(const ChosenFace* face) {
+  view_.choose_facets(face != nullptr ? face->facets : std::vector<FacetIndex>());
+  view_.set_outline(face != nullptr ? outline_of(*part_.model, *face) : std::vector<ViewSegment>());
+}
+
+std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
+  if (!drawn_) return std::nullopt;
+  return view_.pick(pixel);
+}
+
+Scene::Thumbnails Scene::thumbnails(int size_px) {
+  if (!maps_of_) return {};
+  if (!plus_ || plus_->size().x != size_px) {
+    plus_.emplace(context_->functions(), glm::ivec2(size_px));
+    minus_.emplace(context_->functions(), glm::ivec2(size_px));
+    thumbnails_stale_ = true;
+  }
+  if (thumbnails_stale_) {
+    maps_.complete_depths();
+    map_picture_.draw(plus_->framebuffer(), plus_->size(), maps_.maps(), true);
+    map_picture_.draw(minus_->framebuffer(), minus_->size(), maps_.maps(), false);
+    thumbnails_stale_ = false;
+  }
+  return {plus_->texture(), minus_->texture()};
+}
+
+ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
+                           double pixel_scale) {
+  const LookSettings& look = settings.look;
+  ViewSettings view;
+  view.theme = theme;
+  view.palette = look.palette;
+  view.colour_mode = look.colouring == Colouring::regions ? ColourMode::regions : ColourMode::draft_angle;
+  view.regions_by = look.regions_by;
+  view.mark_difference = look.mark_difference;
+  view.hatch_undercut = look.hatching;
+  view.feature_edges = look.feature_edges;
+  view.facet_edges = look.facet_edges;
+  view.contour_edges = look.contour_edges;
+  view.near_vertical = look.near_vertical;
+  view.parting_arrows = look.arrows;
+  view.tau_deg = settings.method.tau_deg;
+  view.open_mold = open_mold * k_mold_travel;
+  view.others_opacity = look.others_opacity;
+  view.pixel_scale = pixel_scale;
+  return view;
+}
+
+double section_height(const PartModel& model, const EditedSettings& settings) {
+  const glm::dvec3 direction = settings.direction();
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) {
+    const double height = glm::dot(vertex, direction);
+    least = std::min(least, height);
+    greatest = std::max(greatest, height);
+  }
+  const double height = least + settings.look.section_height * (greatest - least);
+  return (height - glm::dot(model.frame.center, direction)) / model.frame.diagonal;
+}
+
+PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
+                              double open_mold) {
+  return parting_arrow(extremes, toward, open_mold * k_mold_travel);
+}
+
+Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, const EditedSettings& settings,
+                 const FreeArea& area) {
+  const glm::dvec3 direction = settings.direction();
+  const double open_mold = settings.look.open_mold;
+  std::vector<glm::vec3> points(extremes.begin(), extremes.end());
+  if (open_mold > 0.0) {
+    const std::size_t count = points.size();
+    const glm::vec3 travel(direction * open_mold * k_mold_travel);
+    points.reserve(2 * count);
+    for (std::size_t k = 0; k < count; ++k) {
+      points.push_back(points[k] - travel);
+      points[k] += travel;
+    }
+  }
+  // The arrows and their names are to be seen too.
+  for (const glm::dvec3& toward : {direction, -direction})
+    points.emplace_back(parting_arrow_of(extremes, toward, open_mold).tip);
+  const glm::ivec2 free = glm::max(area.max - area.min, glm::ivec2(64));
+  Camera fit = fitted(camera, points, free, k_fill);
+  // The free area's picture, seen as a part of the window's.
+  const double pixel = fit.height / free.y;
+  const glm::dvec2 offset = 0.5 * glm::dvec2(area.min + area.max - area.window) * pixel;
+  fit.height = pixel * area.window.y;
+  fit.target += offset.y * fit.up() - offset.x * fit.right();
+  return fit;
+}
+
+}  // namespace moldlight::gui

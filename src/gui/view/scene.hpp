@@ -1,0 +1,102 @@
+// The part in the window: its buffers, maps and picture on the window's context, drawn anew only as far as
+// something changed. And from the window's settings to those of the picture, and where the camera goes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "gl/colour_target.hpp"
+#include "gl/context.hpp"
+#include "gui/app_state.hpp"
+#include "gui/draw/panel_layout.hpp"
+#include "render/sample_pass.hpp"
+#include "render/screen_passes.hpp"
+#include "render/view_geometry.hpp"
+#include "session/map_comparison.hpp"
+#include "session/picture_maps.hpp"
+
+namespace moldlight::gui {
+
+/// What the picture shows, beside the part.
+struct SceneSettings {
+  MethodSettings method;
+  ViewSettings view;
+  Camera camera;
+  ViewMarks marks;
+  bool direction_moves = false;                 // maps may be coarser than the method's
+  bool maps_looked_at = false;                  // they are to be the method's own once the direction rests
+  std::shared_ptr<const SplitMesh> split;       // for the method's settings; none where it is not known yet
+  std::shared_ptr<const PieceSamples> samples;  // of it, where maps looked at are to be compared with it
+};
+
+/// Needs its context current at every call.
+class Scene {
+ public:
+  Scene(const gl::Context& context, const LoadedPart& part);
+
+  /// Draws over the whole target, which is bound afterwards. Returns true while drawing the same again would
+  /// refine the picture.
+  bool draw(const ViewTarget& target, const SceneSettings& settings);
+  /// Marks a face, or none.
+  void choose_face(const ChosenFace* face);
+  /// What the picture last drawn shows at a pixel.
+  [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
+  /// Of the maps last compared.
+  [[nodiscard]] const std::shared_ptr<const MapComparison>& comparison() const { return comparison_; }
+  /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.
+  struct Thumbnails {
+    unsigned plus = 0, minus = 0;
+  };
+  [[nodiscard]] Thumbnails thumbnails(int size_px);
+
+  [[nodiscard]] const LoadedPart& part() const { return part_; }
+
+ private:
+  /// All that maps and contour edges depend on; other settings are about measuring.
+  struct MapInputs {
+    glm::dvec3 direction{0.0};
+    double tau_deg = 0.0;
+    MapSettings settings;
+    bool operator==(const MapInputs&) const = default;
+  };
+  void compare_with(const std::shared_ptr<const PieceSamples>& samples);
+  void find_contour_edges(const MapInputs& inputs);
+
+  const gl::Context* context_;
+  LoadedPart part_;
+  PictureMaps maps_;
+  PartView view_;
+  MapPicture map_picture_;
+  std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
+  std::optional<MapInputs> maps_of_;        // from which the maps were drawn
+  bool maps_are_coarse_ = false;            // they are those of a moving direction
+  std::optional<SamplePass> sample_pass_;
+  std::shared_ptr<const MapComparison> comparison_;
+  std::shared_ptr<const PieceSamples> compared_samples_;
+  std::uint64_t compared_maps_ = 0;      // revision
+  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
+  std::optional<gl::ColourTarget> plus_, minus_;
+  bool thumbnails_stale_ = true;
+  bool drawn_ = false;
+};
+
+/// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
+inline constexpr double k_mold_travel = 0.5;
+
+/// The arrow along `toward` (unit), as the picture draws it beside the part's outermost points.
+[[nodiscard]] PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
+                                            double open_mold);
+
+/// All but the section's height; `pixel_scale`: pixels per layout unit.
+[[nodiscard]] ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
+                                         double pixel_scale);
+/// Where the section plane lies along the direction, unit frame.
+[[nodiscard]] double section_height(const PartModel& model, const EditedSettings& settings);
+
+/// The camera with its orientation and projection, so that the part fills the free area; opened halves
+/// included.
+[[nodiscard]] Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes,
+                               const EditedSettings& settings, const FreeArea& area);
+
+}  // namespace moldlight::gui

@@ -1,0 +1,190 @@
+#include "gui/view/viewport.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "gui/draw/panel_layout.hpp"
+#include "gui/view/direction.hpp"
+#include "gui/view/scene.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_tip_reach = 12.0F;            // layout units around a tip in which it is grabbed
+constexpr float k_click_reach = 3.0F;           // pixels; a mouse that moves further drags
+constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
+constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
+
+PartingArrow arrow_in_scene(const AppState& state, const SceneFrame& frame, bool core) {
+  const glm::dvec3 direction = state.settings.direction();
+  return parting_arrow_of(state.extremes, core ? direction : -direction, frame.open_mold);
+}
+
+std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, bool core) {
+  const PartingArrow shape = arrow_in_scene(state, frame, core);
+  const auto tail = project(state.camera, frame.size, shape.tail);
+  const auto tip = project(state.camera, frame.size, shape.tip);
+  if (!tail || !tip) return std::nullopt;
+  return ArrowOnScreen{glm::vec2(*tail), glm::vec2(*tip),
+                       glm::dot(shape.tip, state.camera.toward_viewer()) >= 0.0};
+}
+
+/// As in the programs that people come from.
+Gesture middle_gesture(NavigationPreset preset, const ImGuiIO& io) {
+  switch (preset) {
+    case NavigationPreset::solidworks:
+      return io.KeyCtrl ? Gesture::pan : io.KeyShift ? Gesture::zoom : Gesture::orbit;
+    case NavigationPreset::fusion:
+      return io.KeyShift ? Gesture::orbit : io.KeyCtrl ? Gesture::zoom : Gesture::pan;
+    case NavigationPreset::blender:
+      return io.KeyShift ? Gesture::pan : io.KeyCtrl ? Gesture::zoom : Gesture::orbit;
+    case NavigationPreset::standard:
+      break;
+  }
+  return Gesture::pan;
+}
+
+/// `button` is ImGui's.
+Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
+  if (button == ImGuiMouseButton_Middle) return middle_gesture(preset, io);
+  if (button == ImGuiMouseButton_Right)
+    return preset == NavigationPreset::standard ? Gesture::pan : Gesture::none;
+  // A laptop without a middle button can still turn the part, whatever the preset.
+  return io.KeyShift ? Gesture::pan : Gesture::orbit;
+}
+
+/// The arrow's name beyond its tip, where the arrow itself does not run, on a tag that reads on any colour.
+void draw_name(const Ui& ui, ImDrawList& list, const ArrowOnScreen& arrow, std::string_view name,
+               float alpha) {
+  const glm::vec2 along = arrow.tip - arrow.tail, text = text_size(ui.fonts.small, name);
+  const float length = glm::length(along);
+  const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
+  const glm::vec2 room = 0.5F * text + glm::vec2(ui.px(8), ui.px(3));
+  glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
+  if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
+  list.AddRectFilled(im(middle - room), im(middle + room), faded(ui.colours->panel, 0.85F * alpha), room.y);
+  draw_text(list, ui.fonts.small, middle - 0.5F * text, faded(ui.colours->text, alpha), name);
+}
+
+}  // namespace
+
+void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFrame& frame, Edits& edits) {
+  const ImGuiIO& io = ImGui::GetIO();
+  hovers_ = false;
+  near_tip_.reset();
+  if (!state.model) {
+    gesture_ = Gesture::none;
+    drag_.reset();
+    press_.reset();
+    return;
+  }
+  if (gesture_ != Gesture::none && !io.MouseDown[button_]) gesture_ = Gesture::none;
+  if (drag_ && !io.MouseDown[0]) drag_.reset();
+  if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
+  if (press_ && !io.MouseDown[0]) {
+    edits.ask(&Commands::choose_face, press_->facet);
+    press_.reset();
+  }
+  const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
+  if (!dragging() && on_scene) {
+    for (const bool core : {true, false}) {
+      const auto shown = arrow(state, frame, core);
+      if (state.settings.look.arrows && shown &&
+          glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) {
+        near_tip_ = core;
+      }
+    }
+    for (int button = 0; button < 3; ++button) {
+      if (io.MouseClicked[button]) start(state, frame, button);
+    }
+    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_) {
+      edits.ask(io.KeyAlt ? &Commands::take_axis : &Commands::take_normal);
+    }
+    if (io.MouseWheel != 0.0F) {
+      edits.camera = zoomed(edits.camera, std::pow(k_zoom_per_notch, io.MouseWheel),
+                            glm::dvec2(io.MousePos.x, io.MousePos.y), frame.size);
+    }
+    hovers_ = !dragging() && !near_tip_;
+  }
+  if (near_tip_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (drag_) drag_arrow(state, frame, edits);
+  move_camera(ui, frame, edits);
+}
+
+void Viewport::start(const AppState& state, const SceneFrame& frame, int button) {
+  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  if (button == ImGuiMouseButton_Left && near_tip_) {
+    const auto shown = arrow(state, frame, *near_tip_);
+    drag_ = ArrowDrag{.core = *near_tip_, .front = shown->toward_viewer, .grip = shown->tip - mouse};
+    return;
+  }
+  if (button == ImGuiMouseButton_Left)
+    press_ = Press{state.hover ? std::optional(state.hover->point.facet) : std::nullopt};
+  gesture_ = gesture_of(state.window.navigation, button, ImGui::GetIO());
+  button_ = button;
+  // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.
+  pivot_ = state.hover ? glm::dvec3(state.hover->point.position) : state.camera.target;
+}
+
+void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const {
+  const glm::dvec2 by(ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y);
+  if (gesture_ == Gesture::none || by == glm::dvec2(0.0)) return;
+  switch (gesture_) {
+    case Gesture::orbit: {
+      const glm::dvec2 turn = by / static_cast<double>(ui.scale) * k_turn_per_unit_rad;
+      edits.camera = orbited(edits.camera, turn.x, turn.y, {0, 0, 1}, pivot_);
+      break;
+    }
+    case Gesture::pan:
+      edits.camera = panned(edits.camera, by, frame.size);
+      break;
+    case Gesture::zoom:
+      edits.camera = zoomed(edits.camera, std::pow(k_zoom_per_unit, -by.y / static_cast<double>(ui.scale)),
+                            0.5 * glm::dvec2(frame.size), frame.size);
+      break;
+    case Gesture::none:
+      break;
+  }
+}
+
+void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits& edits) const {
+  const auto centre = project(state.camera, frame.size, glm::dvec3(0.0));
+  // A press alone, or a hand that trembles, leaves the direction as it is.
+  if (!centre || !ImGui::IsMouseDragging(0, k_click_reach)) return;
+  const glm::dvec2 tip = glm::dvec2(from_im(ImGui::GetIO().MousePos) + drag_->grip) - *centre;
+  // How far out the tip stands depends on where it points: that is found by going round a few times.
+  glm::dvec3 direction = state.settings.direction() * (drag_->core ? 1.0 : -1.0);
+  for (int round = 0; round < 6; ++round) {
+    const double distance = glm::length(parting_arrow_of(state.extremes, direction, frame.open_mold).tip);
+    const double radius = distance / pixel_length(state.camera, frame.size);
+    direction = ball_direction(state.camera, {glm::dvec2(tip.x, -tip.y) / radius, drag_->front});
+  }
+  if (!drag_->core) direction = -direction;
+  if (ImGui::GetIO().KeyCtrl) direction = snapped_to(state.features, direction);
+  edits.settings.method.direction = tidy(direction);
+  edits.dragging = true;
+}
+
+void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
+  if (!state.model || !state.settings.look.arrows) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (const bool core : {true, false}) {
+    const auto shown = arrow(state, frame, core);
+    if (!shown) continue;
+    const glm::vec2 reach(ui.px(k_tip_reach));
+    ui.memory->controls[core ? "core arrow" : "cavity arrow"] = {shown->tip - reach, shown->tip + reach};
+    const bool lively = (drag_ && drag_->core == core) || (near_tip_ && *near_tip_ == core);
+    draw_name(ui, list, *shown, core ? "core" : "cavity",
+              lively                 ? 1.0F
+              : shown->toward_viewer ? 0.85F
+                                     : 0.5F);
+    if (lively)
+      list.AddCircle(im(shown->tip), ui.px(k_tip_reach), faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
+  }
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,63 @@
+// The mouse on the part: turning, shifting, zooming, the direction's arrow, picking.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gui/app_state.hpp"
+#include "gui/commands.hpp"
+#include "gui/draw/ui.hpp"
+#include "gui/view/scene.hpp"
+
+namespace moldlight::gui {
+
+/// What a drag of the mouse does to the camera.
+enum class Gesture : std::uint8_t { none, orbit, pan, zoom };
+
+/// What the mouse needs to know of the picture.
+struct SceneFrame {
+  glm::ivec2 size{0};      // pixels
+  double open_mold = 0.0;  // as it is shown, [0, 1]
+};
+
+/// A parting arrow on the screen.
+struct ArrowOnScreen {
+  glm::vec2 tail{0.0F}, tip{0.0F};  // pixels
+  bool toward_viewer = true;
+};
+
+class Viewport {
+ public:
+  /// Reads ImGui's mouse and edits camera and direction; call it before the panels of the frame.
+  void handle_mouse(const Ui& ui, const AppState& state, const SceneFrame& frame, Edits& edits);
+  /// Writes the arrows' names, and marks the tip that can be grabbed, behind the panels.
+  void draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const;
+
+  /// True if the surface under the cursor is to be told: the mouse is on the scene and drags nothing.
+  [[nodiscard]] bool hovers() const { return hovers_; }
+  [[nodiscard]] bool dragging() const { return gesture_ != Gesture::none || drag_; }
+  void give_up_drag() { drag_.reset(); }
+
+ private:
+  struct ArrowDrag {
+    bool core = true;   // the core's arrow, or the cavity's
+    bool front = true;  // it was grabbed on the viewer's side
+    glm::vec2 grip{0.0F};
+  };
+  void start(const AppState& state, const SceneFrame& frame, int button);
+  void move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const;
+  void drag_arrow(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+
+  Gesture gesture_ = Gesture::none;
+  int button_ = 0;  // ImGui's, of the gesture
+  glm::dvec3 pivot_{0.0};
+  struct Press {
+    std::optional<FacetIndex> facet;
+  };
+  std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
+  std::optional<ArrowDrag> drag_;
+  std::optional<bool> near_tip_;  // the tip under the cursor: the core's or not
+  bool hovers_ = false;
+};
+
+}  // namespace moldlight::gui
