@@ -105,15 +105,14 @@ void App::frame(const FrameInput& input) {
   }
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
-  const Scene::Thumbnails maps =
-      scene_ && !state_.dialogs.panels_hidden
-          ? scene_->thumbnails(state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112))))
-          : Scene::Thumbnails{};
+  const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
+  const MapTextures maps =
+      scene_ && !state_.dialogs.panels_hidden ? scene_->map_pictures(map_px) : MapTextures{};
   candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
                         pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   workspace_.draw({ui, state_, edits, layout_},
-                  {.maps = {maps.plus, maps.minus},
+                  {.maps = maps,
                    .shipped_parts = shipped,
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
@@ -191,8 +190,6 @@ void App::install(LoadedPart part) {
   state_.hover.reset();
   state_.face.reset();
   file_watch_.watch(part.path);
-  std::erase(state_.recent, part.path);
-  options_.user.recent = state_.recent;
   options_.user.remember(part.path);
   state_.recent = options_.user.recent;
   if (again) return;
@@ -387,7 +384,6 @@ void App::save() {
   try {
     options_.user.window = state_.window;
     options_.user.sweep = state_.sweep_choices.options;
-    options_.user.recent = state_.recent;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
     const PartNotes notes{state_.settings.method, state_.settings.look, state_.bookmarks};

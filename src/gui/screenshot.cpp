@@ -1,8 +1,8 @@
 #include "gui/screenshot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include <GLFW/glfw3.h>
@@ -56,29 +56,35 @@ glm::vec2 place(const Json& json, const OffscreenWindow& window) {
   return pair(json);
 }
 
-int button_of(const Json& event) {
-  const std::string name = event.value("button", "left");
+/// `whole` is the event, `value` what stands under its name.
+struct Event {
+  const Json &whole, &value;
+  OffscreenWindow& window;
+};
+
+int button_of(const Event& event) {
+  const std::string name = event.whole.value("button", "left");
   if (name == "left") return 0;
   if (name == "right") return 1;
   if (name == "middle") return 2;
   throw UsageError(fmt::format("there is no mouse button '{}'", name));
 }
 
-void click(const Json& event, OffscreenWindow& window) {
+void click(const Event& event) {
   const int button = button_of(event);
-  window.move_mouse(place(event["click"], window));
-  window.frames(2);
-  for (int k = 0; k < event.value("times", 1); ++k) {
-    window.set_button(button, true);
-    window.frame();
-    window.set_button(button, false);
-    window.frame();
+  event.window.move_mouse(place(event.value, event.window));
+  event.window.frames(2);
+  for (int k = 0; k < event.whole.value("times", 1); ++k) {
+    event.window.set_button(button, true);
+    event.window.frame();
+    event.window.set_button(button, false);
+    event.window.frame();
   }
-  window.settle();
 }
 
-void drag(const Json& event, OffscreenWindow& window) {
-  const Json& path = event["drag"];
+void drag(const Event& event) {
+  const Json& path = event.value;
+  OffscreenWindow& window = event.window;
   if (!path.is_array() || path.size() < 2) throw UsageError("a drag goes through two places at least");
   constexpr int k_steps = 6;  // frames from place to place
   const int button = button_of(event);
@@ -95,104 +101,81 @@ void drag(const Json& event, OffscreenWindow& window) {
       window.frame();
     }
   }
-  if (event.value("release", true)) window.set_button(button, false);
+  if (event.whole.value("release", true)) window.set_button(button, false);
   window.frame();
-  window.settle();
 }
 
-void hold(const Json& event, OffscreenWindow& window) {
+void hold(const Event& event) {
+  constexpr std::array<std::string_view, 3> k_names = {"ctrl", "shift", "alt"};
   std::array<bool, 3> held{};
-  for (const Json& name : event["hold"]) {
-    if (name == "ctrl") {
-      held[0] = true;
-    } else if (name == "shift") {
-      held[1] = true;
-    } else if (name == "alt") {
-      held[2] = true;
-    } else {
-      throw UsageError(fmt::format("there is no modifier {}", name.dump()));
-    }
+  for (const Json& name : event.value) {
+    const auto found = std::find(k_names.begin(), k_names.end(), name);
+    if (found == k_names.end()) throw UsageError(fmt::format("there is no modifier {}", name.dump()));
+    held[static_cast<std::size_t>(found - k_names.begin())] = true;
   }
-  window.hold_modifiers(held[0], held[1], held[2]);
+  event.window.hold_modifiers(held[0], held[1], held[2]);
 }
 
-void wait(const Json& event, OffscreenWindow& window) {
-  const Json& what = event["wait"];
-  if (what == "loaded") {
-    window.wait_until_loaded();
-  } else if (what == "swept") {
-    window.wait_until_swept();
-  } else if (what == "measured") {
-    window.wait_until_measured();
-  } else if (what.is_number()) {
-    window.frames(static_cast<int>(std::lround(what.get<double>() * 60.0)));
+void wait(const Event& event) {
+  if (event.value == "loaded") {
+    event.window.wait_until_loaded();
+  } else if (event.value == "swept") {
+    event.window.wait_until_swept();
+  } else if (event.value == "measured") {
+    event.window.wait_until_measured();
+  } else if (event.value.is_number()) {
+    event.window.frames(static_cast<int>(std::lround(event.value.get<double>() * 60.0)));
   } else {
     throw UsageError("wait is \"loaded\", \"measured\", \"swept\" or a number of seconds");
   }
 }
 
-void press(const Json& event, OffscreenWindow& window) {
-  window.press_key({.key = key_code(event["key"].get<std::string>()),
-                    .ctrl = event.value("ctrl", false),
-                    .shift = event.value("shift", false),
-                    .alt = event.value("alt", false)});
-  window.frame();
-  window.hold_modifiers(false, false, false);
-  window.settle();
+void press(const Event& event) {
+  event.window.press_key({.key = key_code(event.value.get<std::string>()),
+                          .ctrl = event.whole.value("ctrl", false),
+                          .shift = event.whole.value("shift", false),
+                          .alt = event.whole.value("alt", false)});
+  event.window.frame();
+  event.window.hold_modifiers(false, false, false);
 }
 
-void turn_wheel(const Json& event, OffscreenWindow& window) {
-  if (event.contains("at")) window.move_mouse(place(event["at"], window));
-  window.frames(2);
-  window.turn_wheel(event["wheel"].get<float>());
-  window.frame();
-  window.settle();
+void turn_wheel(const Event& event) {
+  if (event.whole.contains("at")) event.window.move_mouse(place(event.whole["at"], event.window));
+  event.window.frames(2);
+  event.window.turn_wheel(event.value.get<float>());
+  event.window.frame();
 }
 
-const std::pair<std::string_view, std::function<void(const Json&, OffscreenWindow&)>> k_events[] = {
-    {"move",
-     [](const Json& event, OffscreenWindow& window) {
-       window.move_mouse(place(event["move"], window));
-       window.settle();
-     }},
+struct EventKind {
+  std::string_view name;
+  void (*act)(const Event& event);
+  bool settles = true;  // what it does is to be seen before the next event
+};
+constexpr EventKind k_events[] = {
+    {"move", [](const Event& e) { e.window.move_mouse(place(e.value, e.window)); }},
     {"click", click},
     {"drag", drag},
     {"wheel", turn_wheel},
     {"key", press},
-    {"type",
-     [](const Json& event, OffscreenWindow& window) {
-       window.type(event["type"].get<std::string>());
-       window.settle();
-     }},
-    {"hold", hold},
-    {"open",
-     [](const Json& event, OffscreenWindow& window) { window.app().open(event["open"].get<std::string>()); }},
-    {"drop",
-     [](const Json& event, OffscreenWindow& window) {
-       window.drop(event["drop"].get<std::string>());
-       window.settle();
-     }},
-    {"resize",
-     [](const Json& event, OffscreenWindow& window) {
-       window.resize(glm::ivec2(pair(event["resize"])));
-       window.settle();
-     }},
-    {"scale",
-     [](const Json& event, OffscreenWindow& window) {
-       window.set_content_scale(event["scale"].get<float>());
-       window.settle();
-     }},
-    {"wait", wait},
+    {"type", [](const Event& e) { e.window.type(e.value.get<std::string>()); }},
+    {"hold", hold, false},
+    {"open", [](const Event& e) { e.window.app().open(e.value.get<std::string>()); }, false},
+    {"drop", [](const Event& e) { e.window.drop(e.value.get<std::string>()); }},
+    {"resize", [](const Event& e) { e.window.resize(glm::ivec2(pair(e.value))); }},
+    {"scale", [](const Event& e) { e.window.set_content_scale(e.value.get<float>()); }},
+    {"wait", wait, false},
     {"screenshot",
-     [](const Json& event, OffscreenWindow& window) {
-       write_picture(event["screenshot"].get<std::string>(), window.size(), window.pixels());
-     }},
+     [](const Event& e) { write_picture(e.value.get<std::string>(), e.window.size(), e.window.pixels()); },
+     false},
 };
 
 void play(const Json& event, OffscreenWindow& window) {
   if (!event.is_object()) throw UsageError("an event is an object");
-  for (const auto& [name, act] : k_events) {
-    if (event.contains(name)) return act(event, window);
+  for (const EventKind& kind : k_events) {
+    if (!event.contains(kind.name)) continue;
+    kind.act({event, event[kind.name], window});
+    if (kind.settles) window.settle();
+    return;
   }
   throw UsageError("there is no such event");
 }

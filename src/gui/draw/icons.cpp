@@ -25,10 +25,6 @@ class Pen {
     for (const glm::vec2& point : points) list_->PathLineTo(at(point));
     list_->PathStroke(colour_, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width_);
   }
-  void fill(std::initializer_list<glm::vec2> points) const {
-    for (const glm::vec2& point : points) list_->PathLineTo(at(point));
-    list_->PathFillConvex(colour_);
-  }
   void circle(const glm::vec2& at_point, float radius) const {
     list_->AddCircle(at(at_point), radius * half_, colour_, 0, width_);
   }
@@ -115,10 +111,6 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
     case Icon::settings:
       draw_gear(pen);
       break;
-    case Icon::reset:
-      pen.arc({0, 0.05F}, 0.62F, -60.0F, 210.0F);
-      pen.line({{-0.85F, -0.45F}, {-0.56F, -0.26F}, {-0.2F, -0.55F}});
-      break;
     case Icon::flip:
       pen.line({{-0.4F, 0.8F}, {-0.4F, -0.75F}});
       pen.line({{-0.72F, -0.4F}, {-0.4F, -0.75F}, {-0.08F, -0.4F}});
@@ -149,10 +141,6 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
     case Icon::up:
       pen.line({{0, 0.75F}, {0, -0.7F}});
       pen.line({{-0.5F, -0.2F}, {0, -0.7F}, {0.5F, -0.2F}});
-      break;
-    case Icon::plus:
-      pen.line({{-0.7F, 0}, {0.7F, 0}});
-      pen.line({{0, -0.7F}, {0, 0.7F}});
       break;
     case Icon::sphere:
       pen.circle({0, 0}, 0.8F);

@@ -16,7 +16,6 @@ enum class Icon : std::uint8_t {
   redo,
   help,
   settings,
-  reset,
   flip,
   bookmark,
   chevron_down,
@@ -27,7 +26,6 @@ enum class Icon : std::uint8_t {
   folder,
   file,
   up,
-  plus,
   sphere,
 };
 

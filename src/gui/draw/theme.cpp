@@ -1,5 +1,7 @@
 #include "gui/draw/theme.hpp"
 
+#include <utility>
+
 namespace moldlight::gui {
 
 namespace {
@@ -43,8 +45,6 @@ constexpr ThemeColours k_light = {
     .scrim = rgba(0xE8EAEC, 150),
     .warning = rgba(0x9A6A00),
 };
-
-ImVec4 unpacked(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 }  // namespace
 
@@ -97,36 +97,37 @@ void apply_style(Theme theme, float scale) {
   style.CircleTessellationMaxError = 0.2F;
   style.DisabledAlpha = 0.45F;
 
-  auto& colours = style.Colors;
-  for (ImVec4& colour : colours) colour = unpacked(c.field);
-  colours[ImGuiCol_Text] = unpacked(c.text);
-  colours[ImGuiCol_TextDisabled] = unpacked(c.muted);
-  colours[ImGuiCol_WindowBg] = unpacked(c.panel);
-  colours[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
-  colours[ImGuiCol_PopupBg] = unpacked(c.popup);
-  colours[ImGuiCol_Border] = unpacked(c.panel_border);
-  colours[ImGuiCol_BorderShadow] = ImVec4(0, 0, 0, 0);
-  colours[ImGuiCol_FrameBg] = unpacked(c.field);
-  colours[ImGuiCol_FrameBgHovered] = unpacked(c.field_hovered);
-  colours[ImGuiCol_FrameBgActive] = unpacked(c.field_active);
-  for (const int index : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}) {
-    colours[index] = unpacked(c.panel);
-  }
-  colours[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
-  colours[ImGuiCol_ScrollbarGrab] = unpacked(c.field_hovered);
-  colours[ImGuiCol_ScrollbarGrabHovered] = unpacked(c.field_active);
-  colours[ImGuiCol_ScrollbarGrabActive] = unpacked(c.field_active);
-  colours[ImGuiCol_CheckMark] = unpacked(c.accent);
-  colours[ImGuiCol_Button] = unpacked(c.field);
-  colours[ImGuiCol_ButtonHovered] = unpacked(c.field_hovered);
-  colours[ImGuiCol_ButtonActive] = unpacked(c.field_active);
-  colours[ImGuiCol_Header] = unpacked(c.field_hovered);
-  colours[ImGuiCol_HeaderHovered] = unpacked(c.field_hovered);
-  colours[ImGuiCol_HeaderActive] = unpacked(c.field_active);
-  colours[ImGuiCol_Separator] = unpacked(c.line);
-  colours[ImGuiCol_TextSelectedBg] = unpacked(faded(c.accent, 0.3F));
-  colours[ImGuiCol_ModalWindowDimBg] = unpacked(c.scrim);
-  colours[ImGuiCol_NavHighlight] = unpacked(c.accent);
+  constexpr ImU32 k_none = 0;
+  const std::pair<ImGuiCol, ImU32> others[] = {
+      {ImGuiCol_Text, c.text},
+      {ImGuiCol_TextDisabled, c.muted},
+      {ImGuiCol_WindowBg, c.panel},
+      {ImGuiCol_ChildBg, k_none},
+      {ImGuiCol_PopupBg, c.popup},
+      {ImGuiCol_Border, c.panel_border},
+      {ImGuiCol_BorderShadow, k_none},
+      {ImGuiCol_FrameBgHovered, c.field_hovered},
+      {ImGuiCol_FrameBgActive, c.field_active},
+      {ImGuiCol_TitleBg, c.panel},
+      {ImGuiCol_TitleBgActive, c.panel},
+      {ImGuiCol_TitleBgCollapsed, c.panel},
+      {ImGuiCol_ScrollbarBg, k_none},
+      {ImGuiCol_ScrollbarGrab, c.field_hovered},
+      {ImGuiCol_ScrollbarGrabHovered, c.field_active},
+      {ImGuiCol_ScrollbarGrabActive, c.field_active},
+      {ImGuiCol_CheckMark, c.accent},
+      {ImGuiCol_ButtonHovered, c.field_hovered},
+      {ImGuiCol_ButtonActive, c.field_active},
+      {ImGuiCol_Header, c.field_hovered},
+      {ImGuiCol_HeaderHovered, c.field_hovered},
+      {ImGuiCol_HeaderActive, c.field_active},
+      {ImGuiCol_Separator, c.line},
+      {ImGuiCol_TextSelectedBg, faded(c.accent, 0.3F)},
+      {ImGuiCol_ModalWindowDimBg, c.scrim},
+      {ImGuiCol_NavHighlight, c.accent},
+  };
+  for (ImVec4& colour : style.Colors) colour = ImGui::ColorConvertU32ToFloat4(c.field);
+  for (const auto& [index, colour] : others) style.Colors[index] = ImGui::ColorConvertU32ToFloat4(colour);
   ImGui::GetStyle() = style;
 }
 

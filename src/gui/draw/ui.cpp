@@ -20,6 +20,10 @@ void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU
                text.data() + text.size());
 }
 
+void draw_text_to(const SizedFont& font, float right, float top, ImU32 colour, std::string_view text) {
+  draw_text(*ImGui::GetWindowDrawList(), font, {right - text_size(font, text).x, top}, colour, text);
+}
+
 std::string grouped(std::string_view number) {
   constexpr std::string_view k_gap = "\u2009";
   const std::size_t start = number.starts_with('-') ? 1 : 0;

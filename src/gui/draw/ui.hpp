@@ -60,6 +60,11 @@ struct Ui {
 #endif
 }
 
+/// Pictures of the shadow maps from +d and -d: GL textures, 0 for none.
+struct MapTextures {
+  unsigned plus = 0, minus = 0;
+};
+
 inline void push_font(const SizedFont& font) {
 #if IMGUI_VERSION_NUM >= 19200
   ImGui::PushFont(font.font, font.size);
@@ -82,6 +87,8 @@ class FontScope {
 /// Draws a text with its upper left corner there.
 void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU32 colour,
                std::string_view text);
+/// The same into the window that is open, ending at `right`.
+void draw_text_to(const SizedFont& font, float right, float top, ImU32 colour, std::string_view text);
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);
 /// Shortened in its middle to fit a width in pixels.

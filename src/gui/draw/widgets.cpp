@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -87,8 +88,8 @@ void start_typing(UiMemory& memory, ImGuiID id, const std::string& text) {
   std::snprintf(memory.typed.data(), memory.typed.size(), "%s", text.c_str());
 }
 
-/// The typed field in place of a row; true when a number was entered.
-bool typed_row(const Ui& ui, ImGuiID id, float width, double& value) {
+/// The typed field in place of a row; true when another number was entered, which is brought into the range.
+bool typed_row(const Ui& ui, ImGuiID id, float width, double& value, double min, double max) {
   UiMemory& memory = *ui.memory;
   ImGui::SetNextItemWidth(width);
   if (memory.typing_starts) ImGui::SetKeyboardFocusHere();
@@ -107,8 +108,8 @@ bool typed_row(const Ui& ui, ImGuiID id, float width, double& value) {
   const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return false;
   try {
-    value = parse_real(memory.typed.data(), "value");
-    return true;
+    const double typed = std::clamp(parse_real(memory.typed.data(), "value"), min, max);
+    return std::exchange(value, typed) != typed;
   } catch (const UsageError&) {
     return false;
   }
@@ -124,14 +125,8 @@ bool wants_typing() {
 bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified) {
   const std::string id_text(label);
   const ImGuiID id = ImGui::GetID(id_text.c_str());
-  if (ui.memory->typing_id == id) {
-    double typed = value;
-    if (!typed_row(ui, id, ImGui::GetContentRegionAvail().x, typed)) return false;
-    typed = std::clamp(typed, spec.min, spec.max);
-    const bool changed = typed != value;
-    value = typed;
-    return changed;
-  }
+  if (ui.memory->typing_id == id)
+    return typed_row(ui, id, ImGui::GetContentRegionAvail().x, value, spec.min, spec.max);
   const Row row = begin_row(ui, label);
   const double before = value;
   if (wants_typing()) {
@@ -165,11 +160,8 @@ bool number_field(const Ui& ui, const char* id_text, std::string_view label, dou
                   float width) {
   const ImGuiID id = ImGui::GetID(id_text);
   if (ui.memory->typing_id == id) {
-    double typed = value;
-    if (!typed_row(ui, id, width, typed)) return false;
-    const bool changed = typed != value;
-    value = typed;
-    return changed;
+    constexpr double k_greatest = std::numeric_limits<double>::max();
+    return typed_row(ui, id, width, value, -k_greatest, k_greatest);
   }
   const Row row = begin_row(ui, id_text, width);
   if (row.clicked) start_typing(*ui.memory, id, real_text(value));
@@ -354,6 +346,20 @@ void coloured_text(ImU32 colour, std::string_view text) {
   ImGui::PopStyleColor();
 }
 
+void row_text(const Ui& ui, const SizedFont& font, float width, ImU32 colour, std::string_view text) {
+  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
+  draw_text(*ImGui::GetWindowDrawList(), font, {at.x, at.y + 0.5F * (ui.px(k_row_height) - font.size)},
+            colour, text);
+}
+
+void draw_picture(ImDrawList& list, unsigned texture, const glm::vec2& min, const glm::vec2& max,
+                  float rounding) {
+  if (texture == 0) return;
+  list.AddImageRounded(texture_id(texture), im(min), im(max), ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE,
+                       rounding);
+}
+
 void hint(const Ui& ui, std::string_view text) {
   const FontScope small(ui.fonts.small);
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
@@ -361,17 +367,6 @@ void hint(const Ui& ui, std::string_view text) {
   if (wraps) ImGui::PushTextWrapPos(0.0F);
   coloured_text(ui.colours->muted, text);
   if (wraps) ImGui::PopTextWrapPos();
-}
-
-void figure_right(const Ui& ui, const SizedFont& font, float right, float top, std::string_view value,
-                  std::string_view unit, ImU32 colour) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (!unit.empty()) {
-    right -= text_size(font, unit).x;
-    draw_text(list, font, {right, top}, faded(ui.colours->muted, 1.0F), unit);
-    right -= ui.px(3);
-  }
-  draw_text(list, font, {right - text_size(font, value).x, top}, colour, value);
 }
 
 void progress_bar(const Ui& ui, double fraction, float width) {

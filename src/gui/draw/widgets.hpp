@@ -70,9 +70,11 @@ void heading(const Ui& ui, std::string_view text);
 void coloured_text(ImU32 colour, std::string_view text);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
-/// A text with its unit muted behind it, right-aligned to `right` (pixels).
-void figure_right(const Ui& ui, const SizedFont& font, float right, float top, std::string_view value,
-                  std::string_view unit, ImU32 colour);
+/// A text as high as a control, `width` pixels wide.
+void row_text(const Ui& ui, const SizedFont& font, float width, ImU32 colour, std::string_view text);
+/// A texture of the GL, whose rows begin below; nothing for 0.
+void draw_picture(ImDrawList& list, unsigned texture, const glm::vec2& min, const glm::vec2& max,
+                  float rounding);
 
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);

@@ -41,11 +41,6 @@ struct SweepMap {
   [[nodiscard]] const EvaluatedDirection* nearest(const glm::dvec3& direction, double reach_deg) const;
 };
 
-/// The candidate's tilt margin; null where none was found.
-[[nodiscard]] inline const TiltMargin* tilt_of(const SweepCandidate& candidate) {
-  return candidate.tilt ? &*candidate.tilt : nullptr;
-}
-
 struct SweepState {
   std::optional<SweepProgress> running;
   std::optional<SweepMap> map;

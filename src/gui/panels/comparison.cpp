@@ -1,3 +1,4 @@
+// The figures of two directions that are seen side by side, and their difference.
 #include <array>
 #include <cmath>
 
@@ -37,8 +38,8 @@ class Rows {
     draw_text(list, ui_.fonts.body, {at_.x + ui_.px(18), text_top}, colour, name);
     for (std::size_t k = 0; k < figures.size(); ++k) {
       const float right = at_.x + width_ - static_cast<float>(2 - k) * ui_.px(88);
-      figure_right(ui_, k == 2 ? ui_.fonts.strong : ui_.fonts.body, right, text_top, figures[k], {},
-                   k == 2 ? ui_.colours->text : colour);
+      draw_text_to(k == 2 ? ui_.fonts.strong : ui_.fonts.body, right, text_top,
+                   k == 2 ? ui_.colours->text : colour, figures[k]);
     }
     at_.y += ui_.px(k_row);
   }

@@ -1,3 +1,5 @@
+// The heat map of undercut area on the direction ball: colours, colour bar, marks of the best, what the mouse
+// reads; and the ball on its own, large.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,9 +61,9 @@ void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
     for (int spoke = 0; spoke < spokes; ++spoke) {
       const double turn = 2.0 * glm::pi<double>() * spoke / spokes;
       const glm::dvec2 at(r * std::cos(turn), r * std::sin(turn));
-      const glm::dvec3 seen(at, std::sqrt(std::max(0.0, 1.0 - r * r)));
+      const glm::dvec3 seen(at.x, -at.y, std::sqrt(std::max(0.0, 1.0 - r * r)));
       const double lit = std::clamp(glm::dot(seen, glm::normalize(glm::dvec3(-0.5, 0.7, 0.8))), 0.0, 1.0);
-      list.PrimWriteVtx(im(ball.centre + ball.radius * glm::vec2(at.x, -at.y)), white,
+      list.PrimWriteVtx(im(ball.centre + ball.radius * glm::vec2(at)), white,
                         map_colour(map, camera.orientation * seen, static_cast<float>(lit), bare));
     }
   }
@@ -75,7 +77,7 @@ void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
       }
     }
   }
-  list.AddCircle(im(ball.centre), ball.radius, bare.dark, 96, 1.5F);
+  list.AddCircle(im(ball.centre), ball.radius, bare.dark, map != nullptr ? 96 : 64, 1.5F);
 }
 
 void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
@@ -83,7 +85,7 @@ void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
   const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
   const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
   const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
-  constexpr int k_steps = 72;
+  constexpr int k_steps = 48;
   glm::vec2 before(0.0F);
   for (int step = 0; step <= k_steps; ++step) {
     const double turn = 2.0 * glm::pi<double>() * step / k_steps;
@@ -104,7 +106,7 @@ void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, con
     if (candidate.tie_group != 1 && !best) continue;
     for (const double sign : {1.0, -1.0}) {
       const glm::dvec3 direction = sign * candidate.candidate.direction;
-      if (const TiltMargin* tilt = tilt_of(candidate); best && tilt != nullptr && tilt->deg > 0.0) {
+      if (const auto& tilt = candidate.tilt; best && tilt && tilt->deg > 0.0) {
         draw_circle(list, ball, camera, direction, tilt->deg, faded(k_dark, 0.7F), 2.5F * ui.scale);
         draw_circle(list, ball, camera, direction, tilt->deg, k_light, 1.0F * ui.scale);
       }

@@ -1,3 +1,4 @@
+// The dialog that writes what `classify` writes.
 #include <cstdio>
 #include <filesystem>
 

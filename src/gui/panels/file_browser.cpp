@@ -1,3 +1,4 @@
+// The dialog that opens a part.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -80,12 +81,8 @@ void FileBrowser::draw_head(const PanelContext& context) {
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   if (icon_button(ui, "up", Icon::up, "The folder above")) enter(folder_.parent_path());
   ImGui::SameLine();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
-  ImGui::Dummy(ImVec2(room, ui.px(k_row_height)));
-  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.body,
-            {at.x, at.y + 0.5F * (ui.px(k_row_height) - ui.fonts.body.size)}, ui.colours->muted,
-            fitted(ui.fonts.body, folder_.string(), room));
+  row_text(ui, ui.fonts.body, room, ui.colours->muted, fitted(ui.fonts.body, folder_.string(), room));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(110));
   ImGui::InputTextWithHint("##filter", "filter by name", filter_.data(), filter_.size());
   ImGui::SameLine();

@@ -28,9 +28,7 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(6));
-    if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
-      list.AddImageRounded(texture_id(name), min, max, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(6));
-    }
+    draw_picture(list, plus ? textures.plus : textures.minus, from_im(min), from_im(max), ui.px(6));
     draw_text(list, ui.fonts.small, {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size},
               ui.colours->muted, caption(plus));
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
@@ -91,11 +89,9 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
     heading(ui, fmt::format("Shadow map from {}", caption(plus)));
     ImGui::SameLine();
     hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");
-    const ImVec2 min = ImGui::GetCursorScreenPos();
-    if (const unsigned name = plus ? textures.plus : textures.minus; name != 0) {
-      ImGui::GetWindowDrawList()->AddImageRounded(texture_id(name), min, ImVec2(min.x + side, min.y + side),
-                                                  ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(6));
-    }
+    const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
+    draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, min, min + side,
+                 ui.px(6));
     if (ImGui::InvisibleButton("close", ImVec2(side, side))) context.edits.dialogs.large_map.reset();
   }
   end_dialog();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include <fmt/format.h>
@@ -47,14 +48,29 @@ template <typename S>
   return std::ranges::find(keys, option.key) != keys.end();
 }
 
+/// Numbers are typed in place of being slid.
+struct TypedNumbers {
+  std::function<void(const std::string& why)> refused;  // told of a value out of range
+};
+
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>
-bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
+bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedNumbers& typed = {}) {
   const S defaults{};
   const std::string before = option_text(option, settings), standard = option_text(option, defaults);
   const bool modified = before != standard;
   S edited = settings;
+  std::string after;
+  bool as_text = false;  // `after` tells the value, not `edited`
+  const auto field = [&](double number, int decimals) {
+    if (!number_field(ui, option.key.data(), option.label, number, decimals,
+                      ImGui::GetContentRegionAvail().x))
+      return false;
+    after = real_text(number);
+    return as_text = true;
+  };
   const auto integer_row = [&](const auto& kind, double number, const auto& set) {
+    if (typed.refused) return field(number, 0);
     const bool wide = kind.max > 100 * kind.min;
     const bool moved = slider(ui, option.label, number,
                               {.min = static_cast<double>(kind.min),
@@ -77,6 +93,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
           [&](const RealKind<S>& kind) {
             double& value = edited.*kind.member;
             const int decimals = detail::decimals_of(kind.step);
+            if (typed.refused) return field(value, decimals);
             return slider(ui, option.label, value,
                           {.min = kind.min,
                            .max = kind.max,
@@ -85,12 +102,9 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
                           modified);
           },
           [&](const OptionalRealKind<S>& kind) {
-            auto& value = edited.*kind.member;
-            double number = value.value_or(0.0);
-            const bool typed = number_field(ui, option.key.data(), option.label, number, 3,
-                                            ImGui::GetContentRegionAvail().x);
-            if (typed) value = number > 0.0 ? std::optional(number) : std::nullopt;
-            return typed;
+            if (!field((edited.*kind.member).value_or(0.0), 3)) return false;
+            if (after == "0" || after.starts_with('-')) after.clear();  // none
+            return true;
           },
           [&](const IntegerKind<S>& kind) {
             return integer_row(kind, edited.*kind.member, [&](int value) { edited.*kind.member = value; });
@@ -110,14 +124,15 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings) {
       },
       option.kind);
   if (option_menu(ui, option.label, option.help, before, standard, modified)) {
-    set_option(option, edited, standard);
-    changed = true;
+    after = standard;
+    changed = as_text = true;
   }
   if (!changed) return false;
-  const std::string after = option_text(option, edited);
+  if (!as_text) after = option_text(option, edited);
   try {
     set_option(option, settings, after);
-  } catch (const UsageError&) {
+  } catch (const UsageError& error) {
+    if (typed.refused) typed.refused(error.what());
     return false;  // a value typed out of range
   }
   return after != before;

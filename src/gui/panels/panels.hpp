@@ -30,11 +30,6 @@ struct BallDrag {
   glm::vec2 grip{0.0F};  // from the cursor to the marker, pixels
 };
 
-/// Textures for ImGui; 0 for none.
-struct MapTextures {
-  unsigned plus = 0, minus = 0;
-};
-
 /// Options that the panel of the shadow maps shows, and those under the method's Accuracy; other panels show
 /// the rest of their tables.
 inline constexpr std::array<std::string_view, 4> k_map_options = {"kernel", "kernel_shape", "edge_thickness",

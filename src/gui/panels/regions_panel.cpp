@@ -57,15 +57,21 @@ void copy_menu(const char* id, double value) {
   ImGui::EndPopup();
 }
 
-/// A line "name … value unit", with a place in front for a mark.
-glm::vec2 begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
+/// Of a line "name … value unit": its corner, and where its texts end and begin.
+struct Line {
+  glm::vec2 min{0.0F};
+  float right = 0.0F, top = 0.0F;
+};
+
+/// Leaves a place in front for a mark.
+Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
   ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_legend_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
-  draw_text(list, ui.fonts.body, {min.x + ui.px(26), 0.5F * (min.y + max.y - ui.fonts.body.size)}, colour,
-            name);
-  return min;
+  const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
+  draw_text(list, ui.fonts.body, {min.x + ui.px(26), top}, colour, name);
+  return {min, max.x - ui.px(6), top};
 }
 
 void draw_region(const PanelContext& context, const Legend& legend, Region region) {
@@ -73,13 +79,11 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   const double area = legend.result.areas[region];
   const double share = legend.result.total_area > 0.0 ? area / legend.result.total_area : 0.0;
   const std::string name(region_name(region));
-  const glm::vec2 min = begin_line(ui, name.c_str(), shown_name(region), ui.colours->text);
-  draw_swatch(ui, region, context.state.settings.look, min + glm::vec2(ui.px(6), ui.px(6)));
-  const float right = ImGui::GetItemRectMax().x - ui.px(6);
-  const float top = min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size);
+  const Line line = begin_line(ui, name.c_str(), shown_name(region), ui.colours->text);
+  draw_swatch(ui, region, context.state.settings.look, line.min + glm::vec2(ui.px(6), ui.px(6)));
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
-  figure_right(ui, ui.fonts.strong, right, top, fmt::format("{:.1f} %", 100.0 * share), {}, strong);
-  figure_right(ui, ui.fonts.body, right - ui.px(60), top, grouped(legend.column.text(area)), {}, quiet);
+  draw_text_to(ui.fonts.strong, line.right, line.top, strong, fmt::format("{:.1f} %", 100.0 * share));
+  draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, quiet, grouped(legend.column.text(area)));
   tooltip(ui, shown_name(region), fmt::format("{}\n{} {}", meaning(region), real_text(area), legend.unit));
   copy_menu(name.c_str(), area);
 }
@@ -91,12 +95,10 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x, at.y + ui.px(1)),
                                       ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.px(1)),
                                       ui.colours->line);
-  const glm::vec2 min = begin_line(ui, "total", "Total", ui.colours->muted);
-  const float right = ImGui::GetItemRectMax().x - ui.px(6);
-  const float top = min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size);
-  figure_right(ui, ui.fonts.body, right, top, {}, legend.unit, ui.colours->muted);
-  figure_right(ui, ui.fonts.body, right - ui.px(60), top,
-               grouped(legend.column.text(legend.result.total_area)), {}, ui.colours->muted);
+  const Line line = begin_line(ui, "total", "Total", ui.colours->muted);
+  draw_text_to(ui.fonts.body, line.right, line.top, ui.colours->muted, legend.unit);
+  draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, ui.colours->muted,
+               grouped(legend.column.text(legend.result.total_area)));
   copy_menu("total", legend.result.total_area);
 }
 
@@ -113,15 +115,13 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const std::string_view name = in_doubt          ? "Undercut ±"
                                 : shadow.agrees() ? "Two ways agree"
                                                   : "Two ways differ";
-  const glm::vec2 min = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
+  const Line line = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
   draw_icon(*ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::alert,
-            min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
+            line.min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
             faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
-  if (in_doubt) {
-    figure_right(ui, ui.fonts.body, ImGui::GetItemRectMax().x - ui.px(66),
-                 min.y + 0.5F * (ui.px(k_legend_row) - ui.fonts.body.size), grouped(error), {},
-                 faded(ui.colours->text, legend.alpha));
-  }
+  if (in_doubt)
+    draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, faded(ui.colours->text, legend.alpha),
+                 grouped(error));
   std::string text = fmt::format(
       "The area of the part's shadow, found in two ways: {} as it is seen along +d, {} along −d. {}",
       figure(shadow.core), figure(shadow.cavity),

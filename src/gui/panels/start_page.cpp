@@ -78,10 +78,8 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(8));
-    if (k < thumbnails.size() && thumbnails[k] != 0) {
-      list.AddImageRounded(texture_id(thumbnails[k]), ImVec2(min.x, min.y), ImVec2(max.x, max.y - ui.px(10)),
-                           ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.px(8));
-    }
+    if (k < thumbnails.size())
+      draw_picture(list, thumbnails[k], from_im(min), {max.x, max.y - ui.px(10)}, ui.px(8));
     std::string name = fs::path(shipped[k]).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');
     const glm::vec2 text = text_size(ui.fonts.small, name);

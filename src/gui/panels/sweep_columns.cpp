@@ -26,9 +26,8 @@ double share(const SweepCandidate& candidate) {
 }
 
 std::string tilt_text(const AppState&, const SweepCandidate& candidate) {
-  const TiltMargin* tilt = tilt_of(candidate);
-  if (tilt == nullptr) return "–";
-  return fmt::format("{}{:.1f}°", tilt->at_least() ? "≥" : "", tilt->deg);
+  const auto& tilt = candidate.tilt;
+  return tilt ? fmt::format("{}{:.1f}°", tilt->at_least() ? "≥" : "", tilt->deg) : "–";
 }
 
 std::string reason_of(const CandidateSource& source) {
@@ -90,11 +89,7 @@ constexpr std::array<SweepColumn, 11> k_columns = {{
      .help = "Tilt margin: how far the pull may lean before the undercut grows.",
      .width = 44,
      .text = tilt_text,
-     .key =
-         [](const C& c) {
-           const TiltMargin* tilt = tilt_of(c);
-           return tilt == nullptr ? -1.0 : tilt->deg;
-         }},
+     .key = [](const C& c) { return c.tilt ? c.tilt->deg : -1.0; }},
     {.name = "why",
      .help = "",
      .width = 0,

@@ -1,3 +1,4 @@
+// The options of the sweep, unfolded in its panel.
 #include <algorithm>
 #include <array>
 
@@ -12,51 +13,14 @@ namespace {
 
 constexpr int k_columns = 3;
 
-/// A number is typed here: most of them range over many powers of ten, some from 0 on.
-bool number_row(const PanelContext& context, const Option<SweepSettings>& option, double value,
-                int decimals) {
-  const Ui& ui = context.ui;
-  SweepSettings& settings = context.edits.sweep_choices.options;
-  const std::string before = option_text(option, settings), standard = option_text(option, SweepSettings{});
-  std::string after = before;
-  if (number_field(ui, option.key.data(), option.label, value, decimals, ImGui::GetContentRegionAvail().x)) {
-    after = real_text(value);
-  }
-  if (option_menu(ui, option.label, option.help, before, standard, before != standard)) after = standard;
-  if (after == before) return false;
-  try {
-    set_option(option, settings, after);
-    return true;
-  } catch (const UsageError& error) {
-    context.edits.ask(&Commands::say, std::string(error.what()), true);
-    return false;
-  }
-}
-
-void option_cell(const PanelContext& context, const Option<SweepSettings>& option) {
-  SweepSettings& settings = context.edits.sweep_choices.options;
-  if (const auto* integer = std::get_if<IntegerKind<SweepSettings>>(&option.kind)) {
-    number_row(context, option, settings.*integer->member, 0);
-  } else if (const auto* real = std::get_if<RealKind<SweepSettings>>(&option.kind)) {
-    number_row(context, option, settings.*real->member, detail::decimals_of(real->step));
-  } else {
-    option_row(context.ui, option, settings);
-  }
-}
-
 void draw_kinds(const PanelContext& context) {
   const Ui& ui = context.ui;
   std::vector<CandidateKind>& kinds = context.edits.sweep_choices.options.kinds;
   const std::vector<CandidateKind> all = all_candidate_kinds();
-  float room = ImGui::GetContentRegionAvail().x;
   for (const CandidateKind kind : all) {
     const std::string name(candidate_kind_name(kind));
     const float width = text_size(ui.fonts.body, name).x + ui.px(18);
-    if (kind != all.front()) {
-      ImGui::SameLine(0.0F, ui.px(4));
-      room -= ui.px(4);
-    }
-    room -= width;
+    if (kind != all.front()) ImGui::SameLine(0.0F, ui.px(4));
     const auto found = std::find(kinds.begin(), kinds.end(), kind);
     const bool clicked = chip(ui, name, found != kinds.end(), width);
     tooltip(ui, {}, "A source of candidate directions.");
@@ -86,11 +50,13 @@ void draw_objective(const PanelContext& context) {
 }  // namespace
 
 void draw_sweep_options(const PanelContext& context) {
+  // Most of them range over many powers of ten, some from 0 on.
+  const TypedNumbers numbers{[&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
   if (ImGui::BeginTable("options", k_columns,
                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
     for (const Option<SweepSettings>& option : sweep_options()) {
       ImGui::TableNextColumn();
-      option_cell(context, option);
+      option_row(context.ui, option, context.edits.sweep_choices.options, numbers);
     }
     ImGui::EndTable();
   }

@@ -1,3 +1,4 @@
+// The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
 #include <algorithm>
 #include <cmath>
 
@@ -211,7 +212,7 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
   const bool here = std::abs(glm::dot(present, candidate.candidate.direction)) > 1.0 - 1e-10;
   std::string tip = all_reasons(candidate);
   if (candidate.pareto) tip += "\nNo other listed direction beats it in undercut, patches and depth alike.";
-  if (const TiltMargin* tilt = tilt_of(candidate); tilt != nullptr && !tilt->at_least()) {
+  if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
     tip += fmt::format("\nLeans {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward));
   }
   tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(candidate.candidate.direction)), tip);
@@ -219,12 +220,9 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
   if (hovered || here) {
     list.AddRectFilled(im(min), im(max), here ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
   }
-  if (picture != 0) {
-    const glm::vec2 pixels(candidate_picture_size(ui.scale));
-    const glm::vec2 at(min.x + ui.px(3), std::round(min.y + 0.5F * (size.y - pixels.y)));
-    list.AddImageRounded(texture_id(picture), im(at), im(at + pixels), ImVec2(0, 1), ImVec2(1, 0),
-                         IM_COL32_WHITE, ui.px(4));
-  }
+  const glm::vec2 pixels(candidate_picture_size(ui.scale));
+  const glm::vec2 at(min.x + ui.px(3), std::round(min.y + 0.5F * (size.y - pixels.y)));
+  draw_picture(list, picture, at, at + pixels, ui.px(4));
   float left = min.x;
   const std::span<const SweepColumn> columns = sweep_columns();
   for (const SweepColumn& column : columns) {

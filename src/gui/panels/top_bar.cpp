@@ -47,10 +47,7 @@ void draw_part_name(const PanelContext& context) {
   const Part& part = state.model->part;
   const std::string facts = fmt::format("{} facets   {}", grouped(std::to_string(part.mesh.facets.size())),
                                         part.unit.empty() ? "" : part.unit);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::Dummy(ImVec2(text_size(ui.fonts.small, facts).x, ui.px(k_row_height)));
-  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-            {at.x, at.y + 0.5F * (ui.px(k_row_height) - ui.fonts.small.size)}, ui.colours->muted, facts);
+  row_text(ui, ui.fonts.small, text_size(ui.fonts.small, facts).x, ui.colours->muted, facts);
   if (!state.model->warnings.empty()) {
     ImGui::SameLine(0.0F, ui.px(6));
     icon_button(ui, "warnings", Icon::alert, fmt::format("{}", fmt::join(state.model->warnings, "\n")));
@@ -59,12 +56,7 @@ void draw_part_name(const PanelContext& context) {
 
 void draw_left(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = text_size(ui.fonts.strong, "moldlight").x;
-  ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
-  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.strong,
-            {at.x, at.y + 0.5F * (ui.px(k_row_height) - ui.fonts.strong.size)}, ui.colours->text,
-            "moldlight");
+  row_text(ui, ui.fonts.strong, text_size(ui.fonts.strong, "moldlight").x, ui.colours->text, "moldlight");
   ImGui::SameLine(0.0F, ui.px(16));
   draw_part_name(context);
 }

@@ -76,7 +76,7 @@ std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
   return view_.pick(pixel);
 }
 
-Scene::Thumbnails Scene::thumbnails(int size_px) {
+MapTextures Scene::map_pictures(int size_px) {
   if (!maps_of_) return {};
   if (!plus_ || plus_->size().x != size_px) {
     plus_.emplace(context_->functions(), glm::ivec2(size_px));

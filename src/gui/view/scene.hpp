@@ -45,10 +45,7 @@ class Scene {
   /// Of the maps last compared.
   [[nodiscard]] const std::shared_ptr<const MapComparison>& comparison() const { return comparison_; }
   /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.
-  struct Thumbnails {
-    unsigned plus = 0, minus = 0;
-  };
-  [[nodiscard]] Thumbnails thumbnails(int size_px);
+  [[nodiscard]] MapTextures map_pictures(int size_px);
 
   [[nodiscard]] const LoadedPart& part() const { return part_; }
 
