@@ -6,6 +6,7 @@
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/sweep_columns.hpp"
 #include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 
@@ -80,10 +81,11 @@ void draw_comparison(const PanelContext& context) {
               known ? with_sign(column, left - right) : "…"},
              ui.colours->text, &region, palette);
   }
-  const auto doubt = [&](const Classification& result) { return result.uncertainty.total(); };
   rows.add("Undercut ±",
-           {known ? column.text(doubt(*state.figures.shown)) : "…", column.text(doubt(other.classification)),
-            known ? column.text(std::hypot(doubt(*state.figures.shown), doubt(other.classification))) : "…"},
+           {known ? uncertainty_text(*state.figures.shown) : "…", uncertainty_text(other.classification),
+            known ? fmt::format("{:.2g}", std::hypot(state.figures.shown->uncertainty.total(),
+                                                     other.classification.uncertainty.total()))
+                  : "…"},
            ui.colours->muted, nullptr, palette);
   rows.finish();
   ImGui::SetCursorScreenPos(ImVec2(start.x - ui.px(6), start.y - ui.px(3)));

@@ -60,8 +60,8 @@ constexpr std::array<SweepColumn, 11> k_columns = {{
      .key = undercut_area},
     {.name = "±",
      .help = "How far the undercut area may be off, 95 % level.",
-     .width = 42,
-     .text = [](const A& state, const C& c) { return area(state, c.classification.uncertainty.total()); },
+     .width = 60,
+     .text = [](const A&, const C& c) { return uncertainty_text(c.classification); },
      .key = [](const C& c) { return c.classification.uncertainty.total(); }},
     {.name = "%",
      .help = "Undercut, per cent of the part's area.",
@@ -122,6 +122,10 @@ void SweepOrder::sort() {
   std::stable_sort(rows_.begin(), rows_.end(), [&](std::size_t a, std::size_t b) {
     return descending_ ? key(a) > key(b) : key(a) < key(b);
   });
+}
+
+std::string uncertainty_text(const Classification& result) {
+  return fmt::format("{:.2g}", result.uncertainty.total());
 }
 
 bool ties(const SweepResult& result, const SweepCandidate& candidate) {

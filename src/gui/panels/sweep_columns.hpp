@@ -41,6 +41,8 @@ class SweepOrder {
   bool descending_ = false;
 };
 
+/// How far the undercut area may be off, in two digits as `classify` writes it: rounding alone shows, too.
+[[nodiscard]] std::string uncertainty_text(const Classification& result);
 /// Whether another candidate of the result is in the same tie group.
 [[nodiscard]] bool ties(const SweepResult& result, const SweepCandidate& candidate);
 /// "axis of 4 cylinders or cones, 3.1 % of the surface"; the first of the sources, or all of them, a line
