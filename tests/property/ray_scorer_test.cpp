@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mold/sweep/sphere_search.hpp"
+#include "mold/map_frame.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
