@@ -34,7 +34,7 @@ constexpr std::size_t k_most_cuts = 256;
 /// One that takes more facets to hide is cut.
 constexpr int k_most_covering = 16;
 constexpr double k_wall_sine = 0.02;
-constexpr double k_contour_cells = 2.0, k_facet_cells = 1.0;  // cells an item
+constexpr double k_contour_cells = 2.0, k_facet_cells = 0.25;  // cells an item
 /// Edges whose ends agree to so many places per unit lie over one another.
 constexpr double k_places = 0x1p40;
 constexpr float k_single_rounding =
