@@ -28,8 +28,8 @@ class ExactRays {
   [[nodiscard]] bool surface_point_blocked(const glm::vec3& origin, const glm::vec3& normal,
                                            const glm::vec3& direction) const;
 
-  /// Asks for many rays of one direction from points off the surface at once, several times as fast as one by
-  /// one; `answers[i]` is 1 for a ray that meets any facet. Keep neighbouring origins next to each other.
+  /// Asks for many rays of one direction from points off the surface at once; `answers[i]` is 1 for a ray
+  /// that meets any facet. Keep neighbouring origins next to each other.
   void blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,
                std::span<std::uint8_t> answers) const;
 
