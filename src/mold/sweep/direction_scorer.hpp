@@ -17,7 +17,7 @@ namespace moldlight {
 struct DirectionScore {
   RegionValues areas;
   double undercut_error = 0.0;  // 95 % level: sampling, and what the method leaves in doubt
-  double shadow_area = 0.0;     // of the part along the direction
+  double shadow_area = 0.0;     // of the part along the direction; 0 if one beside another was given up
   bool given_up = false;        // the areas are rough: the scorer stopped early
   /// Which of the samples are undercut, from a scorer that has the same samples for every direction.
   std::shared_ptr<const std::vector<bool>> undercut_samples;

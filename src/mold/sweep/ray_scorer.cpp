@@ -26,7 +26,7 @@ constexpr double k_certain = 5.0, k_certain_beside = 3.0;  // standard errors
 }  // namespace
 
 RayScorer::RayScorer(const RayScorerPart& part, double tau_deg, double lateral)
-    : part_(part), tau_deg_(tau_deg), lateral_(lateral) {}
+    : part_(part), sine_of_tau_(std::sin(glm::radians(tau_deg))), lateral_(lateral) {}
 
 void RayScorer::ask(std::size_t first, std::size_t step, const glm::dvec3& direction) {
   sample_rays_.begin({.direction = direction, .lateral = lateral_});
@@ -34,8 +34,8 @@ void RayScorer::ask(std::size_t first, std::size_t step, const glm::dvec3& direc
   for (std::size_t i = first; i < samples.size(); i += step) {
     const SurfaceSample& sample = samples[i];
     const glm::dvec3& normal = part_.geometry.normals[sample.facet];
-    sample_rays_.add(i, sample.position, normal, facet_class(normal, direction, tau_deg_),
-                     glm::dot(normal, direction));
+    const double sine = glm::dot(normal, direction);
+    sample_rays_.add(i, sample.position, normal, facet_class(sine, sine_of_tau_), sine);
   }
   sample_rays_.ask(part_.rays);
 }
@@ -93,8 +93,10 @@ DirectionScore RayScorer::score_one(const ScoringTask& task) {
         task.beside->undercut() +
         total_area * (static_cast<double>(tally.more) - static_cast<double>(tally.fewer)) / total;
   score.undercut_error = 2.0 * tally.counts.undercut(total_area).error;
-  score.shadow_area =
-      0.5 * (projected_area(part_.geometry, task.direction) - total_area * tally.hidden / total);
+  // Nobody asks that of a direction that was only compared.
+  if (side == Side::unknown || task.beside == nullptr)
+    score.shadow_area =
+        0.5 * (projected_area(part_.geometry, task.direction) - total_area * tally.hidden / total);
   if (side == Side::unknown)
     score.undercut_samples = std::make_shared<const std::vector<bool>>(std::move(tally.undercut));
   return score;

@@ -47,7 +47,7 @@ class RayScorer : public DirectionScorer {
   [[nodiscard]] Side surely_on_side(const ScoringTask& task, const Tally& tally) const;
 
   RayScorerPart part_;
-  double tau_deg_, lateral_;
+  double sine_of_tau_, lateral_;
   SampleRays sample_rays_;
 };
 

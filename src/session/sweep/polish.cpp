@@ -38,13 +38,9 @@ class Descent {
   Descent(const Polishing& polishing, const Contender& start) : polishing_(polishing), best_(start) {}
 
   Contender run() {
-    // Measured and scored once more, since neither undercut facets nor scores of the engine are of use here.
+    // Scored once more, since scores of the engine are of no use here.
     const std::array own{ScoringTask{.direction = best_.candidate.direction}};
-    const auto scores = polishing_.rays.score(own, {}, {});
-    const auto measured = measure(own);
-    if (!measured.front()) return best_;
-    best_.score = *scores.front();
-    undercut_facets_ = measured.front()->undercut_facets;
+    best_.score = *polishing_.rays.score(own, {}, {}).front();
     const PlanesAcross planes = planes_across();
     try_directions({planes.mean});
     bool moved = true;
@@ -94,7 +90,6 @@ class Descent {
       exact.undercut_error = measured[k]->classification.uncertainty.rounding;
       tell(found.candidate.direction, exact);
       if (polishing_.judge.value(found.figures) >= polishing_.judge.value(best_.figures) - k_gain) continue;
-      undercut_facets_ = measured[k]->undercut_facets;
       found.measured = std::make_shared<const MeasuredDirection>(*measured[k]);
       best_ = std::move(found);
       moved = true;
@@ -130,7 +125,9 @@ class Descent {
 
   [[nodiscard]] std::vector<std::optional<MeasuredDirection>> measure(
       std::span<const ScoringTask> tasks) const {
-    return polishing_.measurer.measure(tasks, undercut_facets_, polishing_.watch.until_cancelled(),
+    // What is undercut here is likely to be undercut beside it.
+    return polishing_.measurer.measure(tasks, best_.measured->undercut_facets,
+                                       polishing_.watch.until_cancelled(),
                                        [&] { return polishing_.watch.stopped(); });
   }
 
@@ -155,7 +152,6 @@ class Descent {
 
   const Polishing& polishing_;
   Contender best_;
-  std::vector<FacetIndex> undercut_facets_;  // of the best; likely to be undercut beside it
 };
 
 }  // namespace

@@ -38,16 +38,14 @@ ScoringPool& ScoringPools::engine() {
 }
 
 ScoringPool& ScoringPools::rays() {
-  if (!rays_) {
-    const RayScorerPart part{model_->rays(), model_->geometry, samples_};
-    const double lateral = map_settings(settings_.method, model_->frame.diagonal).lateral;
-    rays_ = std::make_unique<ScoringPool>(
-        [=, tau_deg = settings_.method.tau_deg] {
-          return std::make_unique<RayScorer>(part, tau_deg, lateral);
-        },
-        settings_.jobs);
-  }
+  if (!rays_) rays_ = std::make_unique<ScoringPool>([this] { return make_ray_scorer(); }, settings_.jobs);
   return *rays_;
+}
+
+std::unique_ptr<DirectionScorer> ScoringPools::make_ray_scorer() const {
+  const RayScorerPart part{model_->rays(), model_->geometry, samples_};
+  return std::make_unique<RayScorer>(part, settings_.method.tau_deg,
+                                     map_settings(settings_.method, model_->frame.diagonal).lateral);
 }
 
 std::unique_ptr<ScoringPool> ScoringPools::make_gl_pool() const {

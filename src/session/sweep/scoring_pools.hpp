@@ -23,6 +23,8 @@ class ScoringPools {
   /// For telling near directions from each other: exact rays from the same surface samples for every
   /// direction.
   [[nodiscard]] ScoringPool& rays();
+  /// One of the scorers of rays(), for a thread of the caller's.
+  [[nodiscard]] std::unique_ptr<DirectionScorer> make_ray_scorer() const;
 
  private:
   [[nodiscard]] std::unique_ptr<ScoringPool> make_gl_pool() const;

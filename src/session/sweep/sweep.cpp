@@ -1,10 +1,15 @@
 #include "session/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <future>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
@@ -82,6 +87,7 @@ class SweepRun {
   void polish_best();
   [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
   void list();
+  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender);
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
@@ -108,8 +114,14 @@ void SweepRun::score_candidates() {
   watch_.report(sweep_stage::k_candidates, 0.0);
   std::vector<Candidate> candidates;
   try {
+    // Meanwhile another thread makes what the later stages need of the part.
+    std::future<void> prepared = std::async(std::launch::async, [&] {
+      (void)model_.exact(watch_.until_cancelled());
+      (void)model_.rays();
+    });
     candidates = find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options,
                                  watch_.until_cancelled());
+    prepared.get();
   } catch (const Cancelled&) {
     return;
   }
@@ -240,7 +252,6 @@ void SweepRun::measure_batch(std::span<Contender> batch, const std::function<boo
     Contender& contender = batch[i];
     if (measured[i]) {
       contender.figures = judge_.measured(contender.candidate, *measured[i]);
-      measured[i]->undercut_facets = {};
       contender.measured = std::make_shared<const MeasuredDirection>(std::move(*measured[i]));
       limit_.add(contender.candidate.direction,
                  contender.figures[Criterion::undercut] + contender.figures.undercut_uncertainty);
@@ -334,18 +345,35 @@ void SweepRun::list() {
     if (!all_measured) figures.back()[Criterion::patches] = 0.0;
   }
   const Ranking ranking = judge_.rank(figures);
-  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
+  const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
   for (const std::size_t i : ranking.order) {
-    watch_.report(sweep_stage::k_final,
-                  static_cast<double>(result_.candidates.size()) / static_cast<double>(listed.size()));
     SweepCandidate candidate = listed_candidate(listed[i]);
     candidate.rank = result_.candidates.size() + 1;
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
-    candidate.tilt = tilt_margin(pools_.rays(), listed[i].candidate.direction, growth,
-                                 [this] { return watch_.stopped(); });
+    candidate.tilt = tilts[i];
     result_.candidates.push_back(std::move(candidate));
   }
+}
+
+/// Of every contender, each on one thread: one after the other they would leave threads idle.
+std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
+  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
+  std::vector<std::optional<TiltMargin>> margins(listed.size());
+  watch_.report(sweep_stage::k_final, 0.0);
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::task_arena arena(result_.jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
+      const std::unique_ptr<DirectionScorer> scorer = pools_.make_ray_scorer();
+      margins[i] =
+          tilt_margin(*scorer, listed[i].candidate.direction, growth, [this] { return watch_.stopped(); });
+      const std::lock_guard lock(mutex);
+      watch_.report(sweep_stage::k_final, static_cast<double>(++done) / static_cast<double>(listed.size()));
+    });
+  });
+  return margins;
 }
 
 }  // namespace

@@ -19,61 +19,46 @@ constexpr double k_relative_precision = 0.1;
 /// Leans of one direction.
 class Leans {
  public:
-  Leans(ScoringPool& pool, const glm::dvec3& direction, const std::function<bool()>& stop)
-      : pool_(pool), direction_(direction), stop_(stop) {}
+  Leans(DirectionScorer& scorer, const glm::dvec3& direction, double growth)
+      : scorer_(scorer),
+        direction_(direction),
+        own_(score({.direction = direction})),
+        limit_(own_.undercut() + growth) {}
 
-  /// Sets the limit; false if stopped.
-  bool measure_own(double growth) {
-    const auto own = pool_.score(std::array{ScoringTask{.direction = direction_}}, stop_, {});
-    if (!own.front()) return false;
-    own_ = *own.front();
-    limit_ = own_.undercut() + growth;
-    return true;
+  [[nodiscard]] glm::dvec3 direction(std::size_t side, double deg) const {
+    return ring_around(direction_, deg, k_sides, 0.0)[side];
   }
-
-  struct Lean {
-    std::size_t side;
-    double deg;
-  };
-  [[nodiscard]] glm::dvec3 direction(const Lean& lean) const {
-    return ring_around(direction_, lean.deg, k_sides, 0.0)[lean.side];
-  }
-  /// By how much the undercut is above the limit, a figure a lean; empty if stopped.
-  [[nodiscard]] std::vector<double> excess(const std::vector<Lean>& leans) const {
-    std::vector<ScoringTask> tasks;
-    for (const Lean& lean : leans) tasks.push_back({direction(lean), limit_, &own_, true});
-    std::vector<double> excess;
-    for (const auto& score : pool_.score(tasks, stop_, {})) {
-      if (!score) return {};
-      excess.push_back(score->undercut() - limit_);
-    }
-    return excess;
+  /// By how much the undercut is above the limit.
+  [[nodiscard]] double excess(std::size_t side, double deg) const {
+    return score({direction(side, deg), limit_, &own_, true}).undercut() - limit_;
   }
 
  private:
-  ScoringPool& pool_;
+  [[nodiscard]] DirectionScore score(const ScoringTask& task) const {
+    return std::move(scorer_.score({&task, 1}).front());
+  }
+
+  DirectionScorer& scorer_;
   glm::dvec3 direction_;
-  const std::function<bool()>& stop_;
   DirectionScore own_;
-  double limit_ = 0.0;
+  double limit_;
 };
 
 }  // namespace
 
-std::optional<TiltMargin> tilt_margin(ScoringPool& pool, const glm::dvec3& direction, double growth,
+std::optional<TiltMargin> tilt_margin(DirectionScorer& scorer, const glm::dvec3& direction, double growth,
                                       const std::function<bool()>& stop) {
-  Leans leans(pool, direction, stop);
-  if (!leans.measure_own(growth)) return std::nullopt;
+  if (stop()) return std::nullopt;
+  const Leans leans(scorer, direction, growth);
 
   // Wider and wider, until some side has grown too much.
   double within_deg = 0.0, deg = k_first_lean_deg;
   std::vector<std::size_t> grown;  // sides, the worst first
   while (true) {
-    std::vector<Leans::Lean> ring;
-    for (std::size_t side = 0; side < k_sides; ++side) ring.push_back({side, deg});
-    const std::vector<double> excess = leans.excess(ring);
-    if (excess.empty()) return std::nullopt;
+    std::array<double, k_sides> excess{};
     for (std::size_t side = 0; side < k_sides; ++side) {
+      if (stop()) return std::nullopt;
+      excess[side] = leans.excess(side, deg);
       if (excess[side] > 0.0) grown.push_back(side);
     }
     std::ranges::stable_sort(grown, std::greater{}, [&](std::size_t side) { return excess[side]; });
@@ -87,22 +72,15 @@ std::optional<TiltMargin> tilt_margin(ScoringPool& pool, const glm::dvec3& direc
   glm::dvec3 toward(0.0);
   for (const std::size_t side : grown) {
     if (side != grown.front()) {
-      const std::vector<double> excess = leans.excess({{side, good_deg}});
-      if (excess.empty()) return std::nullopt;
-      if (excess.front() <= 0.0) continue;
+      if (leans.excess(side, good_deg) <= 0.0) continue;
       bad_deg = std::exchange(good_deg, within_deg);
     }
     while (bad_deg - good_deg > k_relative_precision * bad_deg && bad_deg > 0.1 * k_first_lean_deg) {
-      const double quarter_deg = 0.25 * (bad_deg - good_deg);
-      std::vector<Leans::Lean> between;
-      for (const double k : {1.0, 2.0, 3.0}) between.push_back({side, good_deg + k * quarter_deg});
-      const std::vector<double> excess = leans.excess(between);
-      if (excess.empty()) return std::nullopt;
-      const auto first = std::ranges::find_if(excess, [](double value) { return value > 0.0; });
-      if (first != excess.end()) bad_deg = between[static_cast<std::size_t>(first - excess.begin())].deg;
-      if (first != excess.begin()) good_deg = bad_deg - quarter_deg;
+      if (stop()) return std::nullopt;
+      const double middle_deg = 0.5 * (good_deg + bad_deg);
+      (leans.excess(side, middle_deg) > 0.0 ? bad_deg : good_deg) = middle_deg;
     }
-    toward = leans.direction({side, bad_deg});
+    toward = leans.direction(side, bad_deg);
   }
   return TiltMargin{good_deg, toward};
 }

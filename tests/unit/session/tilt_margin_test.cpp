@@ -37,8 +37,8 @@ class LeaningScorer : public DirectionScorer {
 glm::dvec3 side_at(double deg) { return {std::cos(glm::radians(deg)), std::sin(glm::radians(deg)), 0.0}; }
 
 std::optional<TiltMargin> margin_towards(const glm::dvec3& side, double growth) {
-  ScoringPool pool([&] { return std::make_unique<LeaningScorer>(side); }, 1);
-  return tilt_margin(pool, {0, 0, 1}, growth, [] { return false; });
+  LeaningScorer scorer(side);
+  return tilt_margin(scorer, {0, 0, 1}, growth, [] { return false; });
 }
 
 TEST(TiltMargin, IsFoundTowardsWhicheverSide) {
@@ -60,8 +60,8 @@ TEST(TiltMargin, IsTheWidestLookedAtWhereNothingGrows) {
 }
 
 TEST(TiltMargin, IsUnknownWhereItIsStopped) {
-  ScoringPool pool([] { return std::make_unique<LeaningScorer>(side_at(0.0)); }, 1);
-  EXPECT_FALSE(tilt_margin(pool, {0, 0, 1}, k_growth_deg, [] { return true; }));
+  LeaningScorer scorer(side_at(0.0));
+  EXPECT_FALSE(tilt_margin(scorer, {0, 0, 1}, k_growth_deg, [] { return true; }));
 }
 
 }  // namespace
