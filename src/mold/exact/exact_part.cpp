@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/edge_table.hpp"
-#include "mold/exact/facet_crossings.hpp"
+#include "mold/exact/facet_encounters.hpp"
 
 namespace moldlight {
 

@@ -12,7 +12,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
-#include "mold/exact/facet_crossings.hpp"
+#include "mold/exact/facet_encounters.hpp"
 
 namespace moldlight {
 

@@ -1,4 +1,4 @@
-#include "mold/exact/facet_crossings.hpp"
+#include "mold/exact/facet_encounters.hpp"
 
 #include <algorithm>
 #include <array>
