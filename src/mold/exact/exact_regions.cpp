@@ -68,7 +68,7 @@ class FacetSplitter {
         known_(seen_facets_.size()) {}
 
   /// From here on facets share regions with each other alone.
-  void begin_task(std::uint32_t number) { task_ = number + 1; }
+  void begin_task() { ++task_; }
 
   struct Outcome {
     std::array<double, k_region_count> areas{};  // unit frame squared
@@ -336,7 +336,7 @@ void split_facets(Splitters& splitters, std::span<const FacetIndex> facets, bool
                   const Progress& progress, const Visit& visit) {
   tbb::parallel_for(std::size_t{0}, (facets.size() + k_grain - 1) / k_grain, [&](std::size_t task) {
     FacetSplitter& splitter = splitters.local();
-    splitter.begin_task(static_cast<std::uint32_t>(task));
+    splitter.begin_task();
     const std::size_t end = std::min((task + 1) * k_grain, facets.size());
     for (std::size_t k = task * k_grain; k < end && !progress.cancelled(); ++k) {
       visit(splitter, facets[k], splitter.split(facets[k], keep_cells));
