@@ -215,8 +215,10 @@ Region FacetSplitter::region_of_whole(FacetIndex facet, const FacetTest& test, c
 void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   segments_.clear();
   const ExactPart& part = projected_.part();
-  closed_sides_ = part.geometry().areas[facet] > 0.0 ? 0 : k_all_sides;
-  if (closed_sides_ != 0) return;
+  closed_sides_ = k_all_sides;
+  if (part.geometry().areas[facet] <= 0.0) return;
+  // A ray that runs along its own facet tells of no other one.
+  if (projected_.extent(facet).facing != 0 || shift_ != glm::dvec3(0.0)) closed_sides_ = 0;
   const double lowest = std::min({corners_[0].z, corners_[1].z, corners_[2].z}) - k_plane_margin;
   const double highest = std::max({corners_[0].z, corners_[1].z, corners_[2].z}) + k_plane_margin;
   const std::array<glm::dvec2, 3> footprint = {glm::dvec2(corners_[0]), glm::dvec2(corners_[1]),
