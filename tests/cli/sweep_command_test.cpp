@@ -66,6 +66,7 @@ TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
        {"cup.obj: ", "undercut unit²", "± unit²", "may lean", "Pareto", "z-axis of the file"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
   }
+  EXPECT_NE(run.out.find("e-"), std::string::npos) << "rounding is more than 0.0 in\n" << run.out;
   EXPECT_EQ(run.out.find("clamp force"), std::string::npos) << "without a pressure";
   EXPECT_EQ(run_moldlight(part.sweep({"--verbose"})).out, run.out);
   EXPECT_EQ(run_moldlight(part.sweep({"--quiet", "--jobs", "1"})).out, run.out);

@@ -139,7 +139,7 @@ TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
                                     direction_text(d),
                                     undercuts.text(undercut_area(candidate)),
                                     fmt::format("{:.2f}", share * undercut_area(candidate)),
-                                    undercuts.text(candidate.classification.uncertainty.total()),
+                                    fmt::format("{:.2g}", candidate.classification.uncertainty.total()),
                                     depths.text(candidate.draw_depth),
                                     shadows.text(candidate.projected_area)};
     if (with_force) row.push_back(forces.text(candidate.clamp_force));
