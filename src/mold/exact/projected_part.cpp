@@ -317,10 +317,9 @@ bool ProjectedPart::surely_hidden(const ContourEdge& edge, Sense sense, FacetInd
 void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visible& visible) const {
   const ContourEdge& edge = contour_[number];
   const ContourExtent& extent = contour_extents_[number];
-  auto& [met, hidden_by] = search;
   const std::array<bool, 2> asked = {
-      extent.for_below != 0 && (extent.pierces || !surely_hidden(edge, 1, hidden_by[0])),
-      extent.for_above != 0 && (extent.pierces || !surely_hidden(edge, -1, hidden_by[1]))};
+      extent.for_below != 0 && (extent.pierces || !surely_hidden(edge, 1, search.hidden_by[0])),
+      extent.for_above != 0 && (extent.pierces || !surely_hidden(edge, -1, search.hidden_by[1]))};
   const std::array<std::uint8_t, 2> facings = {blockers(1, false), blockers(-1, false)};
   const glm::dvec3 end = edge.start + edge.along;
   std::array<std::vector<double>, 2> cuts;
@@ -331,8 +330,8 @@ void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visib
                       cuts[0].size() <= k_most_cuts;
     const bool under = asked[1] && (other.for_above & facings[1]) != 0 && other.low <= extent.high &&
                        cuts[1].size() <= k_most_cuts;
-    if (!(over || under) || k == number || met[k] == number) return;
-    met[k] = number;
+    if (!(over || under) || k == number || search.met[k] == number) return;
+    search.met[k] = number;
     const ContourEdge& beyond = contour_[k];
     const double from = glm::dot(beyond.across, glm::dvec2(edge.start - beyond.start));
     const double to = glm::dot(beyond.across, glm::dvec2(end - beyond.start));
