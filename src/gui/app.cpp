@@ -274,7 +274,9 @@ SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.method = state_.settings.method;
   scene.view = view_settings(state_.settings, state_.window.theme, opening_.at(now_s_), scale_);
-  if (state_.settings.look.section) scene.view.section = section_height(*state_.model, state_.settings);
+  if (state_.settings.look.section)
+    scene.view.section =
+        scene_->section_height(state_.settings.direction(), state_.settings.look.section_height);
   scene.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = state_.settings.look.mark_difference;

@@ -23,6 +23,20 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       view_(context.functions(), *part.geometry),
       map_picture_(context.functions()) {}
 
+double Scene::section_height(const glm::dvec3& direction, double share) {
+  if (direction != extent_.direction) {
+    extent_ = {direction, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const glm::dvec3& vertex : part_.model->part.mesh.vertices) {
+      const double height = glm::dot(vertex, direction);
+      extent_.least = std::min(extent_.least, height);
+      extent_.greatest = std::max(extent_.greatest, height);
+    }
+  }
+  const double height = extent_.least + share * (extent_.greatest - extent_.least);
+  const UnitFrame& frame = part_.model->frame;
+  return (height - glm::dot(frame.center, direction)) / frame.diagonal;
+}
+
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
   const MethodSettings& method = settings.method;
   const MapInputs inputs{.direction = unit_direction(method.direction),
@@ -112,18 +126,6 @@ ViewSettings view_settings(const EditedSettings& settings, Theme theme, double o
   view.others_opacity = look.others_opacity;
   view.pixel_scale = pixel_scale;
   return view;
-}
-
-double section_height(const PartModel& model, const EditedSettings& settings) {
-  const glm::dvec3 direction = settings.direction();
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  for (const glm::dvec3& vertex : model.part.mesh.vertices) {
-    const double height = glm::dot(vertex, direction);
-    least = std::min(least, height);
-    greatest = std::max(greatest, height);
-  }
-  const double height = least + settings.look.section_height * (greatest - least);
-  return (height - glm::dot(model.frame.center, direction)) / model.frame.diagonal;
 }
 
 PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,

@@ -40,6 +40,9 @@ class Scene {
   bool draw(const ViewTarget& target, const SceneSettings& settings);
   /// Marks a face, or none.
   void choose_face(const ChosenFace* face);
+  /// Where a section plane lies along `direction` (unit), in the unit frame, at this share of the part's
+  /// extent.
+  [[nodiscard]] double section_height(const glm::dvec3& direction, double share);
   /// What the picture last drawn shows at a pixel.
   [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
   /// Of the maps last compared.
@@ -76,6 +79,12 @@ class Scene {
   std::optional<gl::ColourTarget> plus_, minus_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;
+  struct Extent {
+    glm::dvec3 direction{0.0};
+    double least = 0.0, greatest = 0.0;  // model units
+  };
+  Extent
+      extent_;  // along the direction last asked for: millions of vertices are not gone through every frame
 };
 
 /// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
@@ -88,8 +97,6 @@ inline constexpr double k_mold_travel = 0.5;
 /// All but the section's height; `pixel_scale`: pixels per layout unit.
 [[nodiscard]] ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
                                          double pixel_scale);
-/// Where the section plane lies along the direction, unit frame.
-[[nodiscard]] double section_height(const PartModel& model, const EditedSettings& settings);
 
 /// The camera with its orientation and projection, so that the part fills the free area; opened halves
 /// included.
