@@ -185,9 +185,11 @@ template <typename RegionAt>
 Region FacetSplitter::region_of_whole(FacetIndex facet, const FacetTest& test, const RegionAt& region_at) {
   const ExactPart& part = projected_.part();
   const std::size_t kind = test.beside ? 2 : test.plus ? 0 : 1;
+  // Where bodies overlap, one facet may lie inside another body and its neighbour outside.
+  if (part.any_crossings()) closed_sides_ = k_all_sides;
   const auto region_of_neighbour = [&](std::uint32_t side) -> std::uint8_t {
     const std::uint32_t number = part.side_edges()[facet][side];
-    if ((closed_sides_ >> side & 1) != 0 || number == ExactPart::k_no_edge || part.any_crossings()) return 0;
+    if ((closed_sides_ >> side & 1) != 0 || number == ExactPart::k_no_edge) return 0;
     const ExactEdge& edge = part.edges()[number];
     if (edge.kind == EdgeKind::irregular) return 0;
     const FacetIndex other = edge.left == facet ? edge.right : edge.left;
@@ -242,7 +244,7 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   if (!test.beside || shift_ == glm::dvec3(0.0)) return;
   const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
   const double height = glm::dot(normal, shift_);
-  if (height >= k_least_in_front && glm::length(shift_) <= k_most_in_front) {
+  if (height >= k_least_in_front + k_near && glm::length(shift_) <= k_most_in_front) {
     for (const FacetIndex other : part.in_front(facet)) add_crossing(other, normal);
     return;
   }

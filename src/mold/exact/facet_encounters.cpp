@@ -264,6 +264,16 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
     const CrossingQuery there{other_corners.data(), corners.data(), normals[facet], 0.0};
     if (triangle_crossing(there, crossing)) found.push_back({other, facet, crossing});
   };
+  const auto add_pair = [&](FacetIndex facet, FacetIndex other, Lists& found) {
+    if (normals[other] == glm::dvec3(0.0)) return;
+    const Heights here_over =
+        heights_over(corners_of(facet), positions[mesh.facets[other][0]], normals[other]);
+    const Heights there_over =
+        heights_over(corners_of(other), positions[mesh.facets[facet][0]], normals[facet]);
+    if (there_over.in_front) found.in_front.push_back({facet, other, other});
+    if (here_over.in_front) found.in_front.push_back({other, facet, facet});
+    if (tree.overlap(facet, other)) add_crossings(facet, other, here_over, there_over, found.crossings);
+  };
   tbb::enumerable_thread_specific<Lists> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
                     [&](const auto& range) {
@@ -271,17 +281,8 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
                       for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
                         const FacetIndex facet = tree.order()[k];
                         if (normals[facet] == glm::dvec3(0.0)) continue;
-                        const auto corners = corners_of(facet);
-                        tree.for_each_near(facet, k_most_in_front, [&](FacetIndex other) {
-                          if (normals[other] == glm::dvec3(0.0)) return;
-                          const auto other_corners = corners_of(other);
-                          const Heights here_over = heights_over(corners, other_corners[0], normals[other]);
-                          const Heights there_over = heights_over(other_corners, corners[0], normals[facet]);
-                          if (there_over.in_front) mine.in_front.push_back({facet, other, other});
-                          if (here_over.in_front) mine.in_front.push_back({other, facet, facet});
-                          if (tree.overlap(facet, other))
-                            add_crossings(facet, other, here_over, there_over, mine.crossings);
-                        });
+                        tree.for_each_near(facet, k_most_in_front,
+                                           [&](FacetIndex other) { add_pair(facet, other, mine); });
                       }
                     });
   progress.report("finding crossings", 1.0);

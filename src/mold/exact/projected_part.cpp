@@ -271,7 +271,8 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
   }
 }
 
-/// Share of the edge, from `from` on, that a facet hides beyond doubt; empty if it does not hide its begin.
+/// Up to which share of the edge a facet hides it beyond doubt, from the share `from` on; `from` itself if
+/// not even there.
 double ProjectedPart::hidden_until(FacetIndex facet, const ContourEdge& edge, Sense sense,
                                    double from) const {
   const auto& corners = part_->mesh().facets[facet];
