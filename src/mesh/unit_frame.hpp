@@ -19,7 +19,6 @@ struct UnitFrame {
   [[nodiscard]] glm::vec3 to_unit(const glm::dvec3& model) const {
     return glm::vec3((model - center) / diagonal);
   }
-  [[nodiscard]] glm::dvec3 to_model(const glm::dvec3& unit) const { return unit * diagonal + center; }
 };
 
 /// Frame of a part with these bounds; a part of no extent keeps its scale.

@@ -47,7 +47,6 @@ class Classifier {
   [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
   [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
   [[nodiscard]] const PartModel& model() const { return *model_; }
-  [[nodiscard]] std::shared_ptr<const PartModel> shared_model() const { return model_; }
   [[nodiscard]] const gl::Context& context() const { return *context_; }
 
  private:

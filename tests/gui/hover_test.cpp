@@ -69,7 +69,8 @@ TEST_F(Hovering, TellsWhatBlocksAnUndercut) {
   const Blocker& blocker = *state().hover->blocker;
   const PartModel& model = *state().model;
   const glm::dvec3 along = method().direction * (blocker.above ? 1.0 : -1.0);
-  const glm::dvec3 point = model.frame.to_model(glm::dvec3(state().hover->point.position));
+  const glm::dvec3 point =
+      glm::dvec3(state().hover->point.position) * model.frame.diagonal + model.frame.center;
   const glm::dvec3& normal = model.geometry.normals[blocker.facet];
   EXPECT_LT(glm::dot(normal, along), 0.0);
   const glm::dvec3 hit = point + blocker.distance * along;

@@ -19,7 +19,8 @@ using test::Shape;
 using test::ShapeSettings;
 
 struct Classified {
-  explicit Classified(const Shape& shape) : classifier(test::shared_context(), test::model_of(shape.mesh)) {
+  explicit Classified(const Shape& shape) : model(test::model_of(shape.mesh)) {
+    Classifier classifier(test::shared_context(), model);
     MethodSettings settings;
     settings.direction = shape.direction;
     settings.samples = 20'000;
@@ -27,9 +28,9 @@ struct Classified {
     result = classifier.classify(settings, Progress{});
   }
   [[nodiscard]] Image picture(const StillSettings& settings) {
-    return StillPainter(test::shared_context(), classifier.shared_model()).draw(result, settings, {});
+    return StillPainter(test::shared_context(), model).draw(result, settings, {});
   }
-  Classifier classifier;
+  std::shared_ptr<const PartModel> model;
   Classification result;
 };
 
@@ -61,8 +62,8 @@ TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
   Classified part(shape);
   const Camera camera{
-      .orientation = revealing_orientation(part.classifier.model(),
-                                           test::exact_regions(part.classifier.model(), part.result.settings),
+      .orientation = revealing_orientation(*part.model,
+                                           test::exact_regions(*part.model, part.result.settings),
                                            part.result.direction)};
   EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);

@@ -23,11 +23,15 @@ SplitMesh sample_split() {
   return mesh;
 }
 
-TEST(BorderWriter, WritesPolylinesInAGroupAPairOfRegions) {
+/// What is written to a file of this name.
+std::string written(const std::string& name) {
   const ScratchFolder folder;
-  const std::string path = folder.file("lines.OBJ");
-  write_borders(path, sample_split());
-  EXPECT_EQ(file_bytes(path),
+  write_borders(folder.file(name), sample_split());
+  return file_bytes(folder.file(name));
+}
+
+TEST(BorderWriter, WritesPolylinesInAGroupAPairOfRegions) {
+  EXPECT_EQ(written("lines.OBJ"),
             "# moldlight borders of mold-piece regions\n"
             "v 0 1e-07 0\nv 0.3333333333333333 0 0\nv 0 0 0\ng core-cavity\nl 1 2 3\n"
             "g core-undercut\nl 3 1\n"
@@ -35,10 +39,7 @@ TEST(BorderWriter, WritesPolylinesInAGroupAPairOfRegions) {
 }
 
 TEST(BorderWriter, WritesALineAPoint) {
-  const ScratchFolder folder;
-  const std::string path = folder.file("lines.csv");
-  write_borders(path, sample_split());
-  EXPECT_EQ(file_bytes(path),
+  EXPECT_EQ(written("lines.csv"),
             "chain,closed,region_a,region_b,x,y,z\n"
             "0,0,core,cavity,0,1e-07,0\n0,0,core,cavity,0.3333333333333333,0,0\n0,0,core,cavity,0,0,0\n"
             "1,0,core,undercut,0,0,0\n1,0,core,undercut,0,1e-07,0\n"
