@@ -62,9 +62,8 @@ TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
   Classified part(shape);
   const Camera camera{
-      .orientation = revealing_orientation(*part.model,
-                                           test::exact_regions(*part.model, part.result.settings),
-                                           part.result.direction)};
+      .orientation = revealing_orientation(
+          *part.model, test::exact_regions(*part.model, part.result.settings), part.result.direction)};
   EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
   const StillSettings settings{.size = {300, 200}};
