@@ -1,6 +1,7 @@
 // Exact regions of meshes that are no proper solids, and of directions and tolerances at their limits.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -426,6 +427,22 @@ TEST(ExactBadInput, FacetsThrownTogetherAreSane) {
     }
     expect_sane(mesh, k_settings, "thrown together " + std::to_string(seed));
   }
+}
+
+TEST(ExactBadInput, ManyFacetsRoundOneEdgeAreMeasuredWithoutListsOfEachOther) {
+  constexpr int k_facets = 2000;
+  TriangleMesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (int i = 0; i < k_facets; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / k_facets;
+    mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    mesh.facets.push_back({0, 1, static_cast<VertexIndex>(i + 2)});
+  }
+  const test::ExactModel model(mesh);
+  EXPECT_EQ(model.part().in_front(), nullptr);
+  EXPECT_NE(test::ExactModel(small_box()).part().in_front(), nullptr);
+  // Along the edge all facets are upright, and nothing is above or below any of them.
+  const ExactAreas areas = model.areas({0, 0, 1}, k_settings);
+  EXPECT_NEAR(areas.areas[Region::both], 0.5 * k_facets, 1e-9 * k_facets);
 }
 
 TEST(ExactBadInput, ASingleFacetIsSeenFromItsSide) {
