@@ -1,5 +1,9 @@
 #include "session/method_options.hpp"
 
+#include <algorithm>
+
+#include "mesh/length_unit.hpp"
+
 namespace moldlight {
 
 std::span<const Option<MethodSettings>> method_options() {
@@ -44,7 +48,7 @@ std::span<const Option<MethodSettings>> method_options() {
 
 double lateral_tolerance(const MethodSettings& settings, double diagonal) {
   constexpr double k_standard_share = 1.0 / 2048.0;
-  if (settings.tolerance) return *settings.tolerance;
+  if (settings.tolerance) return std::min(*settings.tolerance, diagonal);
   if (settings.kernel) return 0.5 * (*settings.kernel - 1) * diagonal / settings.resolution;
   return k_standard_share * diagonal;
 }
@@ -54,6 +58,11 @@ void validate(const MethodSettings& settings) {
     throw UsageError(
         "--readout facet-id looks nothing up in the maps; it does not go with --kernel-shape symmetric");
   }
+}
+
+void validate(const MethodSettings& settings, double diagonal) {
+  validate(settings);
+  if (settings.tolerance) require_within_part("--tolerance", *settings.tolerance, diagonal);
 }
 
 }  // namespace moldlight

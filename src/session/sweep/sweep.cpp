@@ -56,7 +56,7 @@ class SweepRun {
         pools_(std::move(model), settings_),
         measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs)),
         limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
-    validate(settings.method);
+    validate(settings.method, model_.frame.diagonal);
   }
 
   SweepResult run() {
