@@ -23,17 +23,19 @@ struct ClassifyFlags {
   StillSettings still;
 };
 
-void check_outputs(const ClassifyFlags& flags) {
+void check_files(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
-  check_output_files(flags.part.part, {{"--json", flags.part.json_file()},
-                                       {"--facets", files.facets},
-                                       {"--faces", files.faces},
-                                       {"--mesh", files.mesh},
-                                       {"--borders", files.borders},
-                                       {"--image", flags.image}});
-  if (!files.split_folder.empty()) check_output_folder(files.split_folder);
+  check_outputs({.inputs = {{"PART", flags.part.part}},
+                 .files = {{"--json", flags.part.json_file()},
+                           {"--facets", files.facets},
+                           {"--faces", files.faces},
+                           {"--mesh", files.mesh},
+                           {"--mesh (its colours)", material_library_path(files.mesh)},
+                           {"--borders", files.borders},
+                           {"--image", flags.image}},
+                 .folder = {"--split-dir", files.split_folder}});
 }
 
 void log_result(const Classification& result, Console& console) {
@@ -44,8 +46,9 @@ void log_result(const Classification& result, Console& console) {
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
-  check_outputs(flags);
+  check_files(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  validate(flags.method, model->frame.diagonal);
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = flags.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;

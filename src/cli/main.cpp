@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,10 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& help) {
-    return program.exit(help);
+    std::ostringstream text;
+    const int code = program.exit(help, text);
+    console.result(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     const std::string command =
         program.get_subcommands().empty() ? "" : program.get_subcommands().front()->get_name() + " ";
@@ -111,6 +115,8 @@ int run_program(std::vector<std::string> arguments, Console& console) {
 
 int main(int argc, char** argv) {
   using namespace moldlight;
+  // A file beyond the limit of size is to be an error of writing, whose temporary file is cleared away.
+  std::signal(SIGXFSZ, SIG_IGN);
   cli::Console console;
   try {
     return cli::run_program({argv + 1, argv + argc}, console);

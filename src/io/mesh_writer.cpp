@@ -77,7 +77,7 @@ std::string material_library(Palette palette) {
 
 void write_obj(const std::string& path, const ColouredMesh& coloured) {
   const TriangleMesh& mesh = coloured.mesh;
-  const std::string library_path = fs::path(path).replace_extension(".mtl").string();
+  const std::string library_path = material_library_path(path);
   AtomicFile library(library_path);
   library.write(material_library(coloured.palette));
   AtomicFile file(path);
@@ -175,6 +175,10 @@ void write_border_csv(const std::string& path, const SplitMesh& mesh) {
 }
 
 }  // namespace
+
+std::string material_library_path(const std::string& path) {
+  return lower_extension(path) == "obj" ? fs::path(path).replace_extension(".mtl").string() : std::string();
+}
 
 void check_mesh_extension(const std::string& path) {
   const std::string extension = lower_extension(path);

@@ -31,6 +31,9 @@ struct ColouredMesh {
 /// Throws UsageError for another extension, FileError where it cannot be written.
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
 
+/// The file beside an .obj that write_coloured_mesh writes, too; empty for others.
+[[nodiscard]] std::string material_library_path(const std::string& path);
+
 /// Throws UsageError where write_coloured_mesh would for the extension: to be asked before long work.
 void check_mesh_extension(const std::string& path);
 
