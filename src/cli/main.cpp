@@ -1,15 +1,21 @@
 // The program: reads the command line, runs the command, and turns every failure into one line and an exit
 // code.
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
+
+#include <tbb/global_control.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "cli/flags.hpp"
 
 namespace moldlight::cli {
@@ -106,6 +112,12 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   Progress progress(
       [&console](std::string_view stage, double fraction) { console.progress(stage, fraction); });
   const InterruptGuard guard(progress);
+  // TBB counts on a thread a core, and fails where it cannot have them beside those of a sweep.
+  const int wanted = 2 * static_cast<int>(std::max(1U, std::thread::hardware_concurrency())) + 1;
+  // Never taken back: TBB would start its threads then.
+  [[maybe_unused]] static tbb::global_control* one_thread = nullptr;
+  if (startable_threads(wanted) < wanted)
+    one_thread = new tbb::global_control(tbb::global_control::max_allowed_parallelism, 1);
   return request.body(console, progress);
 }
 
@@ -127,7 +139,9 @@ int main(int argc, char** argv) {
     console.failure(error.what());
     return cli::k_usage;
   } catch (const std::bad_alloc&) {
-    console.failure("there is not enough memory; try fewer --samples or a smaller --resolution");
+    console.failure("there is not enough memory for this part with these settings");
+  } catch (const std::system_error& error) {
+    console.failure(std::string("the system allows no more threads or the like: ") + error.what());
   } catch (const std::exception& error) {
     console.failure(error.what());
   }

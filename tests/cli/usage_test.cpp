@@ -278,6 +278,23 @@ TEST(Usage, AFileBeyondTheLimitOfSizeIsAFailureAndLeavesNothing) {
   EXPECT_EQ(entries(part), before);
 }
 
+TEST(Usage, ThreadsThatCannotBeStartedEndNothing) {
+  // 256 stacks do not go into the room: the sweep makes do with fewer or says what is missing.
+  if (test::built_with_sanitizers()) GTEST_SKIP() << "the address sanitizer wants all room";
+  const SmallPart part;
+  for (const std::size_t megabytes : {150, 300, 400, 500, 700}) {
+    test::ProcessSettings settings;
+    settings.address_space_limit = megabytes << 20;
+    settings.time_limit_s = 60.0;
+    const auto run = run_moldlight(part.sweep({"--jobs", "256"}), settings);
+    EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << megabytes << ": " << run.exit_code;
+    EXPECT_EQ(run.out.empty(), run.exit_code == 1) << megabytes;
+    if (run.exit_code == 1) {
+      EXPECT_NE(run.err.find("memory"), std::string::npos) << megabytes << run.err;
+    }
+  }
+}
+
 TEST(Usage, AFailedRunLeavesNothingBehind) {
   const SmallPart part;
   const std::size_t before = entries(part);
