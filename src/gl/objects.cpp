@@ -166,12 +166,11 @@ Framebuffer make_framebuffer(const Functions& gl, const Texture& colour, const T
   return make_framebuffer(gl, {.colours = {&name, 1}, .depth = depth != nullptr ? depth->name() : 0});
 }
 
-Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
-                                   const Texture& depth) {
+Framebuffer make_layer_framebuffer(const Functions& gl, const Layer& colour, const Layer& depth) {
   Framebuffer framebuffer(gl, generate(gl.GenFramebuffers));
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array.name(), 0, layer);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.array.name(), 0, colour.index);
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.array.name(), 0, depth.index);
   check_complete(gl, 1, true);
   return framebuffer;
 }

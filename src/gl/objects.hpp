@@ -85,9 +85,13 @@ struct Attachments {
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments);
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Texture& colour,
                                            const Texture* depth = nullptr);
-/// The same for one layer of an array texture and a 2-D depth texture.
-[[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
-                                                 const Texture& depth);
+/// One layer of an array texture.
+struct Layer {
+  const Texture& array;
+  int index;
+};
+[[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Layer& colour,
+                                                 const Layer& depth);
 
 /// Throws Error naming `where` if GL reports an error.
 void check_errors(const Functions& gl, const char* where);

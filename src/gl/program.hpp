@@ -37,6 +37,7 @@ class Program {
   /// Each sets a uniform of the program in use; CHECKs that the program has an active uniform of that name.
   /// Element k of an array is "name[k]".
   void set(std::string_view name, float value) const;
+  void set(std::string_view name, double value) const { set(name, static_cast<float>(value)); }
   void set(std::string_view name, int value) const;
   void set(std::string_view name, std::uint32_t value) const;
   void set(std::string_view name, const glm::vec2& value) const;

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "base/check.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -52,10 +50,6 @@ PartBuffers::PartBuffers(const gl::Functions& gl, const TriangleMesh& mesh, cons
   plane_buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const glm::vec4>(planes));
   planes_ = gl::make_buffer_texture(gl, GL_RGBA32F, plane_buffer_);
 
-  const std::vector<FacetClass> classes(mesh.facets.size(), FacetClass::up);
-  class_buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const FacetClass>(classes));
-  classes_ = gl::make_buffer_texture(gl, GL_R8UI, class_buffer_);
-
   std::vector<EdgeInstance> instances;
   instances.reserve(concave_edges.size());
   for (const FacetEdge& edge : concave_edges) {
@@ -96,10 +90,15 @@ void PartBuffers::draw_corners() const {
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * facet_count_));
 }
 
-void PartBuffers::set_facet_classes(std::span<const FacetClass> classes) {
-  CHECK(classes.size() == facet_count_);
-  gl_->BindBuffer(GL_TEXTURE_BUFFER, class_buffer_.name());
-  gl_->BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(classes.size_bytes()), classes.data());
+void FacetClassBuffer::set(const gl::Functions& gl, std::span<const FacetClass> classes) {
+  if (classes.size() != size_) {
+    buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, classes);
+    texels_ = gl::make_buffer_texture(gl, GL_R8UI, buffer_);
+    size_ = classes.size();
+    return;
+  }
+  gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+  gl.BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(classes.size_bytes()), classes.data());
 }
 
 }  // namespace moldlight

@@ -24,8 +24,7 @@
 
 namespace moldlight {
 
-class ViewPasses;
-struct ViewTargets;
+struct ViewTools;
 
 /// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
 /// colour that keeps sRGB values as they are written.
@@ -54,7 +53,10 @@ class PartView {
 
   /// The same until the picture is final.
   void draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-                  const ViewSettings& settings, const ViewMarks& marks = {});
+                  const ViewSettings& settings, const ViewMarks& marks = {}) {
+    while (draw(target, subject, camera, settings, marks)) {
+    }
+  }
 
   /// Facets that are marked from the next call of draw() on.
   void choose_facets(std::span<const FacetIndex> facets);
@@ -77,9 +79,7 @@ class PartView {
 
   void draw_sample(const ViewSubject& subject);
 
-  const gl::Functions* gl_;
-  std::unique_ptr<ViewPasses> passes_;
-  std::unique_ptr<ViewTargets> targets_;
+  std::unique_ptr<ViewTools> tools_;
   std::unique_ptr<Shown> shown_;
 };
 

@@ -23,13 +23,11 @@ int quotient_up(int a, int b) { return (a + b - 1) / b; }
 SampleCounting::SampleCounting(const gl::Functions& gl, std::span<const SurfaceSample> samples,
                                int directions)
     : gl_(&gl),
-      counting_(gl, {.vertex = "common/fullscreen.vert",
-                     .fragment = "measure/sample_counts.frag",
-                     .defines = {{"MAP_BATCH", "1"}}}),
+      counting_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/sample_counts.frag"}),
       summing_(gl, {.vertex = "common/fullscreen.vert",
                     .fragment = "measure/sum_counts.frag",
                     .defines = {{"k_summed", std::to_string(k_summed)}}}),
-      fullscreen_(gl::make_vertex_array(gl)),
+      corners_(gl),
       sample_count_(static_cast<int>(samples.size())) {
   CHECK(samples.size() <= k_most_samples && directions >= 1);
   const int rows = std::max(1, quotient_up(sample_count_, k_row));
@@ -58,31 +56,27 @@ SampleCounting::Counts SampleCounting::make_counts(int width, int height) const 
   return counts;
 }
 
-std::vector<SampleCounts> SampleCounting::run(const MapBatch& maps, int directions) {
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, counts_[0].framebuffer.name());
+std::vector<SampleCounts> SampleCounting::run(const ShadowMaps& maps, int directions) {
   counting_.use();
   counting_.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
   counting_.set("u_samples", sample_count_);
   counting_.set("u_block", block_);
   for (int place = 0; place < directions; ++place) {
-    maps.bind(counting_, place, 1);
-    gl_->Viewport(0, place, blocks_, 1);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    maps.bind(counting_, 1, place);
+    gl::begin(*gl_,
+              {.framebuffer = counts_[0].framebuffer.name(), .size = {blocks_, 1}, .corner = {0, place}});
+    corners_.draw();
   }
 
   summing_.use();
   const Counts* from = &counts_[0];
   const Counts* to = &counts_[1];
   for (int width = blocks_; width > 1; width = quotient_up(width, k_summed)) {
-    gl_->BindFramebuffer(GL_FRAMEBUFFER, to->framebuffer.name());
-    gl_->Viewport(0, 0, quotient_up(width, k_summed), directions);
+    gl::begin(*gl_,
+              {.framebuffer = to->framebuffer.name(), .size = {quotient_up(width, k_summed), directions}});
     summing_.set_texture("t_regions", 0, GL_TEXTURE_2D, from->regions);
     summing_.set("u_width", width);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    corners_.draw();
     std::swap(from, to);
   }
 

@@ -14,23 +14,17 @@ SamplePass::SamplePass(const gl::Functions& gl)
       symmetric_(gl, {.vertex = "common/fullscreen.vert",
                       .fragment = "measure/samples.frag",
                       .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
-      fullscreen_(gl::make_vertex_array(gl)),
+      corners_(gl),
       samples_(gl::make_texture_2d(gl, GL_RGBA32UI, k_block_width, k_block_height)),
       verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)),
       framebuffer_(gl::make_framebuffer(gl, verdicts_)) {}
 
-std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const PartBuffers& part,
-                                          const ShadowMaps& maps) {
+std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const ShadowMaps& maps) {
   std::vector<std::uint8_t> verdicts(samples.size());
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
   const gl::Program& program = maps.settings().symmetric_kernel ? symmetric_ : one_sided_;
   program.use();
-  maps.bind(program, part, 1);
+  maps.bind(program, 1);
   program.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
-  gl_->BindVertexArray(fullscreen_.name());
   gl_->ActiveTexture(GL_TEXTURE0);
   gl_->BindTexture(GL_TEXTURE_2D, samples_.name());
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -46,8 +40,8 @@ std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples
                height = static_cast<GLsizei>(std::max<std::size_t>(rows, 1));
     gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
                        &samples[done]);
-    gl_->Viewport(0, 0, width, height);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::begin(*gl_, {.framebuffer = framebuffer_.name(), .size = {width, height}});
+    corners_.draw();
     gl_->ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &verdicts[done]);
     done += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }

@@ -5,22 +5,17 @@
 namespace moldlight {
 
 ScreenPass::ScreenPass(const gl::Functions& gl, const gl::ProgramSources& sources)
-    : gl_(&gl), program_(gl, sources), fullscreen_(gl::make_vertex_array(gl)) {}
+    : gl_(&gl), program_(gl, sources), corners_(gl) {}
 
 const gl::Program& ScreenPass::begin(GLuint framebuffer, const glm::ivec2& size) const {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl_->Viewport(0, 0, size.x, size.y);
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
+  gl::begin(*gl_, {.framebuffer = framebuffer, .size = size});
   program_.use();
   program_.set("u_size", glm::vec2(size));
   return program_;
 }
 
 void ScreenPass::finish() const {
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  corners_.draw();
   gl::check_errors(*gl_, "drawing over a framebuffer");
 }
 
@@ -40,7 +35,9 @@ MapPicture::MapPicture(const gl::Functions& gl)
     : ScreenPass(gl, {.vertex = "common/fullscreen.vert", .fragment = "view/map_picture.frag"}) {}
 
 void MapPicture::draw(GLuint framebuffer, const glm::ivec2& size, const ShadowMaps& maps, bool plus) const {
-  begin(framebuffer, size).set_texture("t_depth", 0, GL_TEXTURE_2D, maps.depth(plus));
+  const gl::Program& program = begin(framebuffer, size);
+  program.set_texture("t_depths", 0, GL_TEXTURE_2D_ARRAY, maps.depths());
+  program.set("u_layer", plus ? 0 : 1);
   finish();
 }
 

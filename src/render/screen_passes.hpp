@@ -21,7 +21,7 @@ class ScreenPass {
  private:
   const gl::Functions* gl_;
   gl::Program program_;
-  gl::VertexArray fullscreen_;
+  gl::NumberedCorners corners_;
 };
 
 /// The backdrop alone, as it lies behind a part: for a window without one.

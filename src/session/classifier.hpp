@@ -25,6 +25,14 @@ namespace moldlight {
 [[nodiscard]] std::vector<FacetClass> facet_classes(const FacetGeometry& geometry,
                                                     const glm::dvec3& direction, double tau_deg);
 
+/// The part on the GL.
+[[nodiscard]] PartBuffers part_buffers(const gl::Context& context, const PartModel& model);
+
+/// Draws the maps for the settings' direction. Throws UsageError for settings that make no sense, Error where
+/// the GL fails.
+void draw_maps(ShadowMaps& maps, const PartBuffers& buffers, const PartModel& model,
+               const MethodSettings& settings);
+
 /// Keeps what several directions share: buffers, maps, samples. `context` must be current at every call and
 /// outlive the classifier.
 class Classifier {
@@ -42,7 +50,7 @@ class Classifier {
   void compare_maps(Classification& result, const Progress& progress);
 
   /// Draws the maps for the settings' direction, for pictures.
-  void draw_maps(const MethodSettings& settings);
+  void draw_maps(const MethodSettings& settings) { moldlight::draw_maps(maps_, buffers_, *model_, settings); }
 
   [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
   [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
@@ -52,7 +60,7 @@ class Classifier {
  private:
   [[nodiscard]] std::vector<std::uint8_t> look_up(std::span<const SurfaceSample> samples);
   [[nodiscard]] FacetFractions fractions_by_samples(int wanted);
-  [[nodiscard]] FacetFractions fractions_by_facet_id(int resolution);
+  [[nodiscard]] FacetFractions fractions_by_facet_id(const MethodSettings& settings);
 
   const gl::Context* context_;
   std::shared_ptr<const PartModel> model_;

@@ -65,7 +65,7 @@ void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
   if (compared_samples_ == samples && compared_maps_ == revision) return;
   if (!sample_pass_) sample_pass_.emplace(context_->functions());
   comparison_ = std::make_shared<const MapComparison>(
-      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.buffers(), maps_.maps())));
+      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.maps())));
   compared_samples_ = samples;
   compared_maps_ = revision;
 }
