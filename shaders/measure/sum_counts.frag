@@ -1,12 +1,12 @@
 #version 330 core
 // One fragment sums up to k_summed counts beside each other in a row.
-uniform usampler2D t_regions;
+uniform usampler2D t_counts;
 uniform int u_width;  // counts in a row
-layout(location = 0) out uvec4 o_regions;
+layout(location = 0) out uvec4 o_counts;
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   int first = at.x * k_summed;
-  o_regions = uvec4(0u);
-  for (int x = first; x < min(first + k_summed, u_width); ++x) o_regions += texelFetch(t_regions, ivec2(x, at.y), 0);
+  o_counts = uvec4(0u);
+  for (int x = first; x < min(first + k_summed, u_width); ++x) o_counts += texelFetch(t_counts, ivec2(x, at.y), 0);
 }

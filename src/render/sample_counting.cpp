@@ -74,7 +74,7 @@ std::vector<SampleCounts> SampleCounting::run(const ShadowMaps& maps, int direct
   for (int width = blocks_; width > 1; width = quotient_up(width, k_summed)) {
     gl::begin(*gl_,
               {.framebuffer = to->framebuffer.name(), .size = {quotient_up(width, k_summed), directions}});
-    summing_.set_texture("t_regions", 0, GL_TEXTURE_2D, from->regions);
+    summing_.set_texture("t_counts", 0, GL_TEXTURE_2D, from->regions);
     summing_.set("u_width", width);
     corners_.draw();
     std::swap(from, to);
@@ -82,10 +82,14 @@ std::vector<SampleCounts> SampleCounting::run(const ShadowMaps& maps, int direct
 
   gl_->BindFramebuffer(GL_FRAMEBUFFER, from->framebuffer.name());
   gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
-  std::vector<SampleCounts> counts(static_cast<std::size_t>(directions));
-  static_assert(sizeof(SampleCounts) == 4 * sizeof(std::uint32_t));
-  gl_->ReadPixels(0, 0, 1, directions, GL_RGBA_INTEGER, GL_UNSIGNED_INT, counts.data());
+  std::vector<std::array<std::uint32_t, 4>> by_bits(static_cast<std::size_t>(directions));
+  gl_->ReadPixels(0, 0, 1, directions, GL_RGBA_INTEGER, GL_UNSIGNED_INT, by_bits.data());
   gl::check_errors(*gl_, "counting samples");
+  std::vector<SampleCounts> counts(by_bits.size());
+  for (std::size_t place = 0; place < counts.size(); ++place) {
+    for (std::uint8_t bits = 0; bits < 4; ++bits)
+      counts[place].regions[static_cast<std::size_t>(verdict_region(bits))] += by_bits[place][bits];
+  }
   return counts;
 }
 

@@ -48,8 +48,6 @@ void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
-/// "Core".
-[[nodiscard]] std::string_view shown_name(Region region);
 void draw_status(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
