@@ -273,13 +273,17 @@ void App::set_direction(const glm::dvec3& direction) {
 SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.method = state_.settings.method;
-  scene.view = view_settings(state_.settings, state_.window.theme, opening_.at(now_s_), scale_);
-  if (state_.settings.look.section)
-    scene.view.section =
-        scene_->section_height(state_.settings.direction(), state_.settings.look.section_height);
+  const LookSettings& look = state_.settings.look;
+  scene.view = {look};
+  scene.view.theme = state_.window.theme;
+  scene.view.tau_deg = state_.settings.method.tau_deg;
+  scene.view.open_mold = opening_.at(now_s_);
+  scene.view.pixel_scale = scale_;
+  if (look.section)
+    scene.view.cut_at = scene_->section_height(state_.settings.direction(), look.section_height);
   scene.camera = state_.camera;
   scene.direction_moves = direction_moves_;
-  const bool marked = state_.settings.look.mark_difference;
+  const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
   if (marked || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;

@@ -19,7 +19,7 @@ struct LineStyle {
 void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer& segments,
                    const LineStyle& style) {
   if (segments.empty()) return;
-  const bool moved = frame.opened(), cut = frame.settings.section.has_value();
+  const bool moved = frame.opened(), cut = frame.settings.cut_at.has_value();
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::less,

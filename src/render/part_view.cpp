@@ -99,7 +99,7 @@ void PartView::draw_sample(const ViewSubject& subject) {
     shade(tools, frame);
   }
   draw_lines(tools, frame);
-  if (settings.parting_arrows) draw_arrows(tools, frame);
+  if (settings.arrows) draw_arrows(tools, frame);
   shown_->unit_from_clip = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++shown_->samples;
 }
@@ -140,8 +140,8 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   const glm::dvec4 clip(2.0 * (pixel.x + 0.5) / size.x - 1.0, 2.0 * (row + 0.5) / size.y - 1.0,
                         2.0 * depth - 1.0, 1.0);
   const glm::dvec4 seen = shown_->unit_from_clip * clip;
-  const double open_mold = shown_->inputs.settings.open_mold;
-  const double opened = bits[0] == 1 ? open_mold : bits[0] == 2 ? -open_mold : 0.0;
+  const double travel = shown_->inputs.settings.travel();
+  const double opened = bits[0] == 1 ? travel : bits[0] == 2 ? -travel : 0.0;
   return PickedPoint{.facet = number - 1,
                      .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * shown_->inputs.direction),
                      .region = region_of((bits[0] & 1U) != 0, (bits[0] & 2U) != 0)};

@@ -35,14 +35,14 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
     program.set(element("u_draft_sines", i), std::sin(glm::radians(scale.limits_deg[i])));
   for (std::size_t i = 0; i < scale.colours.size(); ++i)
     program.set(element("u_draft", i), light_value(scale.colours[i]));
-  program.set("u_opened", settings.open_mold);
+  program.set("u_opened", settings.travel());
   program.set("u_facet_edge", settings.facet_edges ? 0.5 * settings.pixel_scale : 0.0);
   program.set("u_facet_edge_colour", light_value({26, 28, 33}));
   // Level lines keep their distance on the screen within a factor of two, and their place on the part.
   const double wanted = k_level_pitch_px * settings.pixel_scale * length;
   program.set("u_level_step", settings.near_vertical ? std::exp2(std::ceil(std::log2(wanted))) : 0.0);
   program.set("u_level_colour", light_value({255, 255, 255}));
-  program.set("u_section", settings.section && !frame.opened());
+  program.set("u_section", settings.cut_at && !frame.opened());
   program.set("u_cut_colour", light_value(k_cut_surface));
   const glm::dmat4 to_pixels = glm::scale(glm::dmat4(1.0), glm::dvec3(0.5 * glm::dvec2(frame.size), 1.0)) *
                                glm::translate(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.0));
@@ -54,7 +54,7 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
 
 bool needs_detail(const ViewSettings& settings) {
   return settings.colour_mode == ColourMode::draft_angle || settings.facet_edges || settings.near_vertical ||
-         settings.section || settings.open_mold > 0.0;
+         settings.cut_at || settings.open_mold > 0.0;
 }
 
 void draw_background(ViewTools& tools, const ViewFrame& frame) {
@@ -111,7 +111,7 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
         project(frame.camera, frame.size, glm::dvec3(0.0)).value_or(glm::dvec2(0.0)) + frame.shift_px;
     program.set("u_hatch_origin", glm::vec2(origin.x, frame.size.y - origin.y));
     program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
-                                     settings.hatch_undercut && regions ? k_hatch_strength : 0.0));
+                                     settings.hatching && regions ? k_hatch_strength : 0.0));
   }
   program.set("u_others_opacity", ghost ? settings.others_opacity : 1.0);
   if (detail) set_detail(program, frame);

@@ -18,7 +18,7 @@ void draw_cut(ViewTools& tools, const ViewFrame& frame) {
                        .writes_depth = true});
   const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/cut_depth.frag");
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, targets.surface);
-  program.set("u_section", glm::vec4(glm::dvec4(frame.direction, *frame.settings.section)));
+  program.set("u_section", glm::vec4(glm::dvec4(frame.direction, *frame.settings.cut_at)));
   program.set("u_clip_from_unit", frame.clip_from_unit);
   frame.set_sight(program);
   tools.corners.draw();
@@ -27,7 +27,7 @@ void draw_cut(ViewTools& tools, const ViewFrame& frame) {
 }  // namespace
 
 void draw_surface(ViewTools& tools, const ViewFrame& frame) {
-  const bool separate = frame.by_region(), cut = frame.settings.section.has_value();
+  const bool separate = frame.by_region(), cut = frame.settings.cut_at.has_value();
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_surface.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::less,
@@ -80,7 +80,7 @@ void draw_openness(ViewTools& tools, const ViewFrame& frame, int taps) {
   const double radius = std::min(k_openness_radius, k_openness_share * frame.camera.height);
   program.set("u_radius", radius);
   program.set("u_radius_px", radius / scale);
-  program.set("u_cut", glm::vec4(frame.direction, frame.settings.section && !frame.opened() ? 1.0 : 0.0));
+  program.set("u_cut", glm::vec4(frame.direction, frame.settings.cut_at && !frame.opened() ? 1.0 : 0.0));
   program.set("u_taps", taps);
   program.set("u_sample", frame.sample);
   tools.corners.draw();

@@ -68,14 +68,16 @@ void ViewFrame::set_eye_depth(const gl::Program& program) const {
 
 void ViewFrame::set_section(const gl::Program& program) const {
   program.set("u_section_normal", glm::vec3(direction));
-  program.set("u_section_offset", *settings.section);
+  program.set("u_section_offset", *settings.cut_at);
 }
 
 std::vector<Piece> ViewFrame::pieces() const {
-  constexpr std::uint32_t k_undercut = 1U << 0, k_core = 1U << 1, k_cavity = 1U << 2, k_both = 1U << 3;
-  if (layer == Layer::undercuts_alone) return {{glm::vec3(0.0F), k_undercut}};
-  const glm::vec3 moved(settings.open_mold * direction);
-  return {{glm::vec3(0.0F), k_undercut | k_both}, {moved, k_core}, {-moved, k_cavity}};
+  const auto bit = [](Region region) { return 1U << facts(region).accessible; };
+  if (layer == Layer::undercuts_alone) return {{glm::vec3(0.0F), bit(Region::undercut)}};
+  const glm::vec3 moved(settings.travel() * direction);
+  return {{glm::vec3(0.0F), bit(Region::undercut) | bit(Region::both)},
+          {moved, bit(Region::core)},
+          {-moved, bit(Region::cavity)}};
 }
 
 bool ViewFrame::exact() const {

@@ -48,7 +48,9 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
       moving.draw_moving(method);
       drawn.draw_resting(moving_method(method, model->frame.diagonal));
       const auto regions = [&](const PictureMaps& maps) {
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, {.samples = 1});
+        ViewSettings settings;
+        settings.samples = 1;
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, settings);
         return view.read_regions();
       };
       const auto facets = (static_cast<void>(regions(drawn)), view.read_facets());
@@ -117,7 +119,9 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
       MethodSettings method;
       method.direction = direction;
       const auto regions = [&] {
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, {.samples = 1});
+        ViewSettings settings;
+        settings.samples = 1;
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, settings);
         return view.read_regions();
       };
       maps.drop_split();

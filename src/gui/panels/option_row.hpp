@@ -35,13 +35,6 @@ namespace detail {
 
 }  // namespace detail
 
-/// The option of this key, which the table must hold.
-template <typename S>
-[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
-  const auto found = std::ranges::find(options, key, &Option<S>::key);
-  CHECK(found != options.end());
-  return *found;
-}
 /// Whether the option is one of these.
 template <typename S>
 [[nodiscard]] bool is_among(std::span<const std::string_view> keys, const Option<S>& option) {

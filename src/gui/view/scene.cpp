@@ -106,33 +106,6 @@ MapTextures Scene::map_pictures(int size_px) {
   return {plus_->texture(), minus_->texture()};
 }
 
-ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
-                           double pixel_scale) {
-  const LookSettings& look = settings.look;
-  ViewSettings view;
-  view.theme = theme;
-  view.palette = look.palette;
-  view.colour_mode = look.colouring == Colouring::regions ? ColourMode::regions : ColourMode::draft_angle;
-  view.regions_by = look.regions_by;
-  view.mark_difference = look.mark_difference;
-  view.hatch_undercut = look.hatching;
-  view.feature_edges = look.feature_edges;
-  view.facet_edges = look.facet_edges;
-  view.contour_edges = look.contour_edges;
-  view.near_vertical = look.near_vertical;
-  view.parting_arrows = look.arrows;
-  view.tau_deg = settings.method.tau_deg;
-  view.open_mold = open_mold * k_mold_travel;
-  view.others_opacity = look.others_opacity;
-  view.pixel_scale = pixel_scale;
-  return view;
-}
-
-PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
-                              double open_mold) {
-  return parting_arrow(extremes, toward, open_mold * k_mold_travel);
-}
-
 Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, const EditedSettings& settings,
                  const FreeArea& area) {
   const glm::dvec3 direction = settings.direction();
@@ -149,7 +122,7 @@ Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, cons
   }
   // The arrows and their names are to be seen too.
   for (const glm::dvec3& toward : {direction, -direction})
-    points.emplace_back(parting_arrow_of(extremes, toward, open_mold).tip);
+    points.emplace_back(parting_arrow(extremes, toward, open_mold).tip);
   const glm::ivec2 free = glm::max(area.max - area.min, glm::ivec2(64));
   Camera fit = fitted(camera, points, free, k_fill);
   // The free area's picture, seen as a part of the window's.

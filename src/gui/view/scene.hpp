@@ -1,5 +1,5 @@
 // The part in the window: its buffers, maps and picture on the window's context, drawn anew only as far as
-// something changed. And from the window's settings to those of the picture, and where the camera goes.
+// something changed. And where the camera goes.
 #pragma once
 
 #include <memory>
@@ -86,17 +86,6 @@ class Scene {
   Extent
       extent_;  // along the direction last asked for: millions of vertices are not gone through every frame
 };
-
-/// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
-inline constexpr double k_mold_travel = 0.5;
-
-/// The arrow along `toward` (unit), as the picture draws it beside the part's outermost points.
-[[nodiscard]] PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
-                                            double open_mold);
-
-/// All but the section's height; `pixel_scale`: pixels per layout unit.
-[[nodiscard]] ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
-                                         double pixel_scale);
 
 /// The camera with its orientation and projection, so that the part fills the free area; opened halves
 /// included.
