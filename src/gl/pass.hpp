@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "gl/objects.hpp"
+#include "gl/program.hpp"
 
 namespace moldlight::gl {
 
@@ -45,6 +45,15 @@ class NumberedCorners {
  private:
   const Functions* gl_;
   VertexArray none_;
+};
+
+/// What passes are drawn with. Valid for one context.
+struct Tools {
+  explicit Tools(const Functions& functions) : gl(functions), programs(functions), corners(functions) {}
+
+  const Functions& gl;
+  Programs programs;
+  NumberedCorners corners;
 };
 
 }  // namespace moldlight::gl

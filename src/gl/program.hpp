@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -53,9 +54,24 @@ class Program {
   [[nodiscard]] GLint location(std::string_view name) const;
 
   const Functions* gl_;
-  Handle<delete_program> program_;
+  Handle<&Functions::DeleteProgram> program_;
   std::string name_;
   std::map<std::string, GLint, std::less<>> uniforms_;
+};
+
+/// Programs of the embedded files, each variant compiled when it is first needed.
+class Programs {
+ public:
+  explicit Programs(const Functions& gl) : gl_(&gl) {}
+
+  /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
+  /// defines are left out. Throws Error where it does not compile.
+  const Program& use(std::string_view vertex, std::string_view fragment,
+                     const std::vector<std::string_view>& defines = {});
+
+ private:
+  const Functions* gl_;
+  std::map<std::string, Program, std::less<>> programs_;
 };
 
 }  // namespace moldlight::gl

@@ -33,7 +33,7 @@ bool mouse_acts() {
 
 App::App(const gl::Context& context, AppOptions options)
     : context_(&context),
-      backdrop_(context.functions()),
+      tools_(context.functions()),
       options_(std::move(options)),
       history_(EditedSettings{}),
       layout_(options_.user.layout),
@@ -302,7 +302,7 @@ bool App::draw(const ViewTarget& target) {
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
   } else {
-    backdrop_.draw(target.framebuffer, target.size, state_.window.theme);
+    draw_backdrop(tools_, target, state_.window.theme);
   }
   // ImGui goes back to the program that was in use, which may be deleted by then.
   gl::use_no_program(context_->functions());

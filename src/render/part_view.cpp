@@ -41,91 +41,76 @@ ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) 
 
 }  // namespace
 
-/// What the picture in the targets shows, to tell whether the next one is the same.
-struct PartView::Shown {
-  ViewInputs inputs;
-  int samples = 0;                 // drawn so far
-  glm::dmat4 unit_from_clip{1.0};  // of the last of them
-};
-
-PartView::PartView(const gl::Functions& gl, const ViewGeometry& geometry)
-    : tools_(std::make_unique<ViewTools>(gl, geometry)), shown_(std::make_unique<Shown>()) {}
-
-PartView::~PartView() = default;
-
 bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const Camera& camera,
                     const ViewSettings& settings, const ViewMarks& marks) {
   const ViewSubject subject = asked_for(of, settings);
-  ViewTools& tools = *tools_;
-  int& samples = shown_->samples;
-  if (tools.targets.size != target.size) {
-    tools.targets = {};
-    tools.targets = ViewTargets(tools.gl, target.size);
-    samples = 0;
+  if (tools_.targets.size != target.size) {
+    tools_.targets = {};
+    tools_.targets = ViewTargets(tools_.gl, target.size);
+    samples_ = 0;
   }
   const ViewInputs inputs{.camera = camera,
                           .settings = settings,
                           .direction = subject.direction,
                           .maps = subject.maps != nullptr ? subject.maps->revision() : 0,
                           .split = subject.split != nullptr ? subject.split->revision() : 0};
-  if (shown_->inputs != inputs) samples = 0;
-  shown_->inputs = inputs;
-  if (samples == 0) {
+  if (shown_ != inputs) samples_ = 0;
+  shown_ = inputs;
+  if (samples_ == 0) {
     draw_sample(subject);
-  } else if (samples < settings.samples) {
-    tools.targets.make_sum(tools.gl);
-    if (samples == 1) accumulate(tools, true);
+  } else if (samples_ < settings.samples) {
+    tools_.targets.make_sum(tools_.gl);
+    if (samples_ == 1) accumulate(tools_, true);
     draw_sample(subject);
-    accumulate(tools, false);
+    accumulate(tools_, false);
   }
-  present(tools, samples, target.framebuffer);
-  draw_marks(tools, marks, target.framebuffer);
-  gl::check_errors(tools.gl, "drawing the picture");
-  return samples < settings.samples;
+  present(tools_, samples_, target.framebuffer);
+  draw_marks(tools_, marks, target.framebuffer);
+  gl::check_errors(tools_.gl, "drawing the picture");
+  return samples_ < settings.samples;
 }
 
 void PartView::draw_sample(const ViewSubject& subject) {
-  ViewTools& tools = *tools_;
-  ViewFrame frame(shown_->inputs, subject, tools.targets.size, shown_->samples);
+  ViewFrame frame(shown_, subject, tools_.targets.size, samples_);
   const ViewSettings& settings = frame.settings;
   const int taps = !settings.ambient_occlusion ? 0 : frame.sample == 0 ? k_taps_moving : k_taps_at_rest;
   const bool ghost = settings.others_opacity < 1.0;
   for (const Layer layer : {Layer::undercuts_alone, Layer::whole}) {
     if (layer == Layer::undercuts_alone && !ghost) continue;
     frame.layer = layer;
-    draw_surface(tools, frame);
-    draw_openness(tools, frame, taps);
-    if (layer == Layer::undercuts_alone || !ghost) draw_background(tools, frame);
-    shade(tools, frame);
+    draw_surface(tools_, frame);
+    draw_openness(tools_, frame, taps);
+    if (layer == Layer::undercuts_alone || !ghost) draw_background(tools_, frame);
+    shade(tools_, frame);
   }
-  draw_lines(tools, frame);
-  if (settings.arrows) draw_arrows(tools, frame);
-  shown_->unit_from_clip = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
-  ++shown_->samples;
+  draw_lines(tools_, frame);
+  if (settings.arrows) draw_arrows(tools_, frame);
+  unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
+  ++samples_;
 }
 
 void PartView::choose_facets(std::span<const FacetIndex> facets) {
-  tools_->mesh.chosen = ChosenFacets(tools_->gl, tools_->mesh.facet_count, facets);
+  tools_.mesh.chosen = ChosenFacets(tools_.gl, tools_.mesh.facet_count, facets);
 }
 
 void PartView::set_outline(std::span<const ViewSegment> segments) {
-  tools_->mesh.outline = SegmentBuffer(tools_->gl, segments);
-  shown_->samples = 0;
+  tools_.mesh.outline = SegmentBuffer(tools_.gl, segments);
+  samples_ = 0;
 }
 
 void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {
-  tools_->mesh.convex_contour = SegmentBuffer(tools_->gl, convex);
-  tools_->mesh.concave_contour = SegmentBuffer(tools_->gl, concave);
-  shown_->samples = 0;
+  tools_.mesh.convex_contour = SegmentBuffer(tools_.gl, convex);
+  tools_.mesh.concave_contour = SegmentBuffer(tools_.gl, concave);
+  samples_ = 0;
 }
 
 std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
-  const gl::Functions& gl = tools_->gl;
-  const glm::ivec2& size = tools_->targets.size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
   const int row = size.y - 1 - pixel.y;
   std::array<std::uint32_t, 2> surface{};
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_->targets.to_surface.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   const std::uint32_t number = surface[0] & k_facet_mask;
@@ -133,26 +118,26 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   float depth = 0.0F;
   gl.ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   std::array<std::uint8_t, 4> bits{};
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_->targets.to_accessible.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_accessible.name());
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, bits.data());
   gl::check_errors(gl, "reading what is under the cursor");
 
   const glm::dvec4 clip(2.0 * (pixel.x + 0.5) / size.x - 1.0, 2.0 * (row + 0.5) / size.y - 1.0,
                         2.0 * depth - 1.0, 1.0);
-  const glm::dvec4 seen = shown_->unit_from_clip * clip;
-  const double travel = shown_->inputs.settings.travel();
+  const glm::dvec4 seen = unit_from_clip_ * clip;
+  const double travel = shown_.settings.travel();
   const double opened = bits[0] == 1 ? travel : bits[0] == 2 ? -travel : 0.0;
   return PickedPoint{.facet = number - 1,
-                     .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * shown_->inputs.direction),
+                     .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * shown_.direction),
                      .region = region_of((bits[0] & 1U) != 0, (bits[0] & 2U) != 0)};
 }
 
 std::vector<std::uint32_t> PartView::read_facets() const {
-  const gl::Functions& gl = tools_->gl;
-  const glm::ivec2& size = tools_->targets.size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   std::vector<std::array<std::uint32_t, 2>> surface(pixels);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_->targets.to_surface.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, size.x, size.y, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   std::vector<std::uint32_t> facets;
@@ -162,10 +147,10 @@ std::vector<std::uint32_t> PartView::read_facets() const {
 }
 
 std::vector<std::uint8_t> PartView::read_regions() const {
-  const gl::Functions& gl = tools_->gl;
-  const glm::ivec2& size = tools_->targets.size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   std::vector<std::uint8_t> regions(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_->targets.to_accessible.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_accessible.name());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.ReadPixels(0, 0, size.x, size.y, GL_RED_INTEGER, GL_UNSIGNED_BYTE, regions.data());
   return regions;

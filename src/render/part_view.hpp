@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,23 +14,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "gl/objects.hpp"
 #include "mold/region.hpp"
-#include "render/camera.hpp"
-#include "render/view_geometry.hpp"
-#include "render/view_mesh.hpp"
-#include "render/view_settings.hpp"
+#include "render/view_frame.hpp"
+#include "render/view_tools.hpp"
 
 namespace moldlight {
-
-struct ViewTools;
-
-/// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
-/// colour that keeps sRGB values as they are written.
-struct ViewTarget {
-  GLuint framebuffer = 0;
-  glm::ivec2 size{0};
-};
 
 /// What is seen at a pixel.
 struct PickedPoint {
@@ -43,8 +30,7 @@ struct PickedPoint {
 /// Needs its context current at every call. Keeps targets of the size last drawn.
 class PartView {
  public:
-  PartView(const gl::Functions& gl, const ViewGeometry& geometry);
-  ~PartView();
+  PartView(const gl::Functions& gl, const ViewGeometry& geometry) : tools_(gl, geometry) {}
 
   /// Draws the part. Returns true while drawing the same again would refine the picture; false once it is
   /// final.
@@ -75,12 +61,13 @@ class PartView {
   [[nodiscard]] std::vector<std::uint8_t> read_regions() const;
 
  private:
-  struct Shown;
-
   void draw_sample(const ViewSubject& subject);
 
-  std::unique_ptr<ViewTools> tools_;
-  std::unique_ptr<Shown> shown_;
+  ViewTools tools_;
+  // What the targets show, to tell whether the next picture is the same.
+  ViewInputs shown_;
+  int samples_ = 0;                 // drawn so far
+  glm::dmat4 unit_from_clip_{1.0};  // of the last of them
 };
 
 }  // namespace moldlight

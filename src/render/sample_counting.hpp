@@ -30,9 +30,7 @@ class SampleCounting {
   };
   [[nodiscard]] Counts make_counts(int width, int height) const;
 
-  const gl::Functions* gl_;
-  gl::Program counting_, summing_;
-  gl::NumberedCorners corners_;
+  gl::Tools tools_;
   gl::Texture samples_;
   int sample_count_ = 0, block_ = 0, blocks_ = 0;
   std::array<Counts, 2> counts_;

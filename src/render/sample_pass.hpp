@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "gl/pass.hpp"
-#include "gl/program.hpp"
 #include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/shadow_maps.hpp"
@@ -23,9 +22,7 @@ class SamplePass {
   [[nodiscard]] std::vector<std::uint8_t> run(std::span<const SurfaceSample> samples, const ShadowMaps& maps);
 
  private:
-  const gl::Functions* gl_;
-  gl::Program one_sided_, symmetric_;
-  gl::NumberedCorners corners_;
+  gl::Tools tools_;
   gl::Texture samples_, verdicts_;
   gl::Framebuffer framebuffer_;
 };

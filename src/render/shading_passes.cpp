@@ -19,6 +19,16 @@ std::string element(const char* name, std::size_t index) {
   return std::string(name) + "[" + std::to_string(index) + "]";
 }
 
+void draw_gradient(gl::Tools& tools, Theme theme, const glm::ivec2& size, int sample) {
+  const BackdropColours colours = backdrop_colours(theme);
+  const gl::Program& program = tools.programs.use("common/at_infinity.vert", "view/background.frag");
+  program.set("u_above", screen_value(colours.above));
+  program.set("u_below", screen_value(colours.below));
+  program.set("u_size", glm::vec2(size));
+  program.set("u_sample", sample);
+  tools.corners.draw();
+}
+
 void set_detail(const gl::Program& program, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const PartBuffers& part = frame.subject.part;
@@ -61,18 +71,27 @@ void draw_background(ViewTools& tools, const ViewFrame& frame) {
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::equal});
-  const BackdropColours colours = backdrop_colours(frame.settings.theme);
   if (frame.settings.backdrop != Backdrop::gradient) {
     const bool none = frame.settings.backdrop == Backdrop::none;
-    const glm::vec4 flat = none ? glm::vec4(0.0F) : glm::vec4(screen_value(colours.below), 1.0F);
+    const glm::vec4 flat =
+        none ? glm::vec4(0.0F) : glm::vec4(screen_value(backdrop_colours(frame.settings.theme).below), 1.0F);
     tools.gl.ClearBufferfv(GL_COLOR, 0, &flat.x);
     return;
   }
-  const gl::Program& program = tools.programs.use("common/at_infinity.vert", "view/background.frag");
-  program.set("u_above", screen_value(colours.above));
-  program.set("u_below", screen_value(colours.below));
-  program.set("u_size", glm::vec2(frame.size));
-  program.set("u_sample", frame.sample);
+  draw_gradient(tools, frame.settings.theme, frame.size, frame.sample);
+}
+
+void draw_backdrop(gl::Tools& tools, const ViewTarget& target, Theme theme) {
+  gl::begin(tools.gl, {.framebuffer = target.framebuffer, .size = target.size});
+  draw_gradient(tools, theme, target.size, 0);
+}
+
+void draw_map(gl::Tools& tools, const ViewTarget& target, const ShadowMaps& maps, bool plus) {
+  gl::begin(tools.gl, {.framebuffer = target.framebuffer, .size = target.size});
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/map_picture.frag");
+  program.set("u_size", glm::vec2(target.size));
+  program.set_texture("t_depths", 0, GL_TEXTURE_2D_ARRAY, maps.depths());
+  program.set("u_layer", plus ? 0 : 1);
   tools.corners.draw();
 }
 
@@ -100,9 +119,8 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
   }
   if (compared) program.set("u_difference_colour", light_value(k_difference_mark));
   const bool regions = settings.colour_mode == ColourMode::regions;
-  for (unsigned bits = 0; bits < 4; ++bits) {
-    const Region region = region_of((bits & 1U) != 0, (bits & 2U) != 0);
-    program.set(element("u_colours", bits),
+  for (const Region region : k_regions) {
+    program.set(element("u_colours", facts(region).accessible),
                 light_value(regions ? region_colour(region, settings.palette) : k_plain_surface));
   }
   frame.set_eye_axes(program);

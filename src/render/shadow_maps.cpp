@@ -41,15 +41,7 @@ int fitting_places(const MapSettings& settings, std::size_t facets, std::size_t 
 }
 
 ShadowMaps::ShadowMaps(const gl::Functions& gl, int places)
-    : gl_(&gl),
-      facet_program_(gl, {.vertex = "maps/second_depth.vert", .fragment = "maps/second_depth.frag"}),
-      edge_program_(gl, {.vertex = "maps/contour_edge.vert", .fragment = "maps/contour_edge.frag"}),
-      symmetric_edge_program_(gl, {.vertex = "maps/contour_edge.vert",
-                                   .fragment = "maps/contour_edge.frag",
-                                   .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
-      far_plane_(gl, {.vertex = "common/at_infinity.vert"}),
-      corners_(gl),
-      places_(static_cast<std::size_t>(places)) {
+    : tools_(gl), places_(static_cast<std::size_t>(places)) {
   CHECK(places >= 1);
 }
 
@@ -60,14 +52,15 @@ void ShadowMaps::allocate(int resolution) {
     place.plus = {};
     place.minus = {};
   }
-  facets_ = gl::make_texture_array(*gl_, GL_R32UI, resolution, 2 * count);
-  depths_ = gl::make_texture_array(*gl_, GL_DEPTH_COMPONENT32F, resolution, depth_layers);
+  facets_ = gl::make_texture_array(tools_.gl, GL_R32UI, resolution, 2 * count);
+  depths_ = gl::make_texture_array(tools_.gl, GL_DEPTH_COMPONENT32F, resolution, depth_layers);
   for (std::size_t k = 0; k < places_.size(); ++k) {
     for (const bool plus : {true, false}) {
       Side& side = plus ? places_[k].plus : places_[k].minus;
       const int layer = layer_of(k, plus);
-      side.framebuffer = gl::make_layer_framebuffer(*gl_, {facets_, layer}, {depths_, layer % depth_layers});
-      if (count > 1) side.covered = gl::make_query(*gl_);
+      side.framebuffer =
+          gl::make_layer_framebuffer(tools_.gl, {facets_, layer}, {depths_, layer % depth_layers});
+      if (count > 1) side.covered = gl::make_query(tools_.gl);
     }
   }
   allocated_ = resolution;
@@ -84,7 +77,7 @@ ShadowMaps::Place& ShadowMaps::begin(const MapSubject& subject, const MapSetting
   if (settings.resolution != allocated_) allocate(settings.resolution);
   Place& drawn = places_.at(static_cast<std::size_t>(place));
   drawn.frame = subject.frame;
-  drawn.classes.set(*gl_, subject.classes);
+  drawn.classes.set(tools_.gl, subject.classes);
   return drawn;
 }
 
@@ -95,26 +88,26 @@ void ShadowMaps::draw(const MapSubject& subject, const MapSettings& settings, in
     if (drawn.side(plus).covered) count_covered(drawn.side(plus));
     if (settings.edge_thickness > 0.0) draw_edges(subject, drawn, plus);
   }
-  gl::check_errors(*gl_, "drawing the shadow maps");
+  gl::check_errors(tools_.gl, "drawing the shadow maps");
 }
 
-void ShadowMaps::draw_facets(const MapSubject& subject, const Side& side, bool plus) const {
+void ShadowMaps::draw_facets(const MapSubject& subject, const Side& side, bool plus) {
   // Both maps share their axes, so in both a facet that faces +d runs counter-clockwise. Each keeps the
   // facets that face away from its light.
   gl::Pass pass = pass_to(side.framebuffer.name(), settings_.resolution);
   pass.cull = plus ? gl::Cull::front : gl::Cull::back;
-  gl::begin(*gl_, pass);
-  gl::clear_numbers(*gl_);
-  facet_program_.use();
-  set_map_frame(facet_program_, subject.frame, settings_.resolution);
-  facet_program_.set("u_side", sign_of(plus));
+  gl::begin(tools_.gl, pass);
+  gl::clear_numbers(tools_.gl);
+  const gl::Program& program = tools_.programs.use("maps/second_depth.vert", "maps/second_depth.frag");
+  set_map_frame(program, subject.frame, settings_.resolution);
+  program.set("u_side", sign_of(plus));
   subject.part.draw_facets();
 }
 
-void ShadowMaps::draw_edges(const MapSubject& subject, const Place& place, bool plus) const {
-  gl::begin(*gl_, pass_to(place.side(plus).framebuffer.name(), settings_.resolution));
-  const gl::Program& program = settings_.symmetric_kernel ? symmetric_edge_program_ : edge_program_;
-  program.use();
+void ShadowMaps::draw_edges(const MapSubject& subject, const Place& place, bool plus) {
+  gl::begin(tools_.gl, pass_to(place.side(plus).framebuffer.name(), settings_.resolution));
+  const gl::Program& program = tools_.programs.use("maps/contour_edge.vert", "maps/contour_edge.frag",
+                                                   {settings_.symmetric_kernel ? "SYMMETRIC_KERNEL" : ""});
   set_map_frame(program, subject.frame, settings_.resolution);
   program.set("u_side", sign_of(plus));
   program.set("u_half_width", 0.5 * settings_.edge_thickness / settings_.resolution);
@@ -124,16 +117,16 @@ void ShadowMaps::draw_edges(const MapSubject& subject, const Place& place, bool 
   subject.part.draw_concave_edges();
 }
 
-void ShadowMaps::count_covered(const Side& side) const {
+void ShadowMaps::count_covered(const Side& side) {
   // What is nearer than the far plane.
-  gl::begin(*gl_, {.framebuffer = side.framebuffer.name(),
-                   .size = glm::ivec2(settings_.resolution),
-                   .depth = gl::DepthTest::greater,
-                   .writes_colour = false});
-  far_plane_.use();
-  gl_->BeginQuery(GL_SAMPLES_PASSED, side.covered.name());
-  corners_.draw();
-  gl_->EndQuery(GL_SAMPLES_PASSED);
+  gl::begin(tools_.gl, {.framebuffer = side.framebuffer.name(),
+                        .size = glm::ivec2(settings_.resolution),
+                        .depth = gl::DepthTest::greater,
+                        .writes_colour = false});
+  tools_.programs.use("common/at_infinity.vert", {});
+  tools_.gl.BeginQuery(GL_SAMPLES_PASSED, side.covered.name());
+  tools_.corners.draw();
+  tools_.gl.EndQuery(GL_SAMPLES_PASSED);
 }
 
 double ShadowMaps::shadow(int place) const {
@@ -141,7 +134,7 @@ double ShadowMaps::shadow(int place) const {
   for (const bool plus : {true, false}) {
     GLuint covered = 0;
     const Side& side = places_.at(static_cast<std::size_t>(place)).side(plus);
-    gl_->GetQueryObjectuiv(side.covered.name(), GL_QUERY_RESULT, &covered);
+    tools_.gl.GetQueryObjectuiv(side.covered.name(), GL_QUERY_RESULT, &covered);
     most = std::max(most, covered);
   }
   const double texel = 1.0 / settings_.resolution;
@@ -162,12 +155,12 @@ void ShadowMaps::load_depths(const SecondDepthMaps& maps) {
 }
 
 void ShadowMaps::upload(const gl::Texture& maps, bool plus, const Texels& texels) const {
-  gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->BindTexture(GL_TEXTURE_2D_ARRAY, maps.name());
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer_of(0, plus), settings_.resolution,
-                     settings_.resolution, 1, texels.format, texels.type, texels.data);
-  gl::check_errors(*gl_, "uploading the shadow maps");
+  tools_.gl.ActiveTexture(GL_TEXTURE0);
+  tools_.gl.BindTexture(GL_TEXTURE_2D_ARRAY, maps.name());
+  tools_.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  tools_.gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer_of(0, plus), settings_.resolution,
+                          settings_.resolution, 1, texels.format, texels.type, texels.data);
+  gl::check_errors(tools_.gl, "uploading the shadow maps");
 }
 
 void ShadowMaps::bind(const gl::Program& program, int first_unit, int place) const {

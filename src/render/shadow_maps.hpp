@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gl/pass.hpp"
-#include "gl/program.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/second_depth.hpp"
 #include "render/part_buffers.hpp"
@@ -92,18 +91,16 @@ class ShadowMaps {
   };
   Place& begin(const MapSubject& subject, const MapSettings& settings, int place);
   void allocate(int resolution);
-  void draw_facets(const MapSubject& subject, const Side& side, bool plus) const;
-  void draw_edges(const MapSubject& subject, const Place& place, bool plus) const;
-  void count_covered(const Side& side) const;
+  void draw_facets(const MapSubject& subject, const Side& side, bool plus);
+  void draw_edges(const MapSubject& subject, const Place& place, bool plus);
+  void count_covered(const Side& side);
   struct Texels {
     GLenum format, type;
     const void* data;
   };
   void upload(const gl::Texture& maps, bool plus, const Texels& texels) const;
 
-  const gl::Functions* gl_;
-  gl::Program facet_program_, edge_program_, symmetric_edge_program_, far_plane_;
-  gl::NumberedCorners corners_;
+  gl::Tools tools_;
   gl::Texture facets_, depths_;  // arrays; several places share one layer of depths, one after the other
   std::vector<Place> places_;
   const PartBuffers* part_ = nullptr;

@@ -16,6 +16,10 @@ void draw_openness(ViewTools& tools, const ViewFrame& frame, int taps);
 /// True if the shading wants more than regions, light and hatches.
 [[nodiscard]] bool needs_detail(const ViewSettings& settings);
 void draw_background(ViewTools& tools, const ViewFrame& frame);
+/// The backdrop alone, as it lies behind a part: for a window without one.
+void draw_backdrop(gl::Tools& tools, const ViewTarget& target, Theme theme);
+/// A shadow map as a picture: near facets light, far ones dark, alpha 0 where there is none; for thumbnails.
+void draw_map(gl::Tools& tools, const ViewTarget& target, const ShadowMaps& maps, bool plus);
 /// Accessibility bits and colour of each fragment. A subject with neither maps nor a split surface is plain.
 void shade(ViewTools& tools, const ViewFrame& frame);
 

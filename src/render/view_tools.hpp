@@ -1,18 +1,19 @@
-// What a picture is drawn with: the pictures between its passes, the programs, the part's mesh.
+// What a picture is drawn with: the pictures between its passes, the part's mesh.
 #pragma once
-
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "gl/pass.hpp"
-#include "gl/program.hpp"
 #include "render/view_mesh.hpp"
 
 namespace moldlight {
+
+/// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
+/// colour that keeps sRGB values as they are written.
+struct ViewTarget {
+  GLuint framebuffer = 0;
+  glm::ivec2 size{0};
+};
 
 /// The pictures between the passes, all of the size of the final one.
 struct ViewTargets {
@@ -33,29 +34,11 @@ struct ViewTargets {
   gl::Framebuffer to_depth, to_openness, to_sum;
 };
 
-/// The programs of a picture, each variant compiled when it is first needed.
-class ViewPrograms {
- public:
-  explicit ViewPrograms(const gl::Functions& gl) : gl_(&gl) {}
-
-  /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
-  /// defines are left out. Throws Error where it does not compile.
-  const gl::Program& use(std::string_view vertex, std::string_view fragment,
-                         const std::vector<std::string_view>& defines = {});
-
- private:
-  const gl::Functions* gl_;
-  std::map<std::string, gl::Program, std::less<>> programs_;
-};
-
 /// Valid for one context.
-struct ViewTools {
+struct ViewTools : gl::Tools {
   ViewTools(const gl::Functions& functions, const ViewGeometry& geometry)
-      : gl(functions), programs(functions), corners(functions), mesh(functions, geometry) {}
+      : gl::Tools(functions), mesh(functions, geometry) {}
 
-  const gl::Functions& gl;
-  ViewPrograms programs;
-  gl::NumberedCorners corners;
   ViewMesh mesh;
   ViewTargets targets;
 };

@@ -49,18 +49,17 @@ PartBuffers part_buffers(const gl::Context& context, const PartModel& model) {
   return {context.functions(), model.part.mesh, model.geometry, model.frame, model.edges.concave};
 }
 
-void draw_maps(ShadowMaps& maps, const PartBuffers& buffers, const PartModel& model,
-               const MethodSettings& settings) {
-  const MapFrame frame = map_frame(settings.direction);
-  const std::vector<FacetClass> classes = facet_classes(model.geometry, frame.z, settings.tau_deg);
-  maps.draw({buffers, frame, classes}, map_settings(settings, model.frame.diagonal));
-}
-
-Classifier::Classifier(const gl::Context& context, std::shared_ptr<const PartModel> model)
+PartMaps::PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)
     : context_(&context),
       model_(std::move(model)),
       buffers_(part_buffers(context, *model_)),
       maps_(context.functions()) {}
+
+void PartMaps::draw_maps(const MethodSettings& settings) {
+  const MapFrame frame = map_frame(settings.direction);
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
+  maps_.draw({buffers_, frame, classes}, map_settings(settings, model_->frame.diagonal));
+}
 
 Classification Classifier::classify(const MethodSettings& settings, const Progress& progress,
                                     bool with_split) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "session/classifier.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -25,12 +23,6 @@ MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
   return moving;
 }
 
-PictureMaps::PictureMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)
-    : context_(&context),
-      model_(std::move(model)),
-      buffers_(part_buffers(context, *model_)),
-      maps_(context.functions()) {}
-
 void PictureMaps::draw_moving(const MethodSettings& settings) {
   const MethodSettings moving = moving_method(settings, model_->frame.diagonal);
   if (context_->draws_on_cpu() && moving.kernel_shape == KernelShape::one_sided) {
@@ -41,7 +33,7 @@ void PictureMaps::draw_moving(const MethodSettings& settings) {
 }
 
 void PictureMaps::draw_resting(const MethodSettings& settings) {
-  draw_maps(maps_, buffers_, *model_, settings);
+  draw_maps(settings);
   direction_ = maps_.frame().z;
   lacks_depths_ = false;
 }

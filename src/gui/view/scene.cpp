@@ -21,7 +21,7 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
-      map_picture_(context.functions()) {}
+      tools_(context.functions()) {}
 
 double Scene::section_height(const glm::dvec3& direction, double share) {
   if (direction != extent_.direction) {
@@ -99,8 +99,8 @@ MapTextures Scene::map_pictures(int size_px) {
   }
   if (thumbnails_stale_) {
     maps_.complete_depths();
-    map_picture_.draw(plus_->framebuffer(), plus_->size(), maps_.maps(), true);
-    map_picture_.draw(minus_->framebuffer(), minus_->size(), maps_.maps(), false);
+    draw_map(tools_, {plus_->framebuffer(), plus_->size()}, maps_.maps(), true);
+    draw_map(tools_, {minus_->framebuffer(), minus_->size()}, maps_.maps(), false);
     thumbnails_stale_ = false;
   }
   return {plus_->texture(), minus_->texture()};

@@ -11,8 +11,8 @@
 #include "gui/app_state.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "render/sample_pass.hpp"
-#include "render/screen_passes.hpp"
 #include "render/view_geometry.hpp"
+#include "render/view_passes.hpp"
 #include "session/map_comparison.hpp"
 #include "session/picture_maps.hpp"
 
@@ -67,7 +67,7 @@ class Scene {
   LoadedPart part_;
   PictureMaps maps_;
   PartView view_;
-  MapPicture map_picture_;
+  gl::Tools tools_;
   std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
   std::optional<MapInputs> maps_of_;        // from which the maps were drawn
   bool maps_are_coarse_ = false;            // they are those of a moving direction
