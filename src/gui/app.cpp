@@ -109,7 +109,7 @@ void App::frame(const FrameInput& input) {
   const MapTextures maps =
       scene_ && !state_.dialogs.panels_hidden ? scene_->map_pictures(map_px) : MapTextures{};
   candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
-                        pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
+                        pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   workspace_.draw({ui, state_, edits, layout_},
                   {.maps = maps,
@@ -274,23 +274,23 @@ SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.method = state_.settings.method;
   const LookSettings& look = state_.settings.look;
-  scene.view = {look};
-  scene.view.theme = state_.window.theme;
-  scene.view.tau_deg = state_.settings.method.tau_deg;
-  scene.view.open_mold = opening_.at(now_s_);
-  scene.view.pixel_scale = scale_;
-  if (look.section)
-    scene.view.cut_at = scene_->section_height(state_.settings.direction(), look.section_height);
-  scene.camera = state_.camera;
+  ViewSettings& shown = scene.view.settings;
+  shown = {look};
+  shown.theme = state_.window.theme;
+  shown.tau_deg = state_.settings.method.tau_deg;
+  shown.open_mold = opening_.at(now_s_);
+  shown.pixel_scale = scale_;
+  if (look.section) shown.cut_at = scene_->section_height(state_.settings.direction(), look.section_height);
+  scene.view.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
   if (marked || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
-  scene.marks.undercut_glow = glow_.at(now_s_);
+  scene.view.marks.undercut_glow = glow_.at(now_s_);
   if (state_.hover) {
-    scene.marks.hovered = state_.hover->point.facet;
-    if (state_.hover->blocker) scene.marks.blocking = state_.hover->blocker->facet;
+    scene.view.marks.hovered = state_.hover->point.facet;
+    if (state_.hover->blocker) scene.view.marks.blocking = state_.hover->blocker->facet;
   }
   return scene;
 }

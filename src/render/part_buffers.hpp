@@ -15,11 +15,18 @@
 
 namespace moldlight {
 
+/// What goes there, in model units.
+struct PartShape {
+  const TriangleMesh& mesh;
+  const FacetGeometry& geometry;
+  const UnitFrame& frame;
+  std::span<const FacetEdge> concave_edges;
+};
+
 /// All coordinates are in the unit frame. Valid for one context, which must be current for every call.
 class PartBuffers {
  public:
-  PartBuffers(const gl::Functions& gl, const TriangleMesh& mesh, const FacetGeometry& geometry,
-              const UnitFrame& frame, std::span<const FacetEdge> concave_edges);
+  PartBuffers(const gl::Functions& gl, const PartShape& shape);
 
   /// Draws every facet once, shared vertices, position at attribute 0; gl_PrimitiveID is the facet.
   void draw_facets() const;

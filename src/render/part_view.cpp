@@ -41,15 +41,15 @@ ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) 
 
 }  // namespace
 
-bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const Camera& camera,
-                    const ViewSettings& settings, const ViewMarks& marks) {
+bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View& view) {
+  const ViewSettings& settings = view.settings;
   const ViewSubject subject = asked_for(of, settings);
   if (tools_.targets.size != target.size) {
     tools_.targets = {};
     tools_.targets = ViewTargets(tools_.gl, target.size);
     samples_ = 0;
   }
-  const ViewInputs inputs{.camera = camera,
+  const ViewInputs inputs{.camera = view.camera,
                           .settings = settings,
                           .direction = subject.direction,
                           .maps = subject.maps != nullptr ? subject.maps->revision() : 0,
@@ -65,7 +65,7 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const Camer
     accumulate(tools_, false);
   }
   present(tools_, samples_, target.framebuffer);
-  draw_marks(tools_, marks, target.framebuffer);
+  draw_marks(tools_, view.marks, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
   return samples_ < settings.samples;
 }

@@ -20,6 +20,13 @@
 
 namespace moldlight {
 
+/// From where a part is seen, and how it is shown.
+struct View {
+  Camera camera = {};
+  ViewSettings settings = {};
+  ViewMarks marks = {};
+};
+
 /// What is seen at a pixel.
 struct PickedPoint {
   FacetIndex facet = 0;
@@ -34,13 +41,11 @@ class PartView {
 
   /// Draws the part. Returns true while drawing the same again would refine the picture; false once it is
   /// final.
-  bool draw(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-            const ViewSettings& settings, const ViewMarks& marks = {});
+  bool draw(const ViewTarget& target, const ViewSubject& subject, const View& view);
 
   /// The same until the picture is final.
-  void draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-                  const ViewSettings& settings, const ViewMarks& marks = {}) {
-    while (draw(target, subject, camera, settings, marks)) {
+  void draw_final(const ViewTarget& target, const ViewSubject& subject, const View& view) {
+    while (draw(target, subject, view)) {
     }
   }
 

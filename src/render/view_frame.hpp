@@ -19,7 +19,7 @@ namespace moldlight {
 /// Which surface is drawn: a picture that looks through all but the undercuts has two layers.
 enum class Layer : std::uint8_t { whole, undercuts_alone };
 
-/// All that a picture depends on.
+/// All that a picture depends on but for its marks.
 struct ViewInputs {
   Camera camera;
   ViewSettings settings;

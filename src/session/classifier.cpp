@@ -46,7 +46,7 @@ std::vector<FacetClass> facet_classes(const FacetGeometry& geometry, const glm::
 }
 
 PartBuffers part_buffers(const gl::Context& context, const PartModel& model) {
-  return {context.functions(), model.part.mesh, model.geometry, model.frame, model.edges.concave};
+  return {context.functions(), {model.part.mesh, model.geometry, model.frame, model.edges.concave}};
 }
 
 PartMaps::PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)

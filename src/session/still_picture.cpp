@@ -131,7 +131,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
       collides = collides || (pixel && holds(forbidden, *pixel));
     }
     if (collides) continue;
-    view.draw_final({small.framebuffer(), small_size}, {.part = part}, candidate, plain);
+    view.draw_final({small.framebuffer(), small_size}, {.part = part}, {candidate, plain});
     if (!part_covers(view, small_size, forbidden)) return candidate;
   }
   return camera;
@@ -235,7 +235,7 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   camera = composed(context_->functions(), view_, maps_.buffers(), camera,
                     {size, places.legend, geometry_.extremes, beyond});
   const gl::ColourTarget picture(context_->functions(), size);
-  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), camera, view_settings);
+  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
 
   Canvas canvas({size.x, size.y, picture.read()});
   const LegendStyle style{

@@ -165,7 +165,7 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   settings.arrows = false;
   const ViewTarget target = picture.target();
   const auto draw = [&](const Camera& camera) {
-    return picture.view.draw(target, picture.maps.subject(), camera, settings);
+    return picture.view.draw(target, picture.maps.subject(), {camera, settings});
   };
   const Camera camera = picture.camera();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << sample;
@@ -286,7 +286,7 @@ TEST(PartView, APlainPictureNeedsNoRegions) {
   ViewSettings settings = one_sample();
   settings.colour_mode = ColourMode::plain;
   const Image known = picture.draw(picture.camera(), settings);
-  picture.view.draw_final(picture.target(), {.part = picture.maps.buffers()}, picture.camera(), settings);
+  picture.view.draw_final(picture.target(), {.part = picture.maps.buffers()}, {picture.camera(), settings});
   EXPECT_EQ(picture.read().rgba, known.rgba);
 }
 

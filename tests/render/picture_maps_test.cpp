@@ -50,7 +50,7 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
       const auto regions = [&](const PictureMaps& maps) {
         ViewSettings settings;
         settings.samples = 1;
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, settings);
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), {camera, settings});
         return view.read_regions();
       };
       const auto facets = (static_cast<void>(regions(drawn)), view.read_facets());
@@ -121,7 +121,7 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
       const auto regions = [&] {
         ViewSettings settings;
         settings.samples = 1;
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, settings);
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), {camera, settings});
         return view.read_regions();
       };
       maps.drop_split();

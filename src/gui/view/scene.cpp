@@ -55,9 +55,9 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     thumbnails_stale_ = true;
   }
   if (fine && settings.samples) compare_with(settings.samples);
-  if (settings.view.contour_edges) find_contour_edges(inputs);
+  if (settings.view.settings.contour_edges) find_contour_edges(inputs);
   drawn_ = true;
-  return view_.draw(target, maps_.subject(), settings.camera, settings.view, settings.marks);
+  return view_.draw(target, maps_.subject(), settings.view);
 }
 
 void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {

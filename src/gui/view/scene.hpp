@@ -21,9 +21,7 @@ namespace moldlight::gui {
 /// What the picture shows, beside the part.
 struct SceneSettings {
   MethodSettings method;
-  ViewSettings view;
-  Camera camera;
-  ViewMarks marks;
+  View view;
   bool direction_moves = false;                 // maps may be coarser than the method's
   bool maps_looked_at = false;                  // they are to be the method's own once the direction rests
   std::shared_ptr<const SplitMesh> split;       // for the method's settings; none where it is not known yet

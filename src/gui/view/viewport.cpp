@@ -136,7 +136,7 @@ void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) 
   switch (gesture_) {
     case Gesture::orbit: {
       const glm::dvec2 turn = by / static_cast<double>(ui.scale) * k_turn_per_unit_rad;
-      edits.camera = orbited(edits.camera, turn.x, turn.y, {0, 0, 1}, pivot_);
+      edits.camera = orbited(edits.camera, turn, {0, 0, 1}, pivot_);
       break;
     }
     case Gesture::pan:
