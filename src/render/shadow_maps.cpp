@@ -41,13 +41,13 @@ int fitting_places(const MapSettings& settings, std::size_t facets, std::size_t 
 }
 
 ShadowMaps::ShadowMaps(const gl::Functions& gl, int places)
-    : tools_(gl), places_(static_cast<std::size_t>(places)) {
+    : tools_(gl), places_(static_cast<std::size_t>(places)), batch_(true) {
   CHECK(places >= 1);
 }
 
 void ShadowMaps::allocate(int resolution) {
   allocated_ = 0;
-  const int count = places(), depth_layers = count == 1 ? 2 : 1;
+  const int count = places(), depth_layers = batch_ ? 1 : 2;
   for (Place& place : places_) {
     place.plus = {};
     place.minus = {};
@@ -60,7 +60,7 @@ void ShadowMaps::allocate(int resolution) {
       const int layer = layer_of(k, plus);
       side.framebuffer =
           gl::make_layer_framebuffer(tools_.gl, {facets_, layer}, {depths_, layer % depth_layers});
-      if (count > 1) side.covered = gl::make_query(tools_.gl);
+      if (batch_) side.covered = gl::make_query(tools_.gl);
     }
   }
   allocated_ = resolution;
@@ -68,7 +68,7 @@ void ShadowMaps::allocate(int resolution) {
 
 ShadowMaps::Place& ShadowMaps::begin(const MapSubject& subject, const MapSettings& settings, int place) {
   CHECK(subject.classes.size() == subject.part.facet_count());
-  CHECK(places() == 1 || !settings.symmetric_kernel);
+  CHECK(!batch_ || !settings.symmetric_kernel);
   settings_ = settings;
   part_ = &subject.part;
   // Views tell drawings apart by it, also those of several pairs of maps.

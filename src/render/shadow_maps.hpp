@@ -44,9 +44,11 @@ void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolu
 /// Owns the maps and draws them. Needs its context current.
 class ShadowMaps {
  public:
-  /// Of so many directions, from place 0 on. Several take one-sided look-ups, and do without depths that are
-  /// looked at; then shadow() is known.
-  explicit ShadowMaps(const gl::Functions& gl, int places = 1);
+  /// Of one direction.
+  explicit ShadowMaps(const gl::Functions& gl) : tools_(gl), places_(1) {}
+  /// Of so many directions, from place 0 on, for one-sided look-ups; shadow() is known, and depths() are
+  /// those of the last map drawn.
+  ShadowMaps(const gl::Functions& gl, int places);
 
   /// Draws both maps of a direction, without waiting for the GL. The settings are one for all places;
   /// allocates only when the resolution changes.
@@ -103,6 +105,7 @@ class ShadowMaps {
   gl::Tools tools_;
   gl::Texture facets_, depths_;  // arrays; several places share one layer of depths, one after the other
   std::vector<Place> places_;
+  bool batch_ = false;
   const PartBuffers* part_ = nullptr;
   MapSettings settings_;
   int allocated_ = 0;
