@@ -219,9 +219,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
-  for (const Option<StillSettings>& option : still_options()) {
-    add_option_flag(*command, option, flags->still)->needs(pictures);
-  }
+  for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
   add_method_flags(*command, sweep.method, DirectionFlag::left_out);
   set_work(*command, request, flags, run);
 }

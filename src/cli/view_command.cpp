@@ -108,7 +108,7 @@ void add_view_command(CLI::App& program, Request& request) {
       "with the direction at rest, and with a direction that changes every frame");
   add_reading_flags(*command, flags->reading);
   add_method_flags(*command, flags->notes.method);
-  add_option_flags(*command, gui::look_options(), flags->notes.look);
+  add_option_flags(*command, look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);
   command->callback([command, flags, &request] {
     const auto window = options_json(gui::window_options(), flags->window);
@@ -121,7 +121,7 @@ void add_view_command(CLI::App& program, Request& request) {
       const auto names = [&](const auto& entry) { return entry.flag == name; };
       flags->settings_given =
           flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
-                                                            std::ranges::any_of(gui::look_options(), names)));
+                                                            std::ranges::any_of(look_options(), names)));
     }
     request.body = [flags](Console& console, const Progress& progress) {
       return run(*flags, console, progress);

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -19,6 +20,22 @@ struct ColouredMesh {
   Palette palette = Palette::paper;
   std::string unit = {};  // named in a comment where the format has comments; may be empty
 };
+
+/// A format that something is written in.
+template <typename Content>
+struct WrittenFormat {
+  std::string_view extension;
+  void (*write)(const std::string& path, const Content& content);
+};
+[[nodiscard]] std::span<const WrittenFormat<ColouredMesh>> mesh_formats();
+[[nodiscard]] std::span<const WrittenFormat<SplitMesh>> border_formats();
+/// "ply|obj|stl", for help.
+template <typename Content>
+[[nodiscard]] std::string extensions_text(std::span<const WrittenFormat<Content>> formats) {
+  std::string text;
+  for (const auto& format : formats) text.append(text.empty() ? "" : "|").append(format.extension);
+  return text;
+}
 
 /// Writes by the extension of `path`, files replaced whole or not at all:
 /// .ply  binary little endian, coordinates in double; per face red, green, blue and `region` (0 core, 1

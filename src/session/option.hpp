@@ -1,6 +1,7 @@
 // One description of a setting, from which command line, JSON and window are all made.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "base/check.hpp"
 
 namespace moldlight {
 
@@ -88,6 +91,14 @@ struct Option {
                ChoiceKind<S>, DirectionKind<S>>
       kind;
 };
+
+/// The option of this key, which the table must hold.
+template <typename S>
+[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
+  const auto found = std::ranges::find(options, key, &Option<S>::key);
+  CHECK(found != options.end());
+  return *found;
+}
 
 /// Parsers that the option tables share; `what` names the option in the UsageError that they throw.
 [[nodiscard]] double parse_real(std::string_view text, std::string_view what);

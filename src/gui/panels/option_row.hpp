@@ -19,8 +19,11 @@ namespace moldlight::gui {
 /// "1.0°", "3 texel", "2048²": a value with its unit as the window writes it.
 [[nodiscard]] std::string value_text(double value, int decimals, std::string_view unit);
 /// Tooltip and right-click menu of the row just drawn; true when its reset was chosen.
-bool option_menu(const Ui& ui, std::string_view label, std::string_view help, const std::string& value,
-                 const std::string& default_value, bool modified);
+struct OptionTexts {
+  std::string_view label, help;
+  const std::string &value, &default_value;
+};
+bool option_menu(const Ui& ui, const OptionTexts& option);
 
 /// The nearest of 1, 1.5, 2, 3, 4, 6, 8 …: what map resolutions are.
 [[nodiscard]] double near_power_of_two(double value);
@@ -35,13 +38,6 @@ namespace detail {
 
 }  // namespace detail
 
-/// The option of this key, which the table must hold.
-template <typename S>
-[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
-  const auto found = std::ranges::find(options, key, &Option<S>::key);
-  CHECK(found != options.end());
-  return *found;
-}
 /// Whether the option is one of these.
 template <typename S>
 [[nodiscard]] bool is_among(std::span<const std::string_view> keys, const Option<S>& option) {
@@ -63,8 +59,8 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
   std::string after;
   bool as_text = false;  // `after` tells the value, not `edited`
   const auto field = [&](double number, int decimals) {
-    if (!number_field(ui, option.key.data(), option.label, number, decimals,
-                      ImGui::GetContentRegionAvail().x))
+    if (!number_field(ui, option.key.data(), number,
+                      {option.label, decimals, ImGui::GetContentRegionAvail().x}))
       return false;
     after = real_text(number);
     return as_text = true;
@@ -123,7 +119,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
           [&](const DirectionKind<S>&) { return false; },
       },
       option.kind);
-  if (option_menu(ui, option.label, option.help, before, standard, modified)) {
+  if (option_menu(ui, {option.label, option.help, before, standard})) {
     after = standard;
     changed = as_text = true;
   }
