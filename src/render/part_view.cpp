@@ -11,8 +11,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::uint32_t k_facet_mask = 0x1FFFFFFFU;  // of a surface's first word, see surface_bits.glsl
-constexpr int k_taps_at_rest = 6;                    // of ambient occlusion, a sample
+constexpr int k_taps_at_rest = 6;  // of ambient occlusion, a sample
 constexpr int k_taps_moving = 12;
 
 bool shows_regions(const ViewSettings& settings) {
@@ -113,7 +112,7 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
-  const std::uint32_t number = surface[0] & k_facet_mask;
+  const std::uint32_t number = surface[0] & k_surface_number_mask;
   if (number == 0) return std::nullopt;
   float depth = 0.0F;
   gl.ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
@@ -142,7 +141,7 @@ std::vector<std::uint32_t> PartView::read_facets() const {
   gl.ReadPixels(0, 0, size.x, size.y, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   std::vector<std::uint32_t> facets;
   facets.reserve(pixels);
-  for (const auto& words : surface) facets.push_back(words[0] & k_facet_mask);
+  for (const auto& words : surface) facets.push_back(words[0] & k_surface_number_mask);
   return facets;
 }
 

@@ -54,7 +54,6 @@ glm::vec2 folded(const glm::vec2& place) {
   return {std::copysign(1.0F - std::abs(place.y), place.x), std::copysign(1.0F - std::abs(place.x), place.y)};
 }
 
-constexpr std::uint32_t k_bits_shift = 30;
 constexpr float k_least_square = 1e-6F;  // of a mean normal; one shorter says nothing
 
 /// Shares of a facet's corners in a point of it, sum 1; those of the first corner alone for a facet without
@@ -123,7 +122,7 @@ std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh, std::span<const
 
 SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, const ViewGeometry& view,
                              const UnitFrame& frame) {
-  CHECK(mesh.facets.size() < std::size_t{1} << k_bits_shift);
+  CHECK(mesh.facets.size() < std::size_t{1} << k_source_bits_shift);
   SplitGeometry geometry;
   geometry.vertices.reserve(view.vertices.size() + 2 * (split.vertices.size() - mesh.vertices.size()));
   geometry.vertices = view.vertices;
@@ -165,7 +164,7 @@ SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, c
       }
     }
     geometry.pieces.push_back(corners);
-    geometry.sources.push_back(piece.facet | facts(piece.region).accessible << k_bits_shift);
+    geometry.sources.push_back(piece.facet | facts(piece.region).accessible << k_source_bits_shift);
   }
   return geometry;
 }

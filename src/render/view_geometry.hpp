@@ -18,6 +18,11 @@
 
 namespace moldlight {
 
+/// As shaders/view/surface_bits.glsl has them: where a surface's first word tells facet + 1, and from where
+/// on a piece's source tells its accessibility bits.
+inline constexpr std::uint32_t k_surface_number_mask = 0x1FFFFFFFU;
+inline constexpr int k_source_bits_shift = 30;
+
 /// A corner as the geometry pass reads it: 16 bytes.
 struct ViewVertex {
   glm::vec3 position;                  // unit frame
