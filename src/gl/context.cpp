@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -24,6 +25,14 @@ std::string text(const Functions& gl, GLenum name) {
   return value != nullptr ? value : "";
 }
 
+/// Software drivers take memory unasked and fall over where there is none.
+void require_room() {
+  constexpr std::size_t k_bytes = std::size_t{320} << 20;
+  void* room = ::mmap(nullptr, k_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(room, k_bytes);
+}
+
 }  // namespace
 
 Context::~Context() { CHECK(owner_ == std::thread::id()); }
@@ -31,6 +40,7 @@ Context::~Context() { CHECK(owner_ == std::thread::id()); }
 void Context::make_current() {
   if (current_context == this) return;
   CHECK(owner_ == std::thread::id());
+  const Turn turn(draws_on_cpu_);
   if (current_context != nullptr) current_context->release_current();
   bind();
   owner_ = std::this_thread::get_id();
@@ -39,6 +49,7 @@ void Context::make_current() {
 
 void Context::release_current() {
   if (current_context != this) return;
+  const Turn turn(draws_on_cpu_);
   unbind();
   owner_ = std::thread::id();
   current_context = nullptr;
@@ -56,16 +67,14 @@ void Context::initialise(std::string backend, const Functions::ProcAddress& addr
     }
     backend_ = std::move(backend);
     renderer_ = text(functions_, GL_RENDERER);
+    draws_on_cpu_ =
+        std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast"},
+                            [this](const char* name) { return renderer_.find(name) != std::string::npos; });
+    if (draws_on_cpu_) functions_.take_turns();
   } catch (...) {
     release_current();
     throw;
   }
-}
-
-bool Context::draws_on_cpu() const {
-  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast"}, [this](std::string_view name) {
-    return renderer_.find(name) != std::string::npos;
-  });
 }
 
 std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
@@ -83,6 +92,8 @@ std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
       {"OSMesa", HeadlessBackend::osmesa, create_osmesa_context, libraries.osmesa},
   };
   prepare_mesa_environment();
+  const Turn turn(true);
+  require_room();
   std::string reasons;
   for (const Attempt& attempt : attempts) {
     if (backend != HeadlessBackend::automatic && backend != attempt.belongs_to) continue;

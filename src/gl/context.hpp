@@ -32,7 +32,7 @@ class Context {
   /// GL_RENDERER.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
   /// Whether the renderer is one of Mesa's for machines without a GPU.
-  [[nodiscard]] bool draws_on_cpu() const;
+  [[nodiscard]] bool draws_on_cpu() const { return draws_on_cpu_; }
 
  protected:
   Context() = default;
@@ -48,7 +48,8 @@ class Context {
  private:
   Functions functions_;
   std::string backend_, renderer_;
-  std::thread::id owner_;  // the thread on which it is current; none when default-constructed
+  bool draws_on_cpu_ = true;  // until that is known
+  std::thread::id owner_;     // the thread on which it is current; none when default-constructed
 };
 
 enum class HeadlessBackend { automatic, egl, osmesa };
@@ -60,8 +61,8 @@ struct HeadlessLibraries {
 };
 
 /// Creates a context and makes it current. Automatic tries EGL device, EGL surfaceless and OSMesa in this
-/// order; egl the first two. No X server is contacted. Throws Error that lists what was tried and why each
-/// failed.
+/// order; egl the first two. No X server is contacted. Throws std::bad_alloc where drivers would hardly find
+/// room, Error that lists what was tried and why each failed.
 [[nodiscard]] std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
                                                                const HeadlessLibraries& libraries = {});
 

@@ -6,6 +6,7 @@
 #include <GL/glcorearb.h>
 
 #include "base/error.hpp"
+#include "gl/turn.hpp"
 
 namespace moldlight::gl {
 
@@ -89,9 +90,31 @@ namespace moldlight::gl {
   X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \
   X(Viewport, PFNGLVIEWPORTPROC)
 
+/// An entry point; takes its turn if the GL draws on the processor.
+template <typename Pointer>
+class Entry;
+template <typename Result, typename... Arguments>
+class Entry<Result (*)(Arguments...)> {
+ public:
+  /// False where the driver lacks it.
+  bool load(void* address) {
+    call_ = reinterpret_cast<Result (*)(Arguments...)>(address);
+    return call_ != nullptr;
+  }
+  void take_turns() { takes_turns_ = true; }
+  Result operator()(Arguments... arguments) const {
+    const Turn turn(takes_turns_);
+    return call_(arguments...);
+  }
+
+ private:
+  Result (*call_)(Arguments...) = nullptr;
+  bool takes_turns_ = false;
+};
+
 /// Every entry of one context. Valid while that context is current on the calling thread.
 struct Functions {
-#define MOLDLIGHT_GL_MEMBER(name, type) type name = nullptr;
+#define MOLDLIGHT_GL_MEMBER(name, type) Entry<type> name;
   MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_MEMBER)
 #undef MOLDLIGHT_GL_MEMBER
 
@@ -99,12 +122,16 @@ struct Functions {
   /// Loads every entry; throws Error naming the first that the driver lacks.
   [[nodiscard]] static Functions load(const ProcAddress& address) {
     Functions gl;
-#define MOLDLIGHT_GL_LOAD(name, type)                    \
-  gl.name = reinterpret_cast<type>(address("gl" #name)); \
-  if (gl.name == nullptr) throw Error("the OpenGL driver lacks gl" #name);
+#define MOLDLIGHT_GL_LOAD(name, type) \
+  if (!gl.name.load(address("gl" #name))) throw Error("the OpenGL driver lacks gl" #name);
     MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_LOAD)
 #undef MOLDLIGHT_GL_LOAD
     return gl;
+  }
+  void take_turns() {
+#define MOLDLIGHT_GL_TAKE_TURNS(name, type) name.take_turns();
+    MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_TAKE_TURNS)
+#undef MOLDLIGHT_GL_TAKE_TURNS
   }
 };
 

@@ -49,7 +49,7 @@ PixelLayout pixel_layout(GLenum internal_format) {
   }
 }
 
-GLuint generate(void (*entry)(GLsizei, GLuint*)) {
+GLuint generate(const Entry<void (*)(GLsizei, GLuint*)>& entry) {
   GLuint name = 0;
   entry(1, &name);
   return name;
