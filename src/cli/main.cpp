@@ -93,6 +93,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   add_classify_command(program, request);
   add_sweep_command(program, request);
   add_view_command(program, request);
+  add_doctor_command(program, request);
   insert_default_command(program, arguments);
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -38,7 +38,7 @@ constexpr std::pair<int, ImGuiKey> k_keys[] = {
 };
 
 /// ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
-std::unique_ptr<gl::Context> egl_context() { return gl::create_headless_context(gl::HeadlessBackend::egl); }
+std::unique_ptr<gl::Context> egl_context() { return moldlight::create_context(Backend::egl); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -238,10 +239,24 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
 }  // namespace
 
 void run_window(const WindowOptions& options, const Progress& progress) {
-  const GlfwLibrary glfw;
-  const auto context = create_window();
+  auto glfw = std::make_unique<const GlfwLibrary>();
+  auto context = create_window();
+  std::string remark;
+  if (const std::string fault = driver_fault(*context); !fault.empty()) {
+    const std::string driver = context->renderer();
+    context.reset();
+    glfw.reset();
+    // Mesa's own driver for machines without a graphics card, whatever is asked for.
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
+    ::setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    glfw = std::make_unique<const GlfwLibrary>();
+    context = create_window();
+    if (!driver_fault(*context).empty()) throw Error(fmt::format("the driver {} {}", driver, fault));
+    remark = fmt::format("The driver {} {}; {} draws in its place.", driver, fault, context->renderer());
+  }
   App app(*context, app_options(options));
   const GlfwInput input(context->window());
+  if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);
   glfwShowWindow(context->window());

@@ -147,20 +147,8 @@ constexpr std::uint64_t k_memory_bytes_a_byte = 100;
 constexpr std::chrono::seconds k_base_time{120};
 constexpr std::uint64_t k_bytes_a_second = 50'000;
 
-/// Path of moldlight-step: beside this program, or where an installation keeps helpers.
-std::optional<std::string> find_reading_program() {
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* place :
-       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"}) {
-    const std::string program = (folder / place).string();
-    if (::access(program.c_str(), X_OK) == 0) return program;
-  }
-  return std::nullopt;
-}
-
 std::string run_reading_program(const ReadContext& context, std::uint64_t file_bytes) {
-  const auto program = find_reading_program();
+  const auto program = step_reading_program();
   if (!program) {
     context.fail("",
                  "is a STEP file, and this build has no STEP support (the program moldlight-step is "
@@ -215,6 +203,17 @@ void check_result(const ReadContext& context, const StepResult& result) {
 }
 
 }  // namespace
+
+std::optional<std::string> step_reading_program() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* place :
+       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"}) {
+    const std::string program = (folder / place).string();
+    if (::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return std::nullopt;
+}
 
 Part read_step(const ReadContext& context) {
   const std::string_view bytes = context.bytes();
