@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "cli/flags.hpp"
 #include "io/direction_list.hpp"
-#include "mold/sweep/ranking.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
 #include "session/still_picture.hpp"
@@ -204,10 +203,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
       *command, "--objective", "LIST",
       "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, or "
       "a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]",
-      [&sweep](const std::string& text) {
-        static_cast<void>(parse_objective(text));
-        sweep.objective = text;
-      });
+      [&sweep](const std::string& text) { sweep.objective = parse_objective(text); });
   add_text_flag(
       *command, "--fail-if-undercut", "AREA|PCT%",
       "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "

@@ -113,7 +113,7 @@ TEST_F(Controls, OfTheSweep) {
   }
   // What the table does not hold has controls of its own.
   click("Best is the least=patches");
-  EXPECT_EQ(shown().objective, "patches");
+  EXPECT_EQ(shown().objective.text, "patches");
   std::vector<CandidateKind> kinds = shown().kinds;
   for (const CandidateKind kind : all_candidate_kinds()) {
     click(std::string(candidate_kind_name(kind)));

@@ -1,11 +1,10 @@
 // The options of the sweep, unfolded in its panel.
 #include <algorithm>
-#include <array>
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "mold/sweep/ranking.hpp"
+#include "session/sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
 
@@ -35,16 +34,13 @@ void draw_kinds(const PanelContext& context) {
 }
 
 void draw_objective(const PanelContext& context) {
-  std::string& objective = context.edits.sweep_choices.options.objective;
-  std::array<std::string_view, k_criterion_count> words{};
-  int index = -1;
-  for (std::size_t k = 0; k < k_criterion_count; ++k) {
-    words[k] = criterion_name(static_cast<Criterion>(k));
-    if (objective == words[k]) index = static_cast<int>(k);
-  }
-  if (choice(context.ui, "Best is the least", words, index, objective != SweepSettings{}.objective)) {
-    objective = words[static_cast<std::size_t>(index)];
-  }
+  Objective& objective = context.edits.sweep_choices.options.objective;
+  const std::vector<std::string> names = objective_names();
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  const auto found = std::find(names.begin(), names.end(), objective.text);
+  int index = found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  if (choice(context.ui, "Best is the least", words, index, objective.text != SweepSettings{}.objective.text))
+    objective = parse_objective(words[static_cast<std::size_t>(index)]);
 }
 
 }  // namespace

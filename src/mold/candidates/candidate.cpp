@@ -45,9 +45,7 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
     CHECK(!candidate.sources.empty());
     std::stable_sort(candidate.sources.begin(), candidate.sources.end(),
                      [](const CandidateSource& a, const CandidateSource& b) { return a.kind < b.kind; });
-    if (candidate.sources.front().kind != CandidateKind::user) {
-      candidate.direction = half_sphere(candidate.direction);
-    }
+    if (!candidate.from_user()) candidate.direction = half_sphere(candidate.direction);
   }
   std::stable_sort(candidates.begin(), candidates.end(), more_exact);
 
@@ -63,7 +61,7 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
       same->sources.insert(same->sources.end(), candidate.sources.begin(), candidate.sources.end());
       continue;
     }
-    const bool is_uniform = candidate.sources.front().kind == CandidateKind::uniform;
+    const bool is_uniform = candidate.kind() == CandidateKind::uniform;
     merged.push_back(std::move(candidate));
     if (!is_uniform) others = merged.size();
   }

@@ -39,6 +39,11 @@ struct Candidate {
   /// in.
   glm::dvec3 direction{0, 0, 1};
   std::vector<CandidateSource> sources;  // at least one, by kind
+
+  [[nodiscard]] CandidateKind kind() const { return sources.front().kind; }
+  [[nodiscard]] bool from_user() const { return kind() == CandidateKind::user; }
+  /// Given by the user or by a feature of the part, not by search.
+  [[nodiscard]] bool exact() const { return kind() < CandidateKind::refined; }
 };
 
 /// The direction or its opposite, whichever has z > 0; on the equator y > 0; on the x-axis x > 0. A component

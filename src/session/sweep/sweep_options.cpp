@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "mold/sweep/ranking.hpp"
 #include "session/sweep/sweep_settings.hpp"
 
 namespace moldlight {

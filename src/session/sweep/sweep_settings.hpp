@@ -18,6 +18,21 @@ namespace moldlight {
 /// processor, or by shadow maps on the GL, in batches.
 enum class SweepEngine : std::uint8_t { rays, gl };
 
+struct DirectionFigure;
+
+/// What directions are ranked by, smallest first: a weighted sum of figures, each divided by the part's own
+/// measure of it (area for areas, diagonal for lengths).
+struct Objective {
+  struct Term {
+    const DirectionFigure* figure;
+    double weight;  // greater than 0
+  };
+  std::string text;  // as it was written
+  std::vector<Term> terms;
+};
+/// Parses "undercut", "draw-depth" or "undercut:1,draw-depth:0.1"; throws UsageError.
+[[nodiscard]] Objective parse_objective(std::string_view text);
+
 /// Every source of candidates but the user.
 [[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
 
@@ -36,7 +51,7 @@ struct SweepSettings {
   double tilt_growth_pct =
       0.1;  // growth of the undercut that ends a tilt margin, per cent of the part's area, (0, 100]
   double pressure = 0.0;  // cavity pressure for the clamp force, force per area unit of the part; 0: none
-  std::string objective = "undercut";
+  Objective objective = parse_objective("undercut");
   int jobs = 0;               // threads, 0: all cores, [0, 256]
   double time_limit_s = 0.0;  // 0: none
 };
