@@ -54,11 +54,16 @@ SweepSettings long_sweep() {
 
 class SweepWindow : public testing::Test {
  protected:
-  SweepWindow()
-      : window_({.size = k_size, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}}) {
+  explicit SweepWindow(const SweepSettings& sweep = quick_sweep()) : window_(options(sweep)) {
     window_.app().set_notes({.method = quick_method(), .look = {}, .bookmarks = {}});
-    window_.app().set_sweep_options(quick_sweep());
     open(test::snap_hook({}).mesh, "hook.stl");
+  }
+
+  static OffscreenOptions options(const SweepSettings& sweep) {
+    OffscreenOptions options;
+    options.size = k_size;
+    options.user.sweep = sweep;
+    return options;
   }
 
   void open(const TriangleMesh& mesh, const std::string& name) {
@@ -97,6 +102,11 @@ class SweepWindow : public testing::Test {
 
   test::ScratchFolder folder_;
   OffscreenWindow window_;
+};
+
+class LongSweepWindow : public SweepWindow {
+ protected:
+  LongSweepWindow() : SweepWindow(long_sweep()) {}
 };
 
 TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
@@ -174,8 +184,7 @@ TEST_F(SweepWindow, TurnsToTheRowThatIsClicked) {
   }
 }
 
-TEST_F(SweepWindow, EndsWhenItIsCancelled) {
-  window_.app().set_sweep_options(long_sweep());
+TEST_F(LongSweepWindow, EndsWhenItIsCancelled) {
   press(GLFW_KEY_W);
   for (int k = 0; k < 10'000 && state().map->evaluated.size() < 5; ++k) {
     window_.frame();
@@ -196,8 +205,7 @@ TEST_F(SweepWindow, EndsWhenItIsCancelled) {
       figure_text(direction_figure("undercut"), *window_.state().model, candidate(0)).starts_with("≈"));
 }
 
-TEST_F(SweepWindow, IsGivenUpWhenThePartGoes) {
-  window_.app().set_sweep_options(long_sweep());
+TEST_F(LongSweepWindow, IsGivenUpWhenThePartGoes) {
   press(GLFW_KEY_W);
   window_.frames(3);
   ASSERT_TRUE(state().running);

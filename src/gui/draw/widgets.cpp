@@ -271,6 +271,24 @@ bool chip(const Ui& ui, std::string_view label, bool on, float width) {
   return row.clicked;
 }
 
+bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<std::string_view>& chosen) {
+  const auto is_chosen = [&](std::string_view word) {
+    return std::find(chosen.begin(), chosen.end(), word) != chosen.end();
+  };
+  std::vector<std::string_view> after;
+  ImGui::BeginGroup();
+  for (const std::string_view word : words) {
+    if (word != words.front()) ImGui::SameLine(0.0F, ui.px(4));
+    const bool on = is_chosen(word);
+    const bool clicked = chip(ui, word, on, text_size(ui.fonts.body, word).x + ui.px(18));
+    if (on != clicked) after.push_back(word);
+  }
+  ImGui::EndGroup();
+  if (after.size() == chosen.size()) return false;
+  chosen = std::move(after);
+  return true;
+}
+
 bool disclosure(const Ui& ui, std::string_view label, bool open) {
   const Row row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;

@@ -15,6 +15,7 @@
 #include "gui/view/direction.hpp"
 #include "mold/sweep/direction_field.hpp"
 #include "session/figures.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -127,13 +128,13 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   std::string title, text, source;
   if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
     title =
-        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
+        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction, 3);
     text =
         fmt::format("undercut {} ± {}", area_text(state, found->undercut), error_text(found->undercut_error));
     source = fmt::format("{}  ·  {}", share_text(found->undercut, total), candidate_kind_name(found->kind));
   } else {
     const DirectionField::Reading reading = map.field.at(direction);
-    title = direction_text(direction);
+    title = direction_text(direction, 3);
     if (reading.cover > 0.2) {
       text = fmt::format("undercut about {}", area_text(state, reading.value));
       source = fmt::format("{}  ·  between scored directions", share_text(reading.value, total));

@@ -53,6 +53,17 @@ struct TypedNumbers {
   std::function<void(const std::string& why)> refused;  // told of a value out of range
 };
 
+/// Whether the window has a control for it.
+template <typename S>
+[[nodiscard]] bool has_control(const Option<S>& option) {
+  return !std::holds_alternative<DirectionsKind<S>>(option.kind);
+}
+/// Whether its control takes the panel's width.
+template <typename S>
+[[nodiscard]] bool is_wide(const Option<S>& option) {
+  return std::holds_alternative<SetKind<S>>(option.kind) || std::holds_alternative<TextKind<S>>(option.kind);
+}
+
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>
 bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedNumbers& typed = {}) {
@@ -69,7 +80,8 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
     after = real_text(number);
     return as_text = true;
   };
-  const auto integer_row = [&](const auto& kind, double number, const auto& set) {
+  const auto integer_row = [&](const IntegerKind<S>& kind) {
+    double number = kind.value(edited).value_or(kind.standard);
     if (typed.refused) return field(number, 0);
     const bool wide = kind.max > 100 * kind.min;
     const bool moved = slider(ui, option.label, number,
@@ -85,7 +97,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
     if (!moved) return false;
     int whole = static_cast<int>(std::lround(number));
     if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
-    set(whole);
+    edited.*kind.member = whole;
     return true;
   };
   bool changed = std::visit(
@@ -101,18 +113,12 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                            .text = [&](double v) { return value_text(v, decimals, option.unit); }},
                           modified);
           },
-          [&](const OptionalRealKind<S>& kind) {
-            if (!field((edited.*kind.member).value_or(0.0), 3)) return false;
+          [&](const PositiveKind<S>& kind) {
+            if (!field(kind.member(edited), 3)) return false;
             if (after == "0" || after.starts_with('-')) after.clear();  // none
             return true;
           },
-          [&](const IntegerKind<S>& kind) {
-            return integer_row(kind, edited.*kind.member, [&](int value) { edited.*kind.member = value; });
-          },
-          [&](const OptionalIntegerKind<S>& kind) {
-            return integer_row(kind, (edited.*kind.member).value_or(kind.standard),
-                               [&](int value) { edited.*kind.member = value; });
-          },
+          [&](const IntegerKind<S>& kind) { return integer_row(kind); },
           [&](const SwitchKind<S>& kind) { return toggle(ui, option.label, edited.*kind.member, modified); },
           [&](const ChoiceKind<S>& kind) {
             int index = kind.get(edited);
@@ -120,7 +126,20 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
             kind.set(edited, index);
             return true;
           },
-          [&](const DirectionKind<S>&) { return false; },
+          [&](const SetKind<S>& kind) {
+            auto chosen = kind.get(edited);
+            if (!chips(ui, kind.words, chosen)) return false;
+            kind.set(edited, chosen);
+            return true;
+          },
+          [&](const TextKind<S>& kind) {
+            const auto word = std::find(kind.words.begin(), kind.words.end(), before);
+            int index = word == kind.words.end() ? -1 : static_cast<int>(word - kind.words.begin());
+            if (!choice(ui, option.label, kind.words, index, modified)) return false;
+            after = kind.words[static_cast<std::size_t>(index)];
+            return as_text = true;
+          },
+          [](const auto&) { return false; },  // directions
       },
       option.kind);
   if (option_menu(ui, option.label, option.help, before, standard, modified)) {

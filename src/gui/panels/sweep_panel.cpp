@@ -1,5 +1,6 @@
 // The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -23,7 +24,10 @@ constexpr float k_picture_width = 48.0F, k_picture_height = 30.0F;
 /// Share of the window's height that the table takes unless it is expanded.
 constexpr float k_share = 0.25F;
 constexpr float k_bar_width = 132.0F;
-constexpr std::size_t k_rank = 1;  // column
+/// Columns before those of figures: picture, rank, direction.
+constexpr std::size_t k_before_figures = 3;
+/// Widths of figures by their kind, layout units.
+constexpr std::array<float, 7> k_widths = {58.0F, 54.0F, 38.0F, 46.0F, 48.0F, 64.0F, 44.0F};
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -79,6 +83,50 @@ std::string fitting_reason(const Ui& ui, const Candidate& candidate, float width
     if (text_size(ui.fonts.small, text).x <= width) return text;
   }
   return fitted(ui.fonts.small, candidate_kind_name(candidate.kind()), width);
+}
+
+void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
+  struct Heading {
+    std::string_view name, help;
+    float width;
+    ImGuiTableColumnFlags flags;
+    bool is_figure = false;
+  };
+  constexpr ImGuiTableColumnFlags k_fixed = ImGuiTableColumnFlags_WidthFixed,
+                                  k_not = ImGuiTableColumnFlags_NoSort;
+  std::vector<Heading> headings = {{"", "", k_picture_width, k_fixed | k_not},
+                                   {"#", "Rank; directions with the same letter tie within the uncertainty.",
+                                    30.0F, k_fixed | ImGuiTableColumnFlags_DefaultSort},
+                                   {"direction", "", 116.0F, k_fixed | k_not}};
+  for (const DirectionFigure* figure : figures)
+    headings.push_back(
+        {figure->label, figure->help, k_widths[static_cast<std::size_t>(figure->kind)], k_fixed, true});
+  headings.push_back({"why", "", 0.0F, ImGuiTableColumnFlags_WidthStretch | k_not});
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const Heading& heading : headings) {
+    const float width = std::max(ui.px(heading.width), text_size(ui.fonts.small, heading.name).x);
+    ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width > 0.0F ? width : 0.0F);
+  }
+  const FontScope small(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 0.0F));
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers, ui.px(k_heading));
+  for (const Heading& heading : headings) {
+    ImGui::TableNextColumn();
+    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
+    const glm::vec2 cell = from_im(ImGui::GetCursorScreenPos());
+    const float room =
+        ImGui::GetContentRegionAvail().x - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
+    // ImGui would set the text of a column of figures to the left.
+    ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
+    if (heading.name.empty()) continue;
+    const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
+    draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, cell + glm::vec2(inset, ui.px(3)),
+              sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted, heading.name);
+    ui.memory->controls[fmt::format("sort by {}", heading.name)] = {from_im(ImGui::GetItemRectMin()),
+                                                                    from_im(ImGui::GetItemRectMax())};
+    if (!heading.help.empty()) tooltip(ui, {}, heading.help);
+  }
+  ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -177,84 +225,29 @@ std::vector<std::size_t> sorted_candidates(const SweepResult& result, const Dire
   return rows;
 }
 
-/// The texts of a result that is not the one of the last call, or in another size.
-bool SweepPanel::follow(const Ui& ui, const AppState& state) {
-  if (result_ == state.sweep.result && scale_ == ui.scale) return false;
-  result_ = state.sweep.result;
-  scale_ = ui.scale;
-  columns_ = {{.width = ui.px(k_picture_width)},
-              {.heading = "#", .help = "Rank; directions with the same letter tie within the uncertainty."},
-              {.heading = "direction"}};
-  for (const DirectionFigure* figure : figure_columns(*result_))
-    columns_.push_back({.figure = figure, .heading = figure->label, .help = figure->help});
-  for (const SweepCandidate& candidate : result_->candidates) {
-    columns_[k_rank].texts.push_back(fmt::format("{} {}", candidate.rank, candidate.tie));
-    columns_[k_rank + 1].texts.push_back(with_minus(short_direction_text(candidate.candidate.direction)));
-    for (std::size_t k = k_rank + 2; k < columns_.size(); ++k)
-      columns_[k].texts.push_back(
-          grouped(with_minus(figure_text(*columns_[k].figure, *state.model, candidate))));
-  }
-  for (SweepColumn& column : columns_) {
-    column.width = std::max(column.width, text_size(ui.fonts.small, column.heading).x);
-    for (const std::string& text : column.texts)
-      column.width = std::max(column.width, text_size(ui.fonts.strong, text).x);
-  }
-  columns_.push_back({.heading = "why"});
-  return true;
-}
-
-void SweepPanel::draw_headings(const Ui& ui) const {
-  ImGui::TableSetupScrollFreeze(0, 1);
-  for (const SweepColumn& column : columns_) {
-    const bool is_rank = &column == &columns_[k_rank], is_last = &column == &columns_.back();
-    ImGuiTableColumnFlags flags =
-        is_last ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed;
-    if (is_rank) flags |= ImGuiTableColumnFlags_DefaultSort;
-    if (!is_rank && column.figure == nullptr) flags |= ImGuiTableColumnFlags_NoSort;
-    ImGui::TableSetupColumn(column.heading.data(), flags, column.width);
-  }
-  const FontScope small(ui.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 0.0F));
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers, ui.px(k_heading));
-  for (const SweepColumn& column : columns_) {
-    ImGui::TableNextColumn();
-    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
-    const glm::vec2 cell = from_im(ImGui::GetCursorScreenPos());
-    const float room =
-        ImGui::GetContentRegionAvail().x - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
-    // ImGui would set the text of a column of figures to the left.
-    ImGui::TableHeader(fmt::format("##{}", column.heading).c_str());
-    if (column.heading.empty()) continue;
-    const float inset = column.figure != nullptr ? room - text_size(ui.fonts.small, column.heading).x : 0.0F;
-    draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, cell + glm::vec2(inset, ui.px(3)),
-              sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted, column.heading);
-    ui.memory->controls[fmt::format("sort by {}", column.heading)] = {from_im(ImGui::GetItemRectMin()),
-                                                                      from_im(ImGui::GetItemRectMax())};
-    if (!column.help.empty()) tooltip(ui, {}, column.help);
-  }
-  ImGui::PopStyleVar();
-}
-
 void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
-  const bool fresh = follow(ui, context.state);
+  const bool fresh = result_ != context.state.sweep.result;
+  result_ = context.state.sweep.result;
   const std::size_t count = result_->candidates.size();
   const float window_height = ImGui::GetIO().DisplaySize.y;
   const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
   const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F), all = static_cast<float>(count);
+  const Figures figures = figure_columns(*result_);
   constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), 0.0F));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, 0U);
-  if (ImGui::BeginTable("directions", static_cast<int>(columns_.size()), k_flags,
+  if (ImGui::BeginTable("directions", static_cast<int>(k_before_figures + figures.size()) + 1, k_flags,
                         ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_row)))) {
     if (fresh) ImGui::SetScrollY(0.0F);
-    draw_headings(ui);
+    draw_headings(ui, figures);
     ImGuiTableSortSpecs* sorting = ImGui::TableGetSortSpecs();
     if (sorting != nullptr && (sorting->SpecsDirty || fresh)) {
-      const ImGuiTableColumnSortSpecs& by = *sorting->Specs;
-      rows_ = sorted_candidates(*result_, columns_[static_cast<std::size_t>(by.ColumnIndex)].figure,
-                                by.SortDirection == ImGuiSortDirection_Descending);
+      const auto column = static_cast<std::size_t>(sorting->Specs->ColumnIndex);
+      rows_ = sorted_candidates(*result_,
+                                column < k_before_figures ? nullptr : figures[column - k_before_figures],
+                                sorting->Specs->SortDirection == ImGuiSortDirection_Descending);
       sorting->SpecsDirty = false;
     }
     ImGuiListClipper clipper;
@@ -262,7 +255,7 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
         const std::size_t index = rows_[static_cast<std::size_t>(k)];
-        draw_row(context, index, index < pictures.size() ? pictures[index] : 0);
+        draw_row(context, figures, index, index < pictures.size() ? pictures[index] : 0);
       }
     }
     ImGui::EndTable();
@@ -272,7 +265,8 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   draw_footer(context, fits < all || expanded_);
 }
 
-void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsigned picture) {
+void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t index,
+                          unsigned picture) {
   const Ui& ui = context.ui;
   const SweepCandidate& candidate = result_->candidates[index];
   const glm::dvec3& direction = candidate.candidate.direction;
@@ -291,34 +285,36 @@ void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsign
   std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
   if (candidate.pareto) tip += "\nNo other listed direction beats it in undercut, patches and depth alike.";
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
-    tip += fmt::format("\nLeans {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward));
+    tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }
-  tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction)), tip);
+  tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)), tip);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const glm::vec2 pixels(candidate_picture_size(ui.scale));
-  const glm::vec2 at(corner.x, std::round(min.y + 0.5F * (max.y - min.y - pixels.y)));
+  const glm::vec2 at(corner.x, std::round(0.5F * (min.y + max.y - pixels.y)));
   draw_picture(list, picture, at, at + pixels, ui.px(4));
-  for (const SweepColumn& column : std::span(columns_).subspan(k_rank)) {
+
+  const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
+    const float inset = to_the_right ? ImGui::GetContentRegionAvail().x - text_size(font, text).x : 0.0F;
+    draw_text(list, font, {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, colour,
+              text);
+  };
+  const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
+  ImGui::TableNextColumn();
+  cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
+  ImGui::TableNextColumn();
+  cell(ui.fonts.body, normal, with_minus(short_direction_text(direction)), false);
+  for (const DirectionFigure* figure : figures) {
     ImGui::TableNextColumn();
-    const glm::vec2 cell = from_im(ImGui::GetCursorScreenPos());
-    const float width = ImGui::GetContentRegionAvail().x;
-    const bool is_figure = column.figure != nullptr, is_reason = column.texts.empty();
-    const bool strong = is_figure ? column.figure->key == "undercut" : &column == &columns_[k_rank];
-    const SizedFont& font = is_reason ? ui.fonts.small : strong ? ui.fonts.strong : ui.fonts.body;
-    const std::string text = is_reason
-                                 ? fitting_reason(ui, candidate.candidate, width - ui.px(k_row_height + 6))
-                                 : column.texts[index];
-    const bool quiet = is_reason || (is_figure && column.figure->kind == FigureKind::error);
-    draw_text(list, font,
-              {is_figure ? cell.x + width - text_size(font, text).x : cell.x,
-               std::round(0.5F * (min.y + max.y - font.size))},
-              quiet ? ui.colours->muted : ui.colours->text, text);
+    cell(figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body,
+         figure->kind == FigureKind::error ? quiet : normal,
+         grouped(with_minus(figure_text(*figure, *context.state.model, candidate))), true);
   }
   auto& compared = context.edits.sweep_choices.compared;
-  const bool chosen = compared == index;
-  bool compare = false;
-  if (hovered || chosen) compare = compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen);
-  if (compare) {
+  const bool chosen = compared == index, comparable = hovered || chosen;
+  ImGui::TableNextColumn();
+  const float room = ImGui::GetContentRegionAvail().x - ui.px(comparable ? k_row_height + 6 : 0.0F);
+  cell(ui.fonts.small, quiet, fitting_reason(ui, candidate.candidate, room), false);
+  if (comparable && compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
   } else if (clicked) {
     context.edits.ask(&Commands::fly_to_direction, direction);

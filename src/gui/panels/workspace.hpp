@@ -19,14 +19,6 @@ namespace moldlight::gui {
 [[nodiscard]] std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
                                                          bool descending);
 
-/// A column of the table of directions.
-struct SweepColumn {
-  const DirectionFigure* figure = nullptr;   // none: picture, rank, direction, reasons
-  std::string_view heading = {}, help = {};  // end with a zero
-  float width = 0.0F;                        // pixels
-  std::vector<std::string> texts = {};       // by candidate; none for pictures and reasons
-};
-
 /// The sweep along the bottom: its options, how far it is, and the best directions as a table to sort and
 /// click.
 class SweepPanel {
@@ -37,15 +29,12 @@ class SweepPanel {
  private:
   void draw_header(const PanelContext& context, bool open);
   void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
-  bool follow(const Ui& ui, const AppState& state);
-  void draw_headings(const Ui& ui) const;
-  void draw_row(const PanelContext& context, std::size_t index, unsigned picture);
+  using Figures = std::vector<const DirectionFigure*>;
+  void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
   void draw_footer(const PanelContext& context, bool more);
 
   std::shared_ptr<const SweepResult> result_;  // kept, so that no later one has its address
-  float scale_ = 0.0F;
-  std::vector<SweepColumn> columns_;
-  std::vector<std::size_t> rows_;  // candidates in the order of the table
+  std::vector<std::size_t> rows_;              // candidates in the order of the table
   bool options_ = false, expanded_ = false;
 };
 

@@ -27,6 +27,11 @@ std::string_view candidate_kind_name(CandidateKind kind) {
   return k_names[static_cast<std::size_t>(kind)];
 }
 
+std::vector<CandidateKind> all_candidate_kinds() {
+  return {CandidateKind::axis, CandidateKind::revolution, CandidateKind::plane,  CandidateKind::perpendicular,
+          CandidateKind::hull, CandidateKind::principal,  CandidateKind::uniform};
+}
+
 glm::dvec3 half_sphere(const glm::dvec3& direction) {
   for (const int axis : {2, 1, 0}) {
     if (std::abs(direction[axis]) > k_on_equator)

@@ -28,6 +28,9 @@ inline constexpr std::size_t k_candidate_kind_count = 9;
 /// "user", "axis", "revolution", "plane", "perpendicular", "hull", "principal", "refined", "uniform".
 [[nodiscard]] std::string_view candidate_kind_name(CandidateKind kind);
 
+/// Every source of candidates but the user and what was found from others.
+[[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
+
 struct CandidateSource {
   CandidateKind kind = CandidateKind::uniform;
   std::string reason;  // for the user: "axis of 4 cylinders or cones, 3.1 % of the surface"

@@ -105,7 +105,7 @@ std::string figure_text(const DirectionFigure& row, const PartModel& model, cons
     case FigureKind::per_cent:
       return fmt::format("{:.2f}", *value);
     case FigureKind::length:
-      return FigureColumn(model.frame.diagonal).text(*value);
+      return FigureColumn(10.0 * model.frame.diagonal).text(*value);
     case FigureKind::count:
       return fmt::format("{:.0f}", *value);
     case FigureKind::force:
@@ -141,12 +141,15 @@ std::vector<const DirectionFigure*> figure_columns(const SweepResult& result) {
   return columns;
 }
 
-std::vector<std::string> objective_names() {
-  std::vector<std::string> names;
-  for (const DirectionFigure& figure : k_figures) {
-    if (figure.use.objective) names.push_back(objective_name(figure));
-  }
-  return names;
+std::vector<std::string_view> objective_names() {
+  static const std::vector<std::string> k_names = [] {
+    std::vector<std::string> names;
+    for (const DirectionFigure& figure : k_figures) {
+      if (figure.use.objective) names.push_back(objective_name(figure));
+    }
+    return names;
+  }();
+  return {k_names.begin(), k_names.end()};
 }
 
 Objective parse_objective(std::string_view text) {

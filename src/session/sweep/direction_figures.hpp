@@ -63,7 +63,7 @@ struct DirectionFigure {
 [[nodiscard]] std::vector<const DirectionFigure*> figure_columns(const SweepResult& result);
 
 /// "undercut", "draw-depth", …: what an objective is written with.
-[[nodiscard]] std::vector<std::string> objective_names();
+[[nodiscard]] std::vector<std::string_view> objective_names();
 /// A figure that is not known counts as none.
 [[nodiscard]] double objective_value(const Objective& objective, const DirectionFacts& facts);
 

@@ -27,15 +27,6 @@ Json settings_json(const SweepResult& result) {
   settings.update(options_json(sweep_options(), result.settings));
   // The report is the same whatever the number of threads.
   settings.erase("jobs");
-  settings["objective"] = result.settings.objective.text;
-  settings["candidates"] = Json::array();
-  for (const CandidateKind kind : result.settings.kinds) {
-    settings["candidates"].push_back(candidate_kind_name(kind));
-  }
-  settings["user_directions"] = Json::array();
-  for (const glm::dvec3& direction : result.settings.user_directions) {
-    settings["user_directions"].push_back(vector_json(direction));
-  }
   settings["engine_used"] = result.engine;
   return settings;
 }

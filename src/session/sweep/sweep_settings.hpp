@@ -33,9 +33,6 @@ struct Objective {
 /// Parses "undercut", "draw-depth" or "undercut:1,draw-depth:0.1"; throws UsageError.
 [[nodiscard]] Objective parse_objective(std::string_view text);
 
-/// Every source of candidates but the user.
-[[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
-
 struct SweepSettings {
   MethodSettings method;  // of the final figures; its direction is not used
   int directions = 500;   // uniform directions over the half-sphere, [0, 100000]
@@ -58,8 +55,5 @@ struct SweepSettings {
 
 /// The options of a sweep that are not options of the method.
 [[nodiscard]] std::span<const Option<SweepSettings>> sweep_options();
-
-/// Parses "axis,plane,uniform", "all" or "none"; throws UsageError.
-[[nodiscard]] std::vector<CandidateKind> parse_candidate_kinds(std::string_view text);
 
 }  // namespace moldlight

@@ -8,15 +8,6 @@
 
 namespace moldlight {
 
-namespace {
-
-std::string components_text(const glm::dvec3& direction, int decimals) {
-  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
-                     component_text(direction.y, decimals), component_text(direction.z, decimals));
-}
-
-}  // namespace
-
 void mark_ties(std::vector<SweepCandidate>& candidates) {
   char letter = 'a';
   for (std::size_t first = 0, end = 0; first < candidates.size(); first = end) {
@@ -49,14 +40,17 @@ std::string component_text(double value, int decimals) {
   return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
 }
 
-std::string direction_text(const glm::dvec3& direction) { return components_text(direction, 5); }
+std::string direction_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
 
 std::string short_direction_text(const glm::dvec3& direction) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) == 1.0)
       return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
   }
-  return components_text(direction, 2);
+  return direction_text(direction, 2);
 }
 
 double undercut_area(const SweepCandidate& candidate) {

@@ -54,7 +54,7 @@ TEST_F(OfABox, FiguresAreWrittenByTheirKind) {
   measured.patches = 3;
   EXPECT_EQ(text("undercut", measured), "60.000");
   EXPECT_EQ(text("undercut_share", measured), "10.00");
-  EXPECT_EQ(text("draw_depth", measured), "5.0000");
+  EXPECT_EQ(text("draw_depth", measured), "5.000");
   EXPECT_EQ(text("patches", measured), "3");
   EXPECT_EQ(text("undraughted_area", measured), "42.000");
   EXPECT_EQ(figure_heading(direction_figure("draw_depth"), model_->part), "depth unit");
