@@ -81,7 +81,7 @@ UndercutLimit parse_undercut_limit(std::string_view text) {
   UndercutLimit limit;
   limit.per_cent = text.ends_with('%');
   if (limit.per_cent) text.remove_suffix(1);
-  limit.value = parse_real(text, "--fail-if-undercut");
+  limit.value = parse_real({text, "--fail-if-undercut"});
   if (limit.value < 0.0) throw UsageError("--fail-if-undercut: the limit is less than 0");
   return limit;
 }

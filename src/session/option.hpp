@@ -14,33 +14,36 @@
 
 namespace moldlight {
 
-/// Parsers that the option tables share; `what` names the option in the UsageError that they throw. Ranges
-/// are inclusive; values out of range are refused, never clamped.
-[[nodiscard]] double parse_real(std::string_view text, std::string_view what);
-[[nodiscard]] double parse_real(std::string_view text, std::string_view what, double min, double max);
-[[nodiscard]] double parse_positive(std::string_view text, std::string_view what, double max);
-[[nodiscard]] int parse_integer(std::string_view text, std::string_view what, int min, int max, bool odd);
-[[nodiscard]] bool parse_switch(std::string_view text, std::string_view what);
-[[nodiscard]] glm::dvec3 parse_direction(std::string_view text, std::string_view what);
-[[nodiscard]] std::vector<glm::dvec3> parse_directions(std::string_view text, std::string_view what);
 using Words = std::vector<std::string_view>;
-[[nodiscard]] int parse_word(std::string_view text, std::string_view what, const Words& words);
+
+/// A setting as text, as the command line takes it, and what a UsageError calls it.
+struct GivenText {
+  std::string_view text, what;
+};
+/// Parsers that the option tables share. They throw UsageError for what they refuse. Ranges are inclusive;
+/// values out of range are refused, never clamped.
+[[nodiscard]] double parse_real(const GivenText& given);
+[[nodiscard]] double parse_real(const GivenText& given, double min, double max);
+[[nodiscard]] double parse_positive(const GivenText& given, double max);
+[[nodiscard]] int parse_integer(const GivenText& given, int min, int max, bool odd);
+[[nodiscard]] bool parse_switch(const GivenText& given);
+[[nodiscard]] glm::dvec3 parse_direction(const GivenText& given);
+[[nodiscard]] std::vector<glm::dvec3> parse_directions(const GivenText& given);
+[[nodiscard]] int parse_word(const GivenText& given, const Words& words);
 /// Of "a,b", "all" or "none".
-[[nodiscard]] Words parse_words(std::string_view text, std::string_view what, const Words& words);
+[[nodiscard]] Words parse_words(const GivenText& given, const Words& words);
 /// Shortest text that reads back as the same number.
 [[nodiscard]] std::string real_text(double value);
 
-/// Kinds of settings of a struct S. Each gives the setting's value, unset ones as none, and sets it from text
-/// as the command line takes it; `what` names the option in the UsageError for what it refuses.
+/// Kinds of settings of a struct S. Each gives the setting's value, unset ones as none, and sets it from
+/// text.
 template <typename S>
 struct RealKind {
   double S::*member;
   double min, max, step;  // step: of a slider or an arrow key
 
   double value(const S& s) const { return s.*member; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    s.*member = parse_real(text, what, min, max);
-  }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_real(given, min, max); }
 };
 /// A number greater than 0; 0 while it is unset.
 template <typename S>
@@ -49,8 +52,8 @@ struct PositiveKind {
   double max = std::numeric_limits<double>::infinity();
 
   std::optional<double> value(S s) const { return member(s) > 0.0 ? std::optional(member(s)) : std::nullopt; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    member(s) = text.empty() ? 0.0 : parse_positive(text, what, max);
+  void parse(S& s, const GivenText& given) const {
+    member(s) = given.text.empty() ? 0.0 : parse_positive(given, max);
   }
 };
 template <typename S>
@@ -63,8 +66,8 @@ struct IntegerKind {
   std::optional<int> value(const S& s) const {
     return standard != 0 && s.*member == 0 ? std::nullopt : std::optional(s.*member);
   }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    s.*member = standard != 0 && text.empty() ? 0 : parse_integer(text, what, min, max, odd);
+  void parse(S& s, const GivenText& given) const {
+    s.*member = standard != 0 && given.text.empty() ? 0 : parse_integer(given, min, max, odd);
   }
 };
 template <typename S>
@@ -72,9 +75,7 @@ struct SwitchKind {
   bool S::*member;
 
   bool value(const S& s) const { return s.*member; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    s.*member = parse_switch(text, what);
-  }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_switch(given); }
 };
 /// One of a few words; index k of `words` is enumerator k.
 template <typename S>
@@ -84,9 +85,7 @@ struct ChoiceKind {
   void (*set)(S&, int);
 
   std::string_view value(const S& s) const { return words[static_cast<std::size_t>(get(s))]; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    set(s, parse_word(text, what, words));
-  }
+  void parse(S& s, const GivenText& given) const { set(s, parse_word(given, words)); }
 };
 
 namespace detail {
@@ -116,9 +115,7 @@ struct DirectionKind {
   glm::dvec3 S::*member;
 
   glm::dvec3 value(const S& s) const { return s.*member; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    s.*member = parse_direction(text, what);
-  }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_direction(given); }
 };
 /// Any number of them, a line each; the window has no control for it.
 template <typename S>
@@ -126,9 +123,7 @@ struct DirectionsKind {
   std::vector<glm::dvec3> S::*member;
 
   std::vector<glm::dvec3> value(const S& s) const { return s.*member; }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    s.*member = parse_directions(text, what);
-  }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_directions(given); }
 };
 /// Some of a few words, "a,b", in the order given; "all" or "none".
 template <typename S>
@@ -138,9 +133,7 @@ struct SetKind {
   void (*set)(S&, const Words& chosen);
 
   Words value(const S& s) const { return get(s); }
-  void parse(S& s, std::string_view text, std::string_view what) const {
-    set(s, parse_words(text, what, words));
-  }
+  void parse(S& s, const GivenText& given) const { set(s, parse_words(given, words)); }
 };
 /// Text that the setting's own parser reads. The window offers the words.
 template <typename S>
@@ -151,7 +144,7 @@ struct TextKind {
   Words words = {};
 
   std::string value(const S& s) const { return get(s); }
-  void parse(S& s, std::string_view text, std::string_view) const { set(s, text); }
+  void parse(S& s, const GivenText& given) const { set(s, given.text); }
 };
 
 template <typename S>

@@ -76,7 +76,7 @@ template <typename S>
 /// option, the value and the range.
 template <typename S>
 void set_option(const Option<S>& option, S& settings, std::string_view text) {
-  std::visit([&](const auto& kind) { kind.parse(settings, text, option.flag); }, option.kind);
+  std::visit([&](const auto& kind) { kind.parse(settings, {text, option.flag}); }, option.kind);
 }
 
 /// A JSON object with every option under its key; null for an unset one.

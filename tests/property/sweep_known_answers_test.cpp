@@ -164,7 +164,7 @@ TEST(SweepKnownAnswers, TwoEqualDirectionsTie) {
   for (const SweepCandidate* candidate : {&first, &second}) {
     EXPECT_NEAR(undercut(*candidate), pocket,
                 uncertainty(*candidate) + 1e-4 * candidate->classification.total_area);
-    EXPECT_DOUBLE_EQ(candidate->draw_depth, 30.0);
+    EXPECT_DOUBLE_EQ(figure_value(direction_figure("draw_depth"), *candidate).value_or(0.0), 30.0);
   }
 }
 

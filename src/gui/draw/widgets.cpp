@@ -108,7 +108,7 @@ bool typed_row(const Ui& ui, ImGuiID id, float width, double& value, double min,
   const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return false;
   try {
-    const double typed = std::clamp(parse_real(memory.typed.data(), "value"), min, max);
+    const double typed = std::clamp(parse_real({memory.typed.data(), "value"}), min, max);
     return std::exchange(value, typed) != typed;
   } catch (const UsageError&) {
     return false;

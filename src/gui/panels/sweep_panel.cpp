@@ -27,7 +27,7 @@ constexpr float k_bar_width = 132.0F;
 /// Columns before those of figures: picture, rank, direction.
 constexpr std::size_t k_before_figures = 3;
 /// Widths of figures by their kind, layout units.
-constexpr std::array<float, 7> k_widths = {58.0F, 54.0F, 38.0F, 46.0F, 48.0F, 64.0F, 44.0F};
+constexpr std::array<float, 7> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F};
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -97,7 +97,7 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
   std::vector<Heading> headings = {{"", "", k_picture_width, k_fixed | k_not},
                                    {"#", "Rank; directions with the same letter tie within the uncertainty.",
                                     30.0F, k_fixed | ImGuiTableColumnFlags_DefaultSort},
-                                   {"direction", "", 116.0F, k_fixed | k_not}};
+                                   {"direction", "", 108.0F, k_fixed | k_not}};
   for (const DirectionFigure* figure : figures)
     headings.push_back(
         {figure->label, figure->help, k_widths[static_cast<std::size_t>(figure->kind)], k_fixed, true});
