@@ -19,6 +19,8 @@ template <typename... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 inline std::string value_text(double value) { return real_text(value); }
 inline std::string value_text(int value) { return fmt::format("{}", value); }
@@ -94,11 +96,12 @@ template <typename S>
 template <typename S>
 void set_options(std::span<const Option<S>> options, S& settings, const nlohmann::ordered_json& json) {
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& item : json.items()) {
     const auto option =
-        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == key; });
-    if (option == options.end()) throw UsageError(fmt::format("settings: there is no setting '{}'", key));
-    set_option(*option, settings, detail::json_text(value));
+        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == item.key(); });
+    if (option == options.end())
+      throw UsageError(fmt::format("settings: there is no setting '{}'", item.key()));
+    set_option(*option, settings, detail::json_text(item.value()));
   }
 }
 

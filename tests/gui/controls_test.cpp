@@ -114,7 +114,7 @@ TEST_F(Controls, OfTheSweep) {
     set_option(option, expected, option_text(option, shown()));
     EXPECT_EQ(json(shown()), json(expected)) << option.key;
   }
-  EXPECT_EQ(shown().objective.terms.front().figure, &direction_figure("patches"));
+  EXPECT_EQ(shown().objective.text, objective_names().back());
   std::vector<CandidateKind> kinds = shown().kinds;
   while (!kinds.empty()) {
     click(std::string(candidate_kind_name(kinds.back())));

@@ -227,13 +227,13 @@ std::vector<std::size_t> sorted_candidates(const SweepResult& result, const Dire
 
 void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
-  const bool fresh = result_ != context.state.sweep.result;
-  result_ = context.state.sweep.result;
-  const std::size_t count = result_->candidates.size();
+  const std::shared_ptr<const SweepResult>& result = context.state.sweep.result;
+  const bool fresh = result_ != result;
+  const std::size_t count = result->candidates.size();
   const float window_height = ImGui::GetIO().DisplaySize.y;
   const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
   const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F), all = static_cast<float>(count);
-  const Figures figures = figure_columns(*result_);
+  const Figures figures = figure_columns(*result);
   constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), 0.0F));
@@ -243,11 +243,12 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     if (fresh) ImGui::SetScrollY(0.0F);
     draw_headings(ui, figures);
     ImGuiTableSortSpecs* sorting = ImGui::TableGetSortSpecs();
-    if (sorting != nullptr && (sorting->SpecsDirty || fresh)) {
+    if (sorting->SpecsDirty || fresh) {
+      result_ = result;
       const auto column = static_cast<std::size_t>(sorting->Specs->ColumnIndex);
-      rows_ = sorted_candidates(*result_,
-                                column < k_before_figures ? nullptr : figures[column - k_before_figures],
-                                sorting->Specs->SortDirection == ImGuiSortDirection_Descending);
+      rows_ =
+          sorted_candidates(*result, column < k_before_figures ? nullptr : figures[column - k_before_figures],
+                            sorting->Specs->SortDirection == ImGuiSortDirection_Descending);
       sorting->SpecsDirty = false;
     }
     ImGuiListClipper clipper;

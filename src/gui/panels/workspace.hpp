@@ -33,7 +33,7 @@ class SweepPanel {
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
   void draw_footer(const PanelContext& context, bool more);
 
-  std::shared_ptr<const SweepResult> result_;  // kept, so that no later one has its address
+  std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
   bool options_ = false, expanded_ = false;
 };
