@@ -9,28 +9,18 @@
 #include "common/facets.glsl"
 #include "common/map_frame.glsl"
 
-// Entries are facet + 1, 0 where no facet is.
-#ifdef MAP_BATCH
-uniform usampler2DArray t_maps;  // of several directions: layer 2 k is the +d map of direction k, 2 k + 1 its -d map
-uniform int u_map_pair;          // k
-#else
-uniform usampler2D t_map_plus;
-uniform usampler2D t_map_minus;
-#endif
-
 const uint k_accessible_plus = 1u;
 const uint k_accessible_minus = 2u;
 
 #ifdef SYMMETRIC_KERNEL
 // The paper's own test: depths compared at the texel; near-vertical points pass if any texel of the kernel passes.
-uniform sampler2D t_depth_plus;
-uniform sampler2D t_depth_minus;
-uniform int u_kernel_radius;  // texels
+uniform sampler2DArray t_depths;  // layer 0: of the +d map, 1: of the -d map
+uniform int u_kernel_radius;      // texels
 
-bool lit(sampler2D depth, ivec2 texel, float point_depth) {
+bool lit(int layer, ivec2 texel, float point_depth) {
   int size = int(u_map_size);
   if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)))) return true;
-  return point_depth <= texelFetch(depth, texel, 0).r;
+  return point_depth <= texelFetch(t_depths, ivec3(texel, layer), 0).r;
 }
 
 uint accessible_at(vec3 point, uint facet, vec2 shift) {
@@ -38,13 +28,13 @@ uint accessible_at(vec3 point, uint facet, vec2 shift) {
   ivec2 texel = ivec2(floor(map_position(point) + shift));
   float depth_plus = map_depth(point, 1.0);
   float depth_minus = map_depth(point, -1.0);
-  if (class_of_facet == k_up) return lit(t_depth_plus, texel, depth_plus) ? k_accessible_plus : 0u;
-  if (class_of_facet == k_down) return lit(t_depth_minus, texel, depth_minus) ? k_accessible_minus : 0u;
+  if (class_of_facet == k_up) return lit(0, texel, depth_plus) ? k_accessible_plus : 0u;
+  if (class_of_facet == k_down) return lit(1, texel, depth_minus) ? k_accessible_minus : 0u;
   uint bits = 0u;
   for (int dy = -u_kernel_radius; dy <= u_kernel_radius; ++dy) {
     for (int dx = -u_kernel_radius; dx <= u_kernel_radius; ++dx) {
-      if (lit(t_depth_plus, texel + ivec2(dx, dy), depth_plus)) bits |= k_accessible_plus;
-      if (lit(t_depth_minus, texel + ivec2(dx, dy), depth_minus)) bits |= k_accessible_minus;
+      if (lit(0, texel + ivec2(dx, dy), depth_plus)) bits |= k_accessible_plus;
+      if (lit(1, texel + ivec2(dx, dy), depth_minus)) bits |= k_accessible_minus;
     }
   }
   return bits;
@@ -52,6 +42,9 @@ uint accessible_at(vec3 point, uint facet, vec2 shift) {
 
 uint accessible_from(vec3 point, uint facet) { return accessible_at(point, facet, vec2(0.0)); }
 #else
+// Entries are facet + 1, 0 where no facet is. Layer 2 k is the +d map of direction k, 2 k + 1 its -d map.
+uniform usampler2DArray t_maps;
+uniform int u_map_pair;   // k
 uniform float u_lateral;  // lateral tolerance in the unit frame
 
 // Rounding of n.x - c at coordinates up to 0.5 in single precision. A facet that touches the point counts as in its
@@ -62,13 +55,8 @@ bool in_map(ivec2 texel) {
   return all(lessThan(uvec2(texel), uvec2(u_map_size)));  // without their sign, negative places are large ones
 }
 
-#ifdef MAP_BATCH
 uint plus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_maps, ivec3(texel, 2 * u_map_pair), 0).r : 0u; }
 uint minus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_maps, ivec3(texel, 2 * u_map_pair + 1), 0).r : 0u; }
-#else
-uint plus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_map_plus, texel, 0).r : 0u; }
-uint minus_entry(ivec2 texel) { return in_map(texel) ? texelFetch(t_map_minus, texel, 0).r : 0u; }
-#endif
 
 bool outside_of(uint entry, vec3 point) {
   if (entry == 0u) return false;

@@ -3,7 +3,7 @@
 // region. LOOK_UP: the region comes from the shadow maps all the same. BY_REGION: only fragments of the regions in
 // u_regions are drawn.
 #ifdef SPLIT
-uniform usamplerBuffer t_sources;  // per piece: its facet, and its accessibility bits from bit 30 on
+uniform usamplerBuffer t_sources;  // per piece, see view/surface_bits.glsl
 #endif
 #ifdef LOOK_UP
 #include "common/region.glsl"
@@ -20,8 +20,8 @@ void main() {
   uint facet = uint(gl_PrimitiveID), exact = 0u;
 #ifdef SPLIT
   uint source = texelFetch(t_sources, gl_PrimitiveID).r;
-  facet = source & 0x3FFFFFFFu;
-  exact = source >> 30;
+  facet = source_facet(source);
+  exact = source_accessible(source);
 #endif
   uint bits = exact;
 #ifdef LOOK_UP

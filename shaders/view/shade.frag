@@ -7,7 +7,7 @@
 #include "view/surface_bits.glsl"
 uniform usampler2D t_surface;
 uniform sampler2D t_openness;
-uniform vec3 u_colours[4];  // by accessibility bits; undercut is 0
+uniform vec3 u_colours[k_accessibilities];  // by accessibility bits; undercut is 0
 uniform vec3 u_eye_right;
 uniform vec3 u_eye_up;
 uniform vec3 u_eye_back;

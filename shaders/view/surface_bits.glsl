@@ -5,6 +5,11 @@
 
 const uint k_back_bit = 0x80000000u;
 const uint k_number_mask = 0x1FFFFFFFu;
+const int k_accessibilities = 4;  // sums of the bits
+
+// A piece of the split surface: its facet, and its accessibility bits from bit 30 on.
+uint source_facet(uint source) { return source & 0x3FFFFFFFu; }
+uint source_accessible(uint source) { return source >> 30; }
 
 uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible, uint exact) {
   uvec2 steps = uvec2((to_octahedral(normal) * 0.5 + 0.5) * 32767.0 + 0.5);

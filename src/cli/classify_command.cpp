@@ -23,17 +23,19 @@ struct ClassifyFlags {
   StillSettings still;
 };
 
-void check_outputs(const ClassifyFlags& flags) {
+void check_files(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
-  check_output_files(flags.part.part, {{"--json", flags.part.json_file()},
-                                       {"--facets", files.facets},
-                                       {"--faces", files.faces},
-                                       {"--mesh", files.mesh},
-                                       {"--borders", files.borders},
-                                       {"--image", flags.image}});
-  if (!files.split_folder.empty()) check_output_folder(files.split_folder);
+  check_outputs({.inputs = {{"PART", flags.part.part}},
+                 .files = {{"--json", flags.part.json_file()},
+                           {"--facets", files.facets},
+                           {"--faces", files.faces},
+                           {"--mesh", files.mesh},
+                           {"--mesh (its colours)", material_library_path(files.mesh)},
+                           {"--borders", files.borders},
+                           {"--image", flags.image}},
+                 .folder = {"--split-dir", files.split_folder}});
 }
 
 void log_result(const Classification& result, Console& console) {
@@ -44,8 +46,9 @@ void log_result(const Classification& result, Console& console) {
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
-  check_outputs(flags);
+  check_files(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  validate(flags.method, model->frame.diagonal);
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = flags.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
@@ -63,7 +66,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   log_result(result, console);
 
   progress.report("writing", 0.0);
-  write_outputs(flags.files, *model, result, flags.still.palette);
+  write_outputs(flags.files, *model, result, flags.still.look.palette);
   if (!flags.image.empty())
     write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress));
   put_report(
@@ -86,13 +89,13 @@ void add_classify_command(CLI::App& program, Request& request) {
                 "Write a table of facets: area and share of each region");
   add_file_flag(*command, "--faces", files.faces, "FILE.csv",
                 "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way");
-  add_file_flag(*command, "--mesh", files.mesh, "FILE.(ply|obj|stl)",
+  add_file_flag(*command, "--mesh", files.mesh, "FILE.(" + extensions_text(mesh_formats()) + ")",
                 "Write the part, split at the borders of its exact regions (whatever the readout), each "
                 "facet in the colour of its region; in OBJ each region is a material");
   add_file_flag(*command, "--split-dir", files.split_folder, "DIR",
                 "Write the split part to this folder, one STL a region; they meet at equal vertices");
   add_file_flag(
-      *command, "--borders", files.borders, "FILE.(obj|csv)",
+      *command, "--borders", files.borders, "FILE.(" + extensions_text(border_formats()) + ")",
       "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
       "line a point");
   command->add_flag("--compare-maps", flags->compare_maps,
@@ -102,11 +105,9 @@ void add_classify_command(CLI::App& program, Request& request) {
       *command, "--image", flags->image, "FILE.png",
       "Draw the part in the colours of its regions, with a legend, and write the picture to this file");
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
-  for (const Option<StillSettings>& option : still_options()) {
-    CLI::Option* flag = add_option_flag(*command, option, flags->still);
-    // The palette is the meshes', too.
-    if (option.key != "palette") flag->needs(image);
-  }
+  // The palette is the meshes', too.
+  for (CLI::Option* flag : add_still_flags(*command, flags->still))
+    if (flag->get_name() != "--palette") flag->needs(image);
   set_work(*command, request, flags, run);
 }
 

@@ -32,27 +32,18 @@ bool is_special(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-}  // namespace
-
-void check_output_files(const std::string& part, const std::vector<OutputFile>& files) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const OutputFile& file = files[i];
-    if (file.path.empty() || is_special(file.path)) continue;
-    if (file.path == "-") {
-      throw UsageError(fmt::format("{}: only --json can go to stdout; name a file", file.flag));
-    }
-    if (same_file(file.path, part)) {
-      throw UsageError(fmt::format("{}: {} is the part itself; name another file", file.flag, file.path));
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (files[k].path.empty() || !same_file(files[k].path, file.path)) continue;
-      throw UsageError(fmt::format("{} and {} name one file, {}", files[k].flag, file.flag, file.path));
-    }
-    const AtomicFile attempt(file.path);
+bool is_inside(const std::string& file, const std::string& folder) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(folder, error);
+  for (fs::path above = fs::weakly_canonical(file, error).parent_path(); above.has_relative_path();
+       above = above.parent_path()) {
+    if (above == whole) return true;
   }
+  return false;
 }
 
-void check_output_folder(const std::string& folder) {
+/// Throws FileError for a folder that is none, or that cannot be made or written to.
+void check_folder(const std::string& folder) {
   std::error_code error;
   fs::path there = fs::absolute(folder, error);
   while (!there.empty() && !fs::exists(there, error) && there != there.parent_path())
@@ -64,6 +55,34 @@ void check_output_folder(const std::string& folder) {
     throw FileError(folder, "",
                     fmt::format("cannot be written to: {}: {}", there.string(), std::strerror(errno)));
   }
+}
+
+}  // namespace
+
+void check_outputs(const Outputs& outputs) {
+  const auto& [inputs, files, folder] = outputs;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const NamedPath& file = files[i];
+    if (file.path.empty() || is_special(file.path)) continue;
+    if (file.path == "-") {
+      throw UsageError(fmt::format("{}: only --json can go to stdout; name a file", file.flag));
+    }
+    for (const NamedPath& input : inputs) {
+      if (input.path.empty() || !same_file(file.path, input.path)) continue;
+      throw UsageError(
+          fmt::format("{}: {} is what {} reads; name another file", file.flag, file.path, input.flag));
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (files[k].path.empty() || !same_file(files[k].path, file.path)) continue;
+      throw UsageError(fmt::format("{} and {} name one file, {}", files[k].flag, file.flag, file.path));
+    }
+    if (!folder.path.empty() && is_inside(file.path, folder.path)) {
+      throw UsageError(fmt::format("{}: {} is in the folder that {} fills; name a place outside", file.flag,
+                                   file.path, folder.flag));
+    }
+    const AtomicFile attempt(file.path);
+  }
+  if (!folder.path.empty()) check_folder(folder.path);
 }
 
 void put_report(Console& console, const std::string& json_path,

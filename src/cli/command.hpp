@@ -38,21 +38,23 @@ void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>&
   });
 }
 
-/// A file that a flag names; an empty path is a flag not given.
-struct OutputFile {
+/// A file or folder that a flag names; an empty path is a flag not given.
+struct NamedPath {
   std::string_view flag;
   std::string path;
 };
 // Where a command writes to is found out before the work, so that an hour of it is not lost to a typing
 // error.
 
-/// Throws FileError for a file that cannot be written, and UsageError where two flags name one file, where
-/// the part itself would be overwritten, and for "-" (commands that write to stdout leave it out of `files`).
-/// Nothing is changed or left behind.
-void check_output_files(const std::string& part, const std::vector<OutputFile>& files);
-
-/// Throws FileError for a folder that is none, or that cannot be made or written to.
-void check_output_folder(const std::string& folder);
+struct Outputs {
+  std::vector<NamedPath> inputs;  // what is read, the part among them
+  std::vector<NamedPath> files;   // without what goes to stdout
+  NamedPath folder{};
+};
+/// Throws FileError for a file or folder that cannot be written, and UsageError for "-", where two flags name
+/// one file, where a file would be put into the folder, and where something that is read would be
+/// overwritten. Nothing is changed or left behind.
+void check_outputs(const Outputs& outputs);
 
 /// Writes the report as --json asks for it: to stdout in place of the text, or to a file beside it.
 void put_report(Console& console, const std::string& json_path,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "io/part_formats.hpp"
 #include "session/still_picture.hpp"
 
 namespace moldlight::cli {
@@ -35,7 +36,9 @@ CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::strin
 }
 
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
-  command.add_option("PART", flags.part, "Part file: STL, OBJ, PLY, OFF, 3MF or STEP, known by its content")
+  command
+      .add_option("PART", flags.part,
+                  fmt::format("Part file: {}, known by its content", part_format_names(" or ")))
       ->required();
   add_file_flag(command, "--json", flags.json, "FILE|-",
                 "Write the report as JSON; - for stdout, in place of the table");
@@ -54,6 +57,15 @@ void add_method_flags(CLI::App& command, MethodSettings& settings, DirectionFlag
     }
   }
   command.get_option("--kernel")->excludes(command.get_option("--tolerance"));
+}
+
+std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings) {
+  std::vector<CLI::Option*> flags;
+  for (const Option<StillSettings>& option : still_options())
+    flags.push_back(add_option_flag(command, option, settings));
+  for (const std::string_view key : {"palette", "regions", "mark_difference"})
+    flags.push_back(add_option_flag(command, option_named(look_options(), key), settings.look));
+  return flags;
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {

@@ -111,6 +111,9 @@ void add_option_flags(CLI::App& command, std::span<const Option<S>> options, S& 
   for (const Option<S>& option : options) add_option_flag(command, option, settings);
 }
 
+/// The flags of still pictures but for their size.
+std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings);
+
 /// How a command takes the parting direction.
 enum class DirectionFlag : std::uint8_t { required, optional, left_out };
 

@@ -9,7 +9,7 @@ namespace moldlight::cli {
 namespace {
 
 int run(const PartFlags& flags, Console& console, const Progress& progress) {
-  check_output_files(flags.part, {{"--json", flags.json_file()}});
+  check_outputs({.inputs = {{"PART", flags.part}}, .files = {{"--json", flags.json_file()}}});
   const auto model = load_part(flags.part, flags.reading, progress);
   progress.report("finding the edges at fault", 0.0);
   const DefectPlaces places = defect_places(*model);

@@ -1,14 +1,21 @@
 // The program: reads the command line, runs the command, and turns every failure into one line and an exit
 // code.
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
+
+#include <tbb/global_control.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "cli/flags.hpp"
 
 namespace moldlight::cli {
@@ -90,7 +97,10 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& help) {
-    return program.exit(help);
+    std::ostringstream text;
+    const int code = program.exit(help, text);
+    console.result(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     const std::string command =
         program.get_subcommands().empty() ? "" : program.get_subcommands().front()->get_name() + " ";
@@ -102,6 +112,12 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   Progress progress(
       [&console](std::string_view stage, double fraction) { console.progress(stage, fraction); });
   const InterruptGuard guard(progress);
+  // TBB counts on a thread a core, and fails where it cannot have them beside those of a sweep.
+  const int wanted = 2 * static_cast<int>(std::max(1U, std::thread::hardware_concurrency())) + 1;
+  // Never taken back: TBB would start its threads then.
+  [[maybe_unused]] static tbb::global_control* one_thread = nullptr;
+  if (startable_threads(wanted) < wanted)
+    one_thread = new tbb::global_control(tbb::global_control::max_allowed_parallelism, 1);
   return request.body(console, progress);
 }
 
@@ -111,6 +127,8 @@ int run_program(std::vector<std::string> arguments, Console& console) {
 
 int main(int argc, char** argv) {
   using namespace moldlight;
+  // A file beyond the limit of size is to be an error of writing, whose temporary file is cleared away.
+  std::signal(SIGXFSZ, SIG_IGN);
   cli::Console console;
   try {
     return cli::run_program({argv + 1, argv + argc}, console);
@@ -121,7 +139,9 @@ int main(int argc, char** argv) {
     console.failure(error.what());
     return cli::k_usage;
   } catch (const std::bad_alloc&) {
-    console.failure("there is not enough memory; try fewer --samples or a smaller --resolution");
+    console.failure("there is not enough memory for this part with these settings");
+  } catch (const std::system_error& error) {
+    console.failure(std::string("the system allows no more threads or the like: ") + error.what());
   } catch (const std::exception& error) {
     console.failure(error.what());
   }

@@ -94,11 +94,6 @@ struct SweepFlags {
   std::optional<UndercutLimit> limit;
 };
 
-void check_outputs(const SweepFlags& flags) {
-  check_output_files(flags.part.part, {{"--json", flags.part.json_file()}, {"--csv", flags.csv}});
-  if (!flags.image_folder.empty()) check_output_folder(flags.image_folder);
-}
-
 SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) {
   SweepSettings settings = flags.sweep;
   // A map of the directions wants the figures of all of them.
@@ -144,7 +139,9 @@ bool meets(const UndercutLimit& limit, const PartModel& model, const SweepResult
 }
 
 int run(const SweepFlags& flags, Console& console, const Progress& progress) {
-  check_outputs(flags);
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--directions-file", flags.directions_file}},
+                 .files = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}},
+                 .folder = {"--image-dir", flags.image_folder}});
   const SweepSettings settings = sweep_settings(flags, progress);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   // Before the sweep, so that a backend that is not there is told at once.
@@ -197,9 +194,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
-  for (const Option<StillSettings>& option : still_options()) {
-    add_option_flag(*command, option, flags->still)->needs(pictures);
-  }
+  for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
   add_method_flags(*command, sweep.method, DirectionFlag::left_out);
   set_work(*command, request, flags, run);
 }

@@ -26,7 +26,7 @@ struct ViewFlags {
   gui::PartNotes notes;
   gui::WindowSettings window;
   nlohmann::ordered_json window_given = nlohmann::ordered_json::object();
-  std::string screenshot, script;
+  std::string screenshot, script, settings;
   glm::ivec2 size{1280, 720};
   float scale = 1.0F;
   bool settings_given = false, benchmark = false;
@@ -59,18 +59,20 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
         progress);
     return 0;
   }
-  check_output_files(flags.part, {{"--screenshot", flags.screenshot}});
+  check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}, {"--script", flags.script}},
+                 .files = {{"--screenshot", flags.screenshot}}});
   gui::OffscreenOptions window;
   window.size = flags.size;
   window.content_scale = flags.scale;
   window.user.window = flags.window;
   window.reading = flags.reading;
   window.shipped_parts = gui::shipped_parts();
-  gui::take_screenshot({.part = flags.part,
-                        .output = flags.screenshot,
-                        .script = flags.script.empty() ? std::string() : read_whole(flags.script),
-                        .notes = notes,
-                        .window = window});
+  gui::take_screenshot(
+      {.part = flags.part,
+       .output = flags.screenshot,
+       .script = flags.script.empty() ? std::nullopt : std::optional(read_whole(flags.script)),
+       .notes = notes,
+       .window = window});
   return 0;
 }
 
@@ -86,6 +88,7 @@ void add_view_command(CLI::App& program, Request& request) {
                 "Settings and bookmarks as the window saves them, or a JSON object of settings",
                 [flags](const std::string& path) {
                   flags->notes = gui::parse_part_notes(read_whole(path), flags->notes);
+                  flags->settings = path;
                   flags->settings_given = true;
                 })
       ->check(named())
@@ -105,7 +108,7 @@ void add_view_command(CLI::App& program, Request& request) {
       "with the direction at rest, and with a direction that changes every frame");
   add_option_flags(*command, reading_options(), flags->reading);
   add_method_flags(*command, flags->notes.method);
-  add_option_flags(*command, gui::look_options(), flags->notes.look);
+  add_option_flags(*command, look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);
   command->callback([command, flags, &request] {
     const auto window = options_json(gui::window_options(), flags->window);
@@ -118,7 +121,7 @@ void add_view_command(CLI::App& program, Request& request) {
       const auto names = [&](const auto& entry) { return entry.flag == name; };
       flags->settings_given =
           flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
-                                                            std::ranges::any_of(gui::look_options(), names)));
+                                                            std::ranges::any_of(look_options(), names)));
     }
     request.body = [flags](Console& console, const Progress& progress) {
       return run(*flags, console, progress);

@@ -12,8 +12,6 @@ ColourTarget::ColourTarget(const Functions& gl, const glm::ivec2& size)
 
 std::vector<std::uint8_t> ColourTarget::read() const { return read_colours(*gl_, framebuffer(), size_); }
 
-void bind_framebuffer(const Functions& gl, GLuint name) { gl.BindFramebuffer(GL_FRAMEBUFFER, name); }
-
 std::vector<std::uint8_t> read_colours(const Functions& gl, GLuint framebuffer, const glm::ivec2& size) {
   const auto row = static_cast<std::size_t>(size.x) * 4, rows = static_cast<std::size_t>(size.y);
   std::vector<std::uint8_t> below(row * rows), above(row * rows);

@@ -28,9 +28,6 @@ class ColourTarget {
   Framebuffer framebuffer_;
 };
 
-/// Draws go there from now on; 0 is the window's own.
-void bind_framebuffer(const Functions& gl, GLuint name);
-
 /// Four bytes a pixel of a framebuffer's first colour, rows from above. Waits for the GL.
 [[nodiscard]] std::vector<std::uint8_t> read_colours(const Functions& gl, GLuint framebuffer,
                                                      const glm::ivec2& size);

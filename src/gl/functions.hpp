@@ -18,7 +18,6 @@ namespace moldlight::gl {
   X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
   X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
   X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
-  X(BlendFunc, PFNGLBLENDFUNCPROC)                             \
   X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)             \
   X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                 \
   X(BufferData, PFNGLBUFFERDATAPROC)                           \
@@ -75,6 +74,7 @@ namespace moldlight::gl {
   X(TexImage3D, PFNGLTEXIMAGE3DPROC)                           \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
   X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \
+  X(TexSubImage3D, PFNGLTEXSUBIMAGE3DPROC)                     \
   X(Uniform1f, PFNGLUNIFORM1FPROC)                             \
   X(Uniform1i, PFNGLUNIFORM1IPROC)                             \
   X(Uniform1ui, PFNGLUNIFORM1UIPROC)                           \

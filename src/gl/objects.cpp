@@ -1,5 +1,6 @@
 #include "gl/objects.hpp"
 
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,21 +12,16 @@ namespace moldlight::gl {
 
 namespace {
 
-const char* error_name(GLenum error) {
-  switch (error) {
-    case GL_INVALID_ENUM:
-      return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE:
-      return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION:
-      return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-      return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY:
-      return "GL_OUT_OF_MEMORY";
-    default:
-      return "an unknown error";
-  }
+std::string_view error_name(GLenum error) {
+  constexpr std::pair<GLenum, std::string_view> k_names[] = {
+      {GL_INVALID_ENUM, "GL_INVALID_ENUM"},
+      {GL_INVALID_VALUE, "GL_INVALID_VALUE"},
+      {GL_INVALID_OPERATION, "GL_INVALID_OPERATION"},
+      {GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"},
+      {GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY"}};
+  for (const auto& [code, name] : k_names)
+    if (code == error) return name;
+  return "an unknown error";
 }
 
 struct PixelLayout {
@@ -89,14 +85,6 @@ void check_complete(const Functions& gl, std::size_t colours, bool with_depth) {
 }
 
 }  // namespace
-
-void delete_buffer(const Functions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
-void delete_texture(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
-void delete_framebuffer(const Functions& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
-void delete_vertex_array(const Functions& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
-void delete_shader(const Functions& gl, GLuint name) { gl.DeleteShader(name); }
-void delete_program(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
-void delete_query(const Functions& gl, GLuint name) { gl.DeleteQueries(1, &name); }
 
 Buffer make_buffer(const Functions& gl, GLenum target, std::span<const std::byte> bytes) {
   Buffer buffer(gl, generate(gl.GenBuffers));
@@ -166,12 +154,11 @@ Framebuffer make_framebuffer(const Functions& gl, const Texture& colour, const T
   return make_framebuffer(gl, {.colours = {&name, 1}, .depth = depth != nullptr ? depth->name() : 0});
 }
 
-Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
-                                   const Texture& depth) {
+Framebuffer make_layer_framebuffer(const Functions& gl, const Layer& colour, const Layer& depth) {
   Framebuffer framebuffer(gl, generate(gl.GenFramebuffers));
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array.name(), 0, layer);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.array.name(), 0, colour.index);
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.array.name(), 0, depth.index);
   check_complete(gl, 1, true);
   return framebuffer;
 }

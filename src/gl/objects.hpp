@@ -5,14 +5,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "gl/functions.hpp"
 
 namespace moldlight::gl {
 
-/// A GL object name with a deleter; movable, not copyable; empty when default-constructed.
-template <void (*Delete)(const Functions&, GLuint)>
+/// A GL object name with the entry that deletes it, one name or an array of them; movable, not copyable;
+/// empty when default-constructed.
+template <auto k_delete>
 class Handle {
  public:
   Handle() = default;
@@ -29,7 +31,13 @@ class Handle {
   ~Handle() { reset(); }
 
   void reset() {
-    if (name_ != 0) Delete(*gl_, std::exchange(name_, 0));
+    if (name_ == 0) return;
+    const GLuint name = std::exchange(name_, 0);
+    if constexpr (std::is_invocable_v<decltype(gl_->*k_delete), GLuint>) {
+      (gl_->*k_delete)(name);
+    } else {
+      (gl_->*k_delete)(1, &name);
+    }
   }
   [[nodiscard]] GLuint name() const { return name_; }
   explicit operator bool() const { return name_ != 0; }
@@ -39,19 +47,11 @@ class Handle {
   GLuint name_ = 0;
 };
 
-void delete_buffer(const Functions& gl, GLuint name);
-void delete_texture(const Functions& gl, GLuint name);
-void delete_framebuffer(const Functions& gl, GLuint name);
-void delete_vertex_array(const Functions& gl, GLuint name);
-void delete_shader(const Functions& gl, GLuint name);
-void delete_program(const Functions& gl, GLuint name);
-void delete_query(const Functions& gl, GLuint name);
-
-using Buffer = Handle<delete_buffer>;
-using Texture = Handle<delete_texture>;
-using Framebuffer = Handle<delete_framebuffer>;
-using VertexArray = Handle<delete_vertex_array>;
-using Query = Handle<delete_query>;
+using Buffer = Handle<&Functions::DeleteBuffers>;
+using Texture = Handle<&Functions::DeleteTextures>;
+using Framebuffer = Handle<&Functions::DeleteFramebuffers>;
+using VertexArray = Handle<&Functions::DeleteVertexArrays>;
+using Query = Handle<&Functions::DeleteQueries>;
 
 /// A static buffer with `bytes` in it (GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER or GL_TEXTURE_BUFFER as
 /// target).
@@ -85,9 +85,13 @@ struct Attachments {
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments);
 [[nodiscard]] Framebuffer make_framebuffer(const Functions& gl, const Texture& colour,
                                            const Texture* depth = nullptr);
-/// The same for one layer of an array texture and a 2-D depth texture.
-[[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Texture& array, int layer,
-                                                 const Texture& depth);
+/// One layer of an array texture.
+struct Layer {
+  const Texture& array;
+  int index;
+};
+[[nodiscard]] Framebuffer make_layer_framebuffer(const Functions& gl, const Layer& colour,
+                                                 const Layer& depth);
 
 /// Throws Error naming `where` if GL reports an error.
 void check_errors(const Functions& gl, const char* where);

@@ -10,7 +10,7 @@ namespace moldlight::gl {
 
 namespace {
 
-using Shader = Handle<delete_shader>;
+using Shader = Handle<&Functions::DeleteShader>;
 
 template <typename GetParameter, typename GetLog>
 std::string info_log(GetParameter get_parameter, GetLog get_log, GLuint name) {
@@ -123,6 +123,23 @@ GLint Program::location(std::string_view name) const {
   if (found == uniforms_.end()) {
     check_failed(fmt::format("an active uniform {} in {}", name, name_).c_str(), __FILE__, __LINE__);
   }
+  return found->second;
+}
+
+const Program& Programs::use(std::string_view vertex, std::string_view fragment,
+                             const std::vector<std::string_view>& defines) {
+  std::string key(vertex);
+  key.append(" ").append(fragment);
+  for (const std::string_view define : defines) key.append(" ").append(define);
+  auto found = programs_.find(key);
+  if (found == programs_.end()) {
+    ProgramSources sources{.vertex = vertex, .fragment = fragment};
+    for (const std::string_view define : defines) {
+      if (!define.empty()) sources.defines.emplace_back(define, "1");
+    }
+    found = programs_.emplace(std::move(key), Program(*gl_, sources)).first;
+  }
+  found->second.use();
   return found->second;
 }
 

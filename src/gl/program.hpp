@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -37,6 +38,7 @@ class Program {
   /// Each sets a uniform of the program in use; CHECKs that the program has an active uniform of that name.
   /// Element k of an array is "name[k]".
   void set(std::string_view name, float value) const;
+  void set(std::string_view name, double value) const { set(name, static_cast<float>(value)); }
   void set(std::string_view name, int value) const;
   void set(std::string_view name, std::uint32_t value) const;
   void set(std::string_view name, const glm::vec2& value) const;
@@ -52,9 +54,24 @@ class Program {
   [[nodiscard]] GLint location(std::string_view name) const;
 
   const Functions* gl_;
-  Handle<delete_program> program_;
+  Handle<&Functions::DeleteProgram> program_;
   std::string name_;
   std::map<std::string, GLint, std::less<>> uniforms_;
+};
+
+/// Programs of the embedded files, each variant compiled when it is first needed.
+class Programs {
+ public:
+  explicit Programs(const Functions& gl) : gl_(&gl) {}
+
+  /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
+  /// defines are left out. Throws Error where it does not compile.
+  const Program& use(std::string_view vertex, std::string_view fragment,
+                     const std::vector<std::string_view>& defines = {});
+
+ private:
+  const Functions* gl_;
+  std::map<std::string, Program, std::less<>> programs_;
 };
 
 }  // namespace moldlight::gl

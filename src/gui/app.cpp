@@ -33,7 +33,7 @@ bool mouse_acts() {
 
 App::App(const gl::Context& context, AppOptions options)
     : context_(&context),
-      backdrop_(context.functions()),
+      tools_(context.functions()),
       options_(std::move(options)),
       history_(EditedSettings{}),
       layout_(options_.user.layout),
@@ -109,7 +109,7 @@ void App::frame(const FrameInput& input) {
   const MapTextures maps =
       scene_ && !state_.dialogs.panels_hidden ? scene_->map_pictures(map_px) : MapTextures{};
   candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
-                        pictures_->draw_next(scene_settings().view, candidate_picture_size(scale_));
+                        pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   workspace_.draw({ui, state_, edits, layout_},
                   {.maps = maps,
@@ -273,20 +273,24 @@ void App::set_direction(const glm::dvec3& direction) {
 SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.method = state_.settings.method;
-  scene.view = view_settings(state_.settings, state_.window.theme, opening_.at(now_s_), scale_);
-  if (state_.settings.look.section)
-    scene.view.section =
-        scene_->section_height(state_.settings.direction(), state_.settings.look.section_height);
-  scene.camera = state_.camera;
+  const LookSettings& look = state_.settings.look;
+  ViewSettings& shown = scene.view.settings;
+  shown = {look};
+  shown.theme = state_.window.theme;
+  shown.tau_deg = state_.settings.method.tau_deg;
+  shown.open_mold = opening_.at(now_s_);
+  shown.pixel_scale = scale_;
+  if (look.section) shown.cut_at = scene_->section_height(state_.settings.direction(), look.section_height);
+  scene.view.camera = state_.camera;
   scene.direction_moves = direction_moves_;
-  const bool marked = state_.settings.look.mark_difference;
+  const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
   if (marked || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
-  scene.marks.undercut_glow = glow_.at(now_s_);
+  scene.view.marks.undercut_glow = glow_.at(now_s_);
   if (state_.hover) {
-    scene.marks.hovered = state_.hover->point.facet;
-    if (state_.hover->blocker) scene.marks.blocking = state_.hover->blocker->facet;
+    scene.view.marks.hovered = state_.hover->point.facet;
+    if (state_.hover->blocker) scene.view.marks.blocking = state_.hover->blocker->facet;
   }
   return scene;
 }
@@ -298,7 +302,7 @@ bool App::draw(const ViewTarget& target) {
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
   } else {
-    backdrop_.draw(target.framebuffer, target.size, state_.window.theme);
+    draw_backdrop(tools_, target, state_.window.theme);
   }
   // ImGui goes back to the program that was in use, which may be deleted by then.
   gl::use_no_program(context_->functions());

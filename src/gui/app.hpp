@@ -23,7 +23,7 @@
 #include "gui/view/motion.hpp"
 #include "gui/view/part_thumbnails.hpp"
 #include "gui/view/viewport.hpp"
-#include "render/screen_passes.hpp"
+#include "render/view_passes.hpp"
 
 namespace moldlight::gui {
 
@@ -111,7 +111,7 @@ class App {
   [[nodiscard]] std::optional<SplitView> split_view() const;
 
   const gl::Context* context_;
-  BackdropPass backdrop_;
+  gl::Tools tools_;
   AppOptions options_;
   AppState state_;
   History<EditedSettings> history_;

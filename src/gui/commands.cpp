@@ -256,7 +256,7 @@ const std::vector<Shortcut>& shortcuts() {
       {{view, "D", "colour by region or by draft angle"},
        part_no_ctrl,
        {'D'},
-       [](P p) { take_the_other(p.look.colouring); }},
+       [](P p) { take_the_other(p.look.colour_mode); }},
       {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
       {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
 

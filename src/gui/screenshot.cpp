@@ -19,6 +19,10 @@ namespace {
 
 using Json = nlohmann::json;
 
+// What a script may ask for.
+constexpr double k_farthest_px = 1e5, k_least_side_px = 240, k_most_side_px = 8192;
+constexpr double k_most_notches = 1000, k_most_clicks = 100, k_longest_wait_s = 600;
+
 constexpr std::pair<std::string_view, int> k_key_names[] = {
     {"Tab", GLFW_KEY_TAB},       {"Escape", GLFW_KEY_ESCAPE},
     {"Enter", GLFW_KEY_ENTER},   {"Left", GLFW_KEY_LEFT},
@@ -36,11 +40,17 @@ int key_code(const std::string& name) {
   throw UsageError(fmt::format("there is no key '{}'", name));
 }
 
-glm::vec2 pair(const Json& json) {
-  if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) {
-    throw UsageError("write two numbers, [x, y]");
-  }
-  return {json[0].get<float>(), json[1].get<float>()};
+double number(const Json& json, double least, double most) {
+  if (!json.is_number()) throw UsageError("there is a number missing");
+  const auto value = json.get<double>();
+  if (!(value >= least && value <= most))
+    throw UsageError(fmt::format("{:g} is out of range, {:g} to {:g}", value, least, most));
+  return value;
+}
+
+glm::vec2 pair(const Json& json, double least = -k_farthest_px, double most = k_farthest_px) {
+  if (!json.is_array() || json.size() != 2) throw UsageError("write two numbers, [x, y]");
+  return {number(json[0], least, most), number(json[1], least, most)};
 }
 
 glm::vec2 place_of_control(const std::string& text, const OffscreenWindow& window) {
@@ -74,7 +84,9 @@ void click(const Event& event) {
   const int button = button_of(event);
   event.window.move_mouse(place(event.value, event.window));
   event.window.frames(2);
-  for (int k = 0; k < event.whole.value("times", 1); ++k) {
+  const int times =
+      event.whole.contains("times") ? static_cast<int>(number(event.whole["times"], 1, k_most_clicks)) : 1;
+  for (int k = 0; k < times; ++k) {
     event.window.set_button(button, true);
     event.window.frame();
     event.window.set_button(button, false);
@@ -124,7 +136,7 @@ void wait(const Event& event) {
   } else if (event.value == "measured") {
     event.window.wait_until_measured();
   } else if (event.value.is_number()) {
-    event.window.frames(static_cast<int>(std::lround(event.value.get<double>() * 60.0)));
+    event.window.frames(static_cast<int>(std::lround(number(event.value, 0.0, k_longest_wait_s) * 60.0)));
   } else {
     throw UsageError("wait is \"loaded\", \"measured\", \"swept\" or a number of seconds");
   }
@@ -142,7 +154,7 @@ void press(const Event& event) {
 void turn_wheel(const Event& event) {
   if (event.whole.contains("at")) event.window.move_mouse(place(event.whole["at"], event.window));
   event.window.frames(2);
-  event.window.turn_wheel(event.value.get<float>());
+  event.window.turn_wheel(static_cast<float>(number(event.value, -k_most_notches, k_most_notches)));
   event.window.frame();
 }
 
@@ -161,8 +173,10 @@ constexpr EventKind k_events[] = {
     {"hold", hold, false},
     {"open", [](const Event& e) { e.window.app().open(e.value.get<std::string>()); }, false},
     {"drop", [](const Event& e) { e.window.drop(e.value.get<std::string>()); }},
-    {"resize", [](const Event& e) { e.window.resize(glm::ivec2(pair(e.value))); }},
-    {"scale", [](const Event& e) { e.window.set_content_scale(e.value.get<float>()); }},
+    {"resize",
+     [](const Event& e) { e.window.resize(glm::ivec2(pair(e.value, k_least_side_px, k_most_side_px))); }},
+    {"scale",
+     [](const Event& e) { e.window.set_content_scale(static_cast<float>(number(e.value, 0.5, 4.0))); }},
     {"wait", wait, false},
     {"screenshot",
      [](const Event& e) { write_picture(e.value.get<std::string>(), e.window.size(), e.window.pixels()); },
@@ -183,8 +197,8 @@ void play(const Json& event, OffscreenWindow& window) {
 }  // namespace
 
 void play_script(std::string_view text, OffscreenWindow& window) {
-  const Json events = Json::parse(text, nullptr, false);
-  if (!events.is_array()) throw UsageError("--script: not a JSON list of events");
+  const Json events = parse_json(text);
+  if (!events.is_array() || events.empty()) throw UsageError("--script: not a JSON list of events");
   for (const Json& event : events) {
     try {
       play(event, window);
@@ -210,8 +224,8 @@ void take_screenshot(const ScreenshotOptions& options) {
   } else {
     window.wait_until_prepared();
   }
-  if (!options.script.empty()) {
-    play_script(options.script, window);
+  if (options.script) {
+    play_script(*options.script, window);
     window.wait_until_measured();
   }
   window.settle();

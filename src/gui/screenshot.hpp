@@ -18,13 +18,13 @@ namespace moldlight::gui {
 ///   {"wait": "loaded" | "measured" | "swept" | seconds}  {"screenshot": "out.png"}
 /// A place is [x, y] in pixels from the upper left corner, or the name of a control: its label, "label=word"
 /// for the word of a choice, "label@0.3" for a place at that share of its width. Throws UsageError that names
-/// the event and what is wrong.
+/// the event and what is wrong: a scale beyond 0.5 to 4, a wait of more than 600 s, a list without events.
 void play_script(std::string_view json, OffscreenWindow& window);
 
 struct ScreenshotOptions {
   std::string part;  // empty: the start page
   std::string output;
-  std::string script;  // JSON text; empty for none
+  std::optional<std::string> script;  // JSON text
   std::optional<PartNotes> notes;
   OffscreenOptions window;
 };

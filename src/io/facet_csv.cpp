@@ -10,28 +10,38 @@
 
 namespace moldlight {
 
+namespace {
+
+std::string heading(std::string_view number) {
+  std::string line = fmt::format("{},area", number);
+  for (const Region region : k_regions) line.append(",").append(region_name(region));
+  return line += '\n';
+}
+
+}  // namespace
+
 void write_facet_csv(const std::string& path, const FacetTable& table) {
   CHECK(table.areas.size() == table.fractions.size());
   CHECK(table.numbers.empty() || table.numbers.size() == table.areas.size());
   AtomicFile file(path);
-  file.write("facet,area,core,cavity,both,undercut\n");
+  file.write(heading("facet"));
   std::string row;
   for (std::size_t facet = 0; facet < table.areas.size(); ++facet) {
-    const auto& [core, cavity, both, undercut] = table.fractions[facet];
     const std::uint64_t number = table.numbers.empty() ? facet : table.numbers[facet];
     const bool in_file = table.numbers.empty() || number != k_no_facet;
     row.clear();
-    fmt::format_to(std::back_inserter(row), "{},{},{},{},{},{}\n",
-                   in_file ? static_cast<std::int64_t>(number) : -1, table.areas[facet], core, cavity, both,
-                   undercut);
-    file.write(row);
+    fmt::format_to(std::back_inserter(row), "{},{}", in_file ? static_cast<std::int64_t>(number) : -1,
+                   table.areas[facet]);
+    for (const double fraction : table.fractions[facet])
+      fmt::format_to(std::back_inserter(row), ",{}", fraction);
+    file.write(row += '\n');
   }
   file.commit();
 }
 
 void write_face_csv(const std::string& path, std::span<const SourceAreas> faces) {
   AtomicFile file(path);
-  file.write("face,area,core,cavity,both,undercut\n");
+  file.write(heading("face"));
   std::string row;
   for (const SourceAreas& face : faces) {
     const double area = face.areas.total();

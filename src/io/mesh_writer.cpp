@@ -12,7 +12,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/file_format.hpp"
+#include "io/part_formats.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {
@@ -35,17 +35,26 @@ std::string description(const ColouredMesh& coloured) {
          (coloured.unit.empty() ? "" : ", unit " + clean_name(coloured.unit));
 }
 
+/// "0 core, 1 cavity, …".
+std::string region_numbers() {
+  std::string text;
+  for (const Region region : k_regions) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", static_cast<int>(region), region_name(region));
+  }
+  return text;
+}
+
 void write_ply(const std::string& path, const ColouredMesh& coloured) {
   const TriangleMesh& mesh = coloured.mesh;
   AtomicFile file(path);
   file.write(
       fmt::format("ply\nformat binary_little_endian 1.0\ncomment {}\n"
-                  "comment region: 0 core, 1 cavity, 2 both, 3 undercut\n"
+                  "comment region: {}\n"
                   "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
                   "element face {}\nproperty list uchar uint vertex_indices\n"
                   "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar region\n"
                   "end_header\n",
-                  description(coloured), mesh.vertices.size(), mesh.facets.size()));
+                  description(coloured), region_numbers(), mesh.vertices.size(), mesh.facets.size()));
   std::string row;
   for (const glm::dvec3& vertex : mesh.vertices) {
     row.clear();
@@ -77,7 +86,7 @@ std::string material_library(Palette palette) {
 
 void write_obj(const std::string& path, const ColouredMesh& coloured) {
   const TriangleMesh& mesh = coloured.mesh;
-  const std::string library_path = fs::path(path).replace_extension(".mtl").string();
+  const std::string library_path = material_library_path(path);
   AtomicFile library(library_path);
   library.write(material_library(coloured.palette));
   AtomicFile file(path);
@@ -133,6 +142,10 @@ void write_stl(const std::string& path, const ColouredMesh& coloured, std::size_
   file.commit();
 }
 
+void write_whole_stl(const std::string& path, const ColouredMesh& coloured) {
+  write_stl(path, coloured, coloured.mesh.facets.size(), [](Region) { return true; });
+}
+
 void write_border_obj(const std::string& path, const SplitMesh& mesh) {
   AtomicFile file(path);
   file.write("# moldlight borders of mold-piece regions\n");
@@ -174,25 +187,49 @@ void write_border_csv(const std::string& path, const SplitMesh& mesh) {
   file.commit();
 }
 
+/// `what`: "a mesh is", for the UsageError where the extension is none of theirs.
+template <typename Content>
+const WrittenFormat<Content>& format_of(const std::string& path,
+                                        std::span<const WrittenFormat<Content>> formats,
+                                        std::string_view what) {
+  const std::string extension = lower_extension(path);
+  std::string known;
+  for (const auto& format : formats) {
+    if (format.extension == extension) return format;
+    known.append(known.empty() ? "." : &format == &formats.back() ? " or ." : ", .").append(format.extension);
+  }
+  throw UsageError(fmt::format("{}: {} written as {}; change the extension", path, what, known));
+}
+
 }  // namespace
 
+std::string material_library_path(const std::string& path) {
+  return lower_extension(path) == "obj" ? fs::path(path).replace_extension(".mtl").string() : std::string();
+}
+
+std::span<const WrittenFormat<ColouredMesh>> mesh_formats() {
+  static constexpr WrittenFormat<ColouredMesh> k_formats[] = {
+      {"ply", write_ply}, {"obj", write_obj}, {"stl", write_whole_stl}};
+  return k_formats;
+}
+
+std::span<const WrittenFormat<SplitMesh>> border_formats() {
+  static constexpr WrittenFormat<SplitMesh> k_formats[] = {{"obj", write_border_obj},
+                                                           {"csv", write_border_csv}};
+  return k_formats;
+}
+
 void check_mesh_extension(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == "ply" || extension == "obj" || extension == "stl") return;
-  throw UsageError(path + ": a mesh is written as .ply, .obj or .stl; change the extension");
+  static_cast<void>(format_of(path, mesh_formats(), "a mesh is"));
+}
+
+void check_border_extension(const std::string& path) {
+  static_cast<void>(format_of(path, border_formats(), "borders are"));
 }
 
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured) {
   CHECK(coloured.regions.size() == coloured.mesh.facets.size());
-  check_mesh_extension(path);
-  const std::string extension = lower_extension(path);
-  if (extension == "ply") {
-    write_ply(path, coloured);
-  } else if (extension == "obj") {
-    write_obj(path, coloured);
-  } else {
-    write_stl(path, coloured, coloured.mesh.facets.size(), [](Region) { return true; });
-  }
+  format_of(path, mesh_formats(), "a mesh is").write(path, coloured);
 }
 
 std::vector<std::string> write_region_stls(const std::string& folder, const std::string& stem,
@@ -218,15 +255,8 @@ std::vector<std::string> write_region_stls(const std::string& folder, const std:
   return paths;
 }
 
-void check_border_extension(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == "obj" || extension == "csv") return;
-  throw UsageError(path + ": borders are written as .obj or .csv; change the extension");
-}
-
 void write_borders(const std::string& path, const SplitMesh& mesh) {
-  check_border_extension(path);
-  (lower_extension(path) == "obj" ? write_border_obj : write_border_csv)(path, mesh);
+  format_of(path, border_formats(), "borders are").write(path, mesh);
 }
 
 }  // namespace moldlight

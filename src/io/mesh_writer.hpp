@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -20,6 +21,22 @@ struct ColouredMesh {
   std::string unit = {};  // named in a comment where the format has comments; may be empty
 };
 
+/// A format that something is written in.
+template <typename Content>
+struct WrittenFormat {
+  std::string_view extension;
+  void (*write)(const std::string& path, const Content& content);
+};
+[[nodiscard]] std::span<const WrittenFormat<ColouredMesh>> mesh_formats();
+[[nodiscard]] std::span<const WrittenFormat<SplitMesh>> border_formats();
+/// "ply|obj|stl", for help.
+template <typename Content>
+[[nodiscard]] std::string extensions_text(std::span<const WrittenFormat<Content>> formats) {
+  std::string text;
+  for (const auto& format : formats) text.append(text.empty() ? "" : "|").append(format.extension);
+  return text;
+}
+
 /// Writes by the extension of `path`, files replaced whole or not at all:
 /// .ply  binary little endian, coordinates in double; per face red, green, blue and `region` (0 core, 1
 /// cavity, 2 both,
@@ -30,6 +47,9 @@ struct ColouredMesh {
 ///       (10-14), green (5-9) and blue (0-4), as VisCAM and most viewers read it.
 /// Throws UsageError for another extension, FileError where it cannot be written.
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
+
+/// The file beside an .obj that write_coloured_mesh writes, too; empty for others.
+[[nodiscard]] std::string material_library_path(const std::string& path);
 
 /// Throws UsageError where write_coloured_mesh would for the extension: to be asked before long work.
 void check_mesh_extension(const std::string& path);

@@ -1,34 +1,24 @@
 #include "io/part_reader.hpp"
 
-#include <array>
 #include <new>
 #include <utility>
 
-#include "io/file_format.hpp"
+#include "io/part_formats.hpp"
 #include "io/read_context.hpp"
-#include "io/readers.hpp"
 #include "mesh/part_selection.hpp"
 #include "mesh/repair.hpp"
 
 namespace moldlight {
 
-namespace {
-
-/// By FileFormat.
-constexpr std::array k_readers = {read_binary_stl, read_ascii_stl, read_obj, read_ply,
-                                  read_off,        read_threemf,   read_step};
-
-}  // namespace
-
 Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress) {
   FileContents contents(path, progress);
   const ReadContext context{path, contents, options, progress};
-  const FileFormat format = detect_format(path, contents.bytes());
+  const PartFormat& format = detect_format(path, contents.bytes());
   const std::size_t size_mib = contents.bytes().size() >> 20;
   try {
-    Part part = k_readers[static_cast<std::size_t>(format)](context);
+    Part part = format.read(context);
     part.file = path;
-    part.format = format_name(format);
+    part.format = format.name;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
     repair_part(part, options.repair);

@@ -249,6 +249,7 @@ Part part_of_step_result(const ReadContext& context, std::string_view bytes) {
   for (const auto& [x, y, z] : result.vertices) part.mesh.vertices.emplace_back(x, y, z);
   part.mesh.facets = std::move(result.facets);
   part.facet_source = std::move(result.faces);
+  part.has_cad_faces = true;
   part.mesh = weld_vertices(part.mesh);
   return part;
 }

@@ -14,6 +14,8 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_max_depth = 64;
+/// A few hundred bytes can place an object a million times.
+constexpr std::size_t k_max_bodies = 20'000;
 constexpr std::size_t k_max_uses = 1'000'000;
 constexpr std::string_view k_model_relationship =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
@@ -188,6 +190,9 @@ void ThreemfAssembler::add_mesh(const ThreemfObject& object, const ThreemfTransf
   TriangleMesh& mesh = part_.mesh;
   const std::uint64_t facets = mesh.facets.size() + object.triangles.size();
   context_.check_facet_count(facets);
+  if (part_.bodies.size() == k_max_bodies) {
+    context_.fail("", "places more than {} bodies; save those that matter", k_max_bodies);
+  }
   if (facets > facets_with_memory_) {
     // Vectors grow by doubling, and welding copies them.
     facets_with_memory_ = 2 * facets;

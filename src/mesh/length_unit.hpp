@@ -1,9 +1,14 @@
-// Units of length: their names here, the words that files and users have for them, their size.
+// Units of length: their names here, the words that files and users have for them, their size. What lengths
+// make sense for a part.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
 
 namespace moldlight {
 
@@ -32,6 +37,13 @@ struct LengthUnit {
     if (known.word == word) return known.unit;
   }
   return std::nullopt;
+}
+
+/// Throws UsageError that names the flag for a length of more than the part's diagonal, both in model units.
+inline void require_within_part(std::string_view flag, double length, double diagonal) {
+  if (length <= diagonal) return;
+  throw UsageError(fmt::format("{}: {:g} is more than the whole part, {:g} from corner to corner", flag,
+                               length, diagonal));
 }
 
 }  // namespace moldlight

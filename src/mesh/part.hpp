@@ -23,6 +23,7 @@ struct Part {
   std::vector<Body> bodies;                 // at least one, covering all facets in order
   std::vector<std::uint32_t> facet_source;  // number of the file's polygon (OBJ, PLY, OFF) or CAD face (STEP)
                                             // that each facet comes from; empty where each facet is its own
+  bool has_cad_faces = false;               // they are CAD faces
   std::vector<std::string> warnings;        // one sentence each, for the user
   std::vector<std::uint32_t> file_facets = {};  // number in the file of each facet, k_no_facet for one that a
                                                 // repair added; empty where facet k is facet k of the file

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/length_unit.hpp"
 #include "mesh/repair_steps.hpp"
 #include "mesh/weld.hpp"
 
@@ -89,6 +90,7 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
   RepairReport report;
   if (options.level == RepairLevel::none) return report;
   const double diagonal = bounds(part.mesh).diagonal();
+  require_within_part("--weld-tolerance", options.weld_tolerance, diagonal);
   report.weld_tolerance = options.weld_tolerance > 0.0 ? options.weld_tolerance : k_weld_share * diagonal;
   MeshInRepair state = start_repair(part);
   report.open_edges_before = count_open_edges(state.mesh);

@@ -4,9 +4,10 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <string>
+#include <new>
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
@@ -68,7 +69,11 @@ ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positi
     : scene_(std::make_unique<Scene>()) {
   CHECK(positions.size() == mesh.vertices.size());
   scene_->device = rtcNewDevice(nullptr);
-  if (scene_->device == nullptr) throw Error("exact rays: Embree has no device on this machine");
+  if (scene_->device == nullptr) {
+    if (rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU)
+      throw Error("exact rays: Embree does not know this processor");
+    throw std::bad_alloc();
+  }
   scene_->scene = rtcNewScene(scene_->device);
   rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
                                                              RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
@@ -78,8 +83,7 @@ ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positi
                                              sizeof(glm::vec3), positions.size());
     void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             sizeof(mesh.facets[0]), mesh.facets.size());
-    if (vertices == nullptr || indices == nullptr)
-      throw Error("exact rays: not enough memory for the search tree");
+    if (vertices == nullptr || indices == nullptr) throw std::bad_alloc();
     std::memcpy(vertices, positions.data(), positions.size_bytes());
     std::memcpy(indices, mesh.facets.data(), mesh.facets.size() * sizeof(mesh.facets[0]));
     rtcCommitGeometry(geometry);
@@ -87,9 +91,10 @@ ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positi
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(scene_->scene);
-  if (rtcGetDeviceError(scene_->device) != RTC_ERROR_NONE) {
-    throw Error("exact rays: Embree could not build its search tree; switch exact rays off or free memory");
-  }
+  const RTCError error = rtcGetDeviceError(scene_->device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (error != RTC_ERROR_NONE)
+    throw Error(fmt::format("exact rays: Embree fails with error {}", static_cast<int>(error)));
 }
 
 ExactRays::~ExactRays() = default;

@@ -4,11 +4,38 @@
 
 namespace moldlight {
 
-std::string_view region_name(Region region) {
-  static constexpr std::array<std::string_view, k_region_count> k_names = {"core", "cavity", "both",
-                                                                           "undercut"};
-  return k_names[static_cast<std::size_t>(region)];
-}
+namespace {
+
+constexpr std::array<RegionFacts, k_region_count> k_facts = {{
+    {.name = "core",
+     .title = "Core",
+     .meaning = "Accessible along +d only: the core's half forms it.",
+     .accessible = 1,
+     .colours = {{{52, 101, 214}, {0, 114, 178}}},
+     .terminal_colour = "\033[34m"},
+    {.name = "cavity",
+     .title = "Cavity",
+     .meaning = "Accessible along −d only: the cavity's half forms it.",
+     .accessible = 2,
+     .colours = {{{46, 160, 67}, {0, 158, 115}}},
+     .terminal_colour = "\033[32m"},
+    {.name = "both",
+     .title = "Both",
+     .meaning = "Accessible along +d and along −d: either half may form it.",
+     .accessible = 3,
+     .colours = {{{153, 156, 160}, {153, 153, 153}}},
+     .terminal_colour = "\033[90m"},
+    {.name = "undercut",
+     .title = "Undercut",
+     .meaning = "Accessible along neither: it needs a side action, another direction or another shape.",
+     .accessible = 0,
+     .colours = {{{216, 42, 42}, {213, 94, 0}}},
+     .terminal_colour = "\033[31m"},
+}};
+
+}  // namespace
+
+const RegionFacts& facts(Region region) { return k_facts[static_cast<std::size_t>(region)]; }
 
 Region region_of(bool accessible_plus, bool accessible_minus) {
   if (accessible_plus) return accessible_minus ? Region::both : Region::core;
@@ -16,14 +43,5 @@ Region region_of(bool accessible_plus, bool accessible_minus) {
 }
 
 double RegionValues::total() const { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-Colour region_colour(Region region, Palette palette) {
-  static constexpr Colour k_paper[k_region_count] = {
-      {52, 101, 214}, {46, 160, 67}, {153, 156, 160}, {216, 42, 42}};
-  static constexpr Colour k_safe[k_region_count] = {
-      {0, 114, 178}, {0, 158, 115}, {153, 153, 153}, {213, 94, 0}};
-  const auto index = static_cast<std::size_t>(region);
-  return palette == Palette::paper ? k_paper[index] : k_safe[index];
-}
 
 }  // namespace moldlight

@@ -18,6 +18,9 @@ struct Ink {
   double opacity = 1.0;  // [0, 1]
 };
 
+/// The families that all text is set in, the first that is installed.
+inline constexpr const char* k_font_families[] = {"Inter", "Roboto", "Noto Sans", "DejaVu Sans"};
+
 enum class FontWeight : std::uint8_t { regular, medium, semibold };
 enum class Align : std::uint8_t { left, centre, right };
 

@@ -25,7 +25,8 @@ glm::dvec2 sheet_size(std::size_t tiles) {
 /// The colours of the regions, at the sheet's upper right.
 void draw_regions(DesignSpace& at, double right, Palette palette) {
   const TextStyle text = at.small(Align::right);
-  for (const Region region : {Region::undercut, Region::both, Region::cavity, Region::core}) {
+  for (auto at_region = k_regions.rbegin(); at_region != k_regions.rend(); ++at_region) {
+    const Region region = *at_region;
     at.text({right, k_margin + 20.0}, region_name(region), text);
     right -= at.canvas().text_width(region_name(region), text) / at.scale() + 20.0;
     fill_region(at.canvas(), at.box({right, k_margin + 9.0}, {12.0, 12.0}), region,

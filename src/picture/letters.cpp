@@ -20,8 +20,8 @@ bool is_digit(char32_t letter) { return letter >= U'0' && letter <= U'9'; }
 
 }  // namespace
 
-/// The fonts of one weight, the best first, found through fontconfig: Inter, Roboto, Noto Sans, DejaVu Sans,
-/// in this order, and what else the system has for letters that these lack. Faces are loaded when they are
+/// The fonts of one weight, the best first, found through fontconfig: k_font_families in their
+/// order, and what else the system has for letters that these lack. Faces are loaded when they are
 /// first needed.
 class LetterSetter::FontChain {
  public:
@@ -42,9 +42,11 @@ class LetterSetter::FontChain {
 };
 
 LetterSetter::FontChain::FontChain(FontWeight weight) : wanted_(FcPatternCreate()) {
-  for (const char* family : {"Inter", "Roboto", "Noto Sans", "DejaVu Sans", "sans-serif"}) {
+  const auto add = [this](const char* family) {
     FcPatternAddString(wanted_, FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-  }
+  };
+  for (const char* family : k_font_families) add(family);
+  add("sans-serif");
   FcPatternAddInteger(wanted_, FC_WEIGHT, k_fontconfig_weights[static_cast<std::size_t>(weight)]);
   FcPatternAddBool(wanted_, FC_SCALABLE, FcTrue);
   FcConfigSubstitute(nullptr, wanted_, FcMatchPattern);

@@ -148,16 +148,15 @@ Camera fitted(Camera camera, std::span<const glm::vec3> points, const glm::ivec2
   return camera;
 }
 
-Camera orbited(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3& axis,
-               const glm::dvec3& pivot) {
+Camera orbited(Camera camera, const glm::dvec2& turn_rad, const glm::dvec3& axis, const glm::dvec3& pivot) {
   // Angle between the axis and the line to the viewer: the pitch may not carry it past the poles.
   const double polar = std::acos(std::clamp(glm::dot(camera.toward_viewer(), axis), -1.0, 1.0));
   const bool upright = glm::dot(camera.up(), axis) >= 0.0;
-  const double wanted = upright ? polar - pitch_rad : polar + pitch_rad;
+  const double wanted = upright ? polar - turn_rad.y : polar + turn_rad.y;
   const double reached = std::clamp(wanted, k_pole_gap_rad, glm::pi<double>() - k_pole_gap_rad);
   const double pitch = upright ? polar - reached : reached - polar;
   camera = turned(camera, glm::angleAxis(-pitch, camera.right()), pivot);
-  return turned(camera, glm::angleAxis(upright ? -yaw_rad : yaw_rad, axis), pivot);
+  return turned(camera, glm::angleAxis(upright ? -turn_rad.x : turn_rad.x, axis), pivot);
 }
 
 Camera panned(Camera camera, const glm::dvec2& by_px, const glm::ivec2& size) {

@@ -72,9 +72,9 @@ enum class StandardView : std::uint8_t { front, back, left, right, top, bottom, 
 [[nodiscard]] Camera fitted(Camera camera, std::span<const glm::vec3> points, const glm::ivec2& size,
                             double fill = 0.86);
 
-/// Turns about `pivot`: by `yaw_rad` about `axis` (unit; a turntable) and by `pitch_rad` about the picture's
+/// Turns about `pivot`: by x of `turn_rad` about `axis` (unit; a turntable) and by y about the picture's
 /// horizontal; positive values follow the hand to the right and down. The turntable stops at its poles.
-[[nodiscard]] Camera orbited(Camera camera, double yaw_rad, double pitch_rad, const glm::dvec3& axis,
+[[nodiscard]] Camera orbited(Camera camera, const glm::dvec2& turn_rad, const glm::dvec3& axis,
                              const glm::dvec3& pivot);
 /// Moves the scene with the hand by `by_px`.
 [[nodiscard]] Camera panned(Camera camera, const glm::dvec2& by_px, const glm::ivec2& size);

@@ -16,33 +16,30 @@ constexpr int k_rows_read_at_once = 256;
 FacetIdPass::FacetIdPass(const gl::Functions& gl)
     : gl_(&gl), program_(gl, {.vertex = "measure/facet_id.vert", .fragment = "measure/facet_id.frag"}) {}
 
-std::vector<std::uint8_t> FacetIdPass::run(const PartBuffers& part, const MapFrame& frame, const float top[2],
+std::vector<std::uint8_t> FacetIdPass::run(const MapSubject& subject, const float top[2],
                                            const FacetIdSettings& settings) {
+  const PartBuffers& part = subject.part;
   const int size = settings.resolution;
   const gl::Texture facets = gl::make_texture_2d(*gl_, GL_R32UI, size, size);
   const gl::Texture depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, size, size);
   const gl::Framebuffer framebuffer = gl::make_framebuffer(*gl_, facets, &depth);
-  gl_->Viewport(0, 0, size, size);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthFunc(GL_LESS);
-  gl_->DepthMask(GL_TRUE);
-  gl_->Disable(GL_CULL_FACE);
-  gl_->Disable(GL_BLEND);
+  gl::begin(*gl_, {.framebuffer = framebuffer.name(),
+                   .size = glm::ivec2(size),
+                   .depth = gl::DepthTest::less,
+                   .writes_depth = true});
+  classes_.set(*gl_, subject.classes);
   program_.use();
-  set_map_frame(program_, frame, size);
-  program_.set("u_tangent", static_cast<float>(std::tan(glm::radians(settings.draft_perturbation_deg))));
+  set_map_frame(program_, subject.frame, size);
+  program_.set("u_tangent", std::tan(glm::radians(settings.draft_perturbation_deg)));
   program_.set_texture("t_planes", 0, GL_TEXTURE_BUFFER, part.planes());
-  program_.set_texture("t_facet_class", 1, GL_TEXTURE_BUFFER, part.facet_classes());
+  program_.set_texture("t_facet_class", 1, GL_TEXTURE_BUFFER, classes_.texels());
   program_.set_texture("t_positions", 2, GL_TEXTURE_BUFFER, part.positions());
   program_.set_texture("t_corners", 3, GL_TEXTURE_BUFFER, part.corners());
 
   std::vector<std::uint8_t> bits(part.facet_count(), 0);
   std::vector<std::uint32_t> rows(static_cast<std::size_t>(size) * k_rows_read_at_once);
   for (const bool plus : {true, false}) {
-    const GLuint none[4] = {0, 0, 0, 0};
-    const GLfloat furthest = 1.0F;
-    gl_->ClearBufferuiv(GL_COLOR, 0, none);
-    gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
+    gl::clear_numbers(*gl_);
     program_.set("u_side", plus ? 1.0F : -1.0F);
     program_.set("u_top", top[plus ? 0 : 1]);
     part.draw_corners();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gl/pass.hpp"
 #include "gl/program.hpp"
 #include "render/shadow_maps.hpp"
 
@@ -19,14 +20,15 @@ class FacetIdPass {
  public:
   explicit FacetIdPass(const gl::Functions& gl);
 
-  /// Accessibility bits (verdict::k_accessible_plus and _minus) a facet. The facet classes of `part` must be
-  /// those for `frame.z`; `top[0]` and `top[1]` are the part's extents along +d and -d in the unit frame.
-  [[nodiscard]] std::vector<std::uint8_t> run(const PartBuffers& part, const MapFrame& frame,
-                                              const float top[2], const FacetIdSettings& settings);
+  /// Accessibility bits (verdict::k_accessible_plus and _minus) a facet. `top[0]` and `top[1]` are the part's
+  /// extents along +d and -d in the unit frame.
+  [[nodiscard]] std::vector<std::uint8_t> run(const MapSubject& subject, const float top[2],
+                                              const FacetIdSettings& settings);
 
  private:
   const gl::Functions* gl_;
   gl::Program program_;
+  FacetClassBuffer classes_;
 };
 
 }  // namespace moldlight

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "base/check.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -17,13 +15,14 @@ struct EdgeInstance {
   std::array<FacetIndex, 2> facets;
 };
 
-std::vector<glm::vec4> unit_planes(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                                   const UnitFrame& frame) {
+std::vector<glm::vec4> unit_planes(const PartShape& shape) {
+  const TriangleMesh& mesh = shape.mesh;
   std::vector<glm::vec4> planes;
   planes.reserve(mesh.facets.size());
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const glm::dvec3& normal = geometry.normals[facet];
-    const double offset = glm::dot(normal, (mesh.corner(facet, 0) - frame.center) / frame.diagonal);
+    const glm::dvec3& normal = shape.geometry.normals[facet];
+    const double offset =
+        glm::dot(normal, (mesh.corner(facet, 0) - shape.frame.center) / shape.frame.diagonal);
     planes.emplace_back(glm::vec3(normal), static_cast<float>(offset));
   }
   return planes;
@@ -31,10 +30,9 @@ std::vector<glm::vec4> unit_planes(const TriangleMesh& mesh, const FacetGeometry
 
 }  // namespace
 
-PartBuffers::PartBuffers(const gl::Functions& gl, const TriangleMesh& mesh, const FacetGeometry& geometry,
-                         const UnitFrame& frame, std::span<const FacetEdge> concave_edges)
-    : gl_(&gl), facet_count_(mesh.facets.size()), concave_edge_count_(concave_edges.size()) {
-  const std::vector<glm::vec3> unit = unit_positions(mesh, frame);
+PartBuffers::PartBuffers(const gl::Functions& gl, const PartShape& shape)
+    : gl_(&gl), facet_count_(shape.mesh.facets.size()), concave_edge_count_(shape.concave_edges.size()) {
+  const std::vector<glm::vec3> unit = unit_positions(shape.mesh, shape.frame);
   position_buffer_ = gl::make_buffer(gl, GL_ARRAY_BUFFER, std::span<const glm::vec3>(unit));
   positions_ = gl::make_buffer_texture(gl, GL_R32F, position_buffer_);
   facets_ = gl::make_vertex_array(gl);
@@ -42,23 +40,19 @@ PartBuffers::PartBuffers(const gl::Functions& gl, const TriangleMesh& mesh, cons
   gl.BindBuffer(GL_ARRAY_BUFFER, position_buffer_.name());
   gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
   gl.EnableVertexAttribArray(0);
-  corner_buffer_ =
-      gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<VertexIndex, 3>>(mesh.facets));
+  corner_buffer_ = gl::make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER,
+                                   std::span<const std::array<VertexIndex, 3>>(shape.mesh.facets));
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, corner_buffer_.name());
   gl.BindVertexArray(0);
   corners_ = gl::make_buffer_texture(gl, GL_R32UI, corner_buffer_);
 
-  const std::vector<glm::vec4> planes = unit_planes(mesh, geometry, frame);
+  const std::vector<glm::vec4> planes = unit_planes(shape);
   plane_buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const glm::vec4>(planes));
   planes_ = gl::make_buffer_texture(gl, GL_RGBA32F, plane_buffer_);
 
-  const std::vector<FacetClass> classes(mesh.facets.size(), FacetClass::up);
-  class_buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const FacetClass>(classes));
-  classes_ = gl::make_buffer_texture(gl, GL_R8UI, class_buffer_);
-
   std::vector<EdgeInstance> instances;
-  instances.reserve(concave_edges.size());
-  for (const FacetEdge& edge : concave_edges) {
+  instances.reserve(concave_edge_count_);
+  for (const FacetEdge& edge : shape.concave_edges) {
     instances.push_back({unit[edge.a], unit[edge.b], {edge.left, edge.right}});
   }
   edges_ = gl::make_vertex_array(gl);
@@ -96,10 +90,15 @@ void PartBuffers::draw_corners() const {
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * facet_count_));
 }
 
-void PartBuffers::set_facet_classes(std::span<const FacetClass> classes) {
-  CHECK(classes.size() == facet_count_);
-  gl_->BindBuffer(GL_TEXTURE_BUFFER, class_buffer_.name());
-  gl_->BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(classes.size_bytes()), classes.data());
+void FacetClassBuffer::set(const gl::Functions& gl, std::span<const FacetClass> classes) {
+  if (classes.size() != size_) {
+    buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, classes);
+    texels_ = gl::make_buffer_texture(gl, GL_R8UI, buffer_);
+    size_ = classes.size();
+    return;
+  }
+  gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+  gl.BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(classes.size_bytes()), classes.data());
 }
 
 }  // namespace moldlight

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/check.hpp"
 #include "render/view_passes.hpp"
 
 namespace moldlight {
@@ -14,142 +15,131 @@ constexpr std::uint32_t k_facet_mask = 0x1FFFFFFFU;  // of a surface's first wor
 constexpr int k_taps_at_rest = 6;                    // of ambient occlusion, a sample
 constexpr int k_taps_moving = 12;
 
-}  // namespace
-
-/// What the picture in the targets shows, to tell whether the next one is the same.
-struct PartView::Shown {
-  Camera camera;
-  ViewSettings settings;
-  glm::dvec3 direction{0, 0, 1};
-  std::uint64_t maps = 0, split = 0;  // revisions; 0: none
-  int samples = 0;                    // drawn so far
-};
-
-PartView::PartView(const gl::Functions& gl, const ViewGeometry& geometry)
-    : gl_(&gl),
-      passes_(std::make_unique<ViewPasses>(gl, geometry)),
-      targets_(std::make_unique<ViewTargets>()),
-      shown_(std::make_unique<Shown>()) {}
-
-PartView::~PartView() = default;
-
-bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const Camera& camera,
-                    const ViewSettings& settings, const ViewMarks& marks) {
-  const ViewSubject subject = asked_for(of, settings);
-  Shown& shown = *shown_;
-  if (targets_->size != target.size) {
-    *targets_ = {};
-    *targets_ = ViewTargets(*gl_, target.size);
-    shown.samples = 0;
-  }
-  const std::uint64_t maps = subject.maps != nullptr ? subject.maps->revision() : 0;
-  const std::uint64_t split = subject.split != nullptr ? subject.split->revision() : 0;
-  if (shown.camera != camera || shown.settings != settings || shown.direction != subject.direction ||
-      shown.maps != maps || shown.split != split) {
-    shown = {.camera = camera,
-             .settings = settings,
-             .direction = subject.direction,
-             .maps = maps,
-             .split = split,
-             .samples = 0};
-  }
-  gl_->Viewport(0, 0, target.size.x, target.size.y);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  gl_->Disable(GL_CULL_FACE);
-  if (shown.samples == 0) {
-    draw_sample(subject);
-  } else if (shown.samples < settings.samples) {
-    targets_->make_sum(*gl_);
-    if (shown.samples == 1) passes_->accumulate(*targets_, true);
-    draw_sample(subject);
-    passes_->accumulate(*targets_, false);
-  }
-  passes_->present(*targets_, shown.samples, target.framebuffer);
-  passes_->draw_marks(*targets_, marks, target.framebuffer);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-  gl::check_errors(*gl_, "drawing the picture");
-  return shown.samples < settings.samples;
+bool shows_regions(const ViewSettings& settings) {
+  return settings.colour_mode != ColourMode::plain || needs_detail(settings) ||
+         settings.others_opacity < 1.0 || settings.mark_difference;
 }
 
-void PartView::draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-                          const ViewSettings& settings, const ViewMarks& marks) {
-  while (draw(target, subject, camera, settings, marks)) {
+/// The subject without what pictures of these settings do not ask for: maps and a split surface are both left
+/// where their difference is marked, neither in a plain picture.
+ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) {
+  ViewSubject asked = subject;
+  if (!shows_regions(settings)) {
+    asked.maps = nullptr;
+    asked.split = nullptr;
+    return asked;
   }
+  CHECK(subject.maps != nullptr || subject.split != nullptr);
+  if (subject.maps == nullptr || subject.split == nullptr || settings.mark_difference) return asked;
+  if (settings.regions_by == RegionsBy::exact) {
+    asked.maps = nullptr;
+  } else {
+    asked.split = nullptr;
+  }
+  return asked;
+}
+
+}  // namespace
+
+bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View& view) {
+  const ViewSettings& settings = view.settings;
+  const ViewSubject subject = asked_for(of, settings);
+  if (tools_.targets.size != target.size) {
+    tools_.targets = {};
+    tools_.targets = ViewTargets(tools_.gl, target.size);
+    samples_ = 0;
+  }
+  const ViewInputs inputs{.camera = view.camera,
+                          .settings = settings,
+                          .direction = subject.direction,
+                          .maps = subject.maps != nullptr ? subject.maps->revision() : 0,
+                          .split = subject.split != nullptr ? subject.split->revision() : 0};
+  if (shown_ != inputs) samples_ = 0;
+  shown_ = inputs;
+  if (samples_ == 0) {
+    draw_sample(subject);
+  } else if (samples_ < settings.samples) {
+    tools_.targets.make_sum(tools_.gl);
+    if (samples_ == 1) accumulate(tools_, true);
+    draw_sample(subject);
+    accumulate(tools_, false);
+  }
+  present(tools_, samples_, target.framebuffer);
+  draw_marks(tools_, view.marks, target.framebuffer);
+  gl::check_errors(tools_.gl, "drawing the picture");
+  return samples_ < settings.samples;
 }
 
 void PartView::draw_sample(const ViewSubject& subject) {
-  const ViewFrame frame(shown_->camera, targets_->size, shown_->settings, subject.direction, shown_->samples);
+  ViewFrame frame(shown_, subject, tools_.targets.size, samples_);
   const ViewSettings& settings = frame.settings;
-  ViewPasses& passes = *passes_;
-  const bool moving = shown_->samples == 0;
-  const int taps = !settings.ambient_occlusion ? 0 : moving ? k_taps_moving : k_taps_at_rest;
-  const auto layer = [&](Layer which) {
-    passes.draw_surface(frame, *targets_, which, subject);
-    passes.draw_openness(frame, *targets_, taps);
-    if (which == Layer::undercuts_alone || settings.others_opacity >= 1.0) {
-      passes.draw_background(frame, *targets_);
-    }
-    passes.shade(frame, *targets_, which, subject);
-  };
-  if (settings.others_opacity < 1.0) layer(Layer::undercuts_alone);
-  layer(Layer::whole);
-  passes.draw_lines(frame, *targets_, subject.part);
-  if (settings.parting_arrows) passes.draw_arrows(frame, *targets_);
-  ++shown_->samples;
+  const int taps = !settings.ambient_occlusion ? 0 : frame.sample == 0 ? k_taps_moving : k_taps_at_rest;
+  const bool ghost = settings.others_opacity < 1.0;
+  for (const Layer layer : {Layer::undercuts_alone, Layer::whole}) {
+    if (layer == Layer::undercuts_alone && !ghost) continue;
+    frame.layer = layer;
+    draw_surface(tools_, frame);
+    draw_openness(tools_, frame, taps);
+    if (layer == Layer::undercuts_alone || !ghost) draw_background(tools_, frame);
+    shade(tools_, frame);
+  }
+  draw_lines(tools_, frame);
+  if (settings.arrows) draw_arrows(tools_, frame);
+  unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
+  ++samples_;
 }
 
-void PartView::choose_facets(std::span<const FacetIndex> facets) { passes_->choose_facets(facets); }
+void PartView::choose_facets(std::span<const FacetIndex> facets) {
+  tools_.mesh.chosen = ChosenFacets(tools_.gl, tools_.mesh.facet_count, facets);
+}
 
 void PartView::set_outline(std::span<const ViewSegment> segments) {
-  passes_->set_outline(segments);
-  shown_->samples = 0;
+  tools_.mesh.outline = SegmentBuffer(tools_.gl, segments);
+  samples_ = 0;
 }
 
 void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {
-  passes_->set_contour_edges(convex, concave);
-  shown_->samples = 0;
+  tools_.mesh.convex_contour = SegmentBuffer(tools_.gl, convex);
+  tools_.mesh.concave_contour = SegmentBuffer(tools_.gl, concave);
+  samples_ = 0;
 }
 
 std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
-  const glm::ivec2& size = targets_->size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
   const int row = size.y - 1 - pixel.y;
   std::array<std::uint32_t, 2> surface{};
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets_->to_surface.name());
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_->ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   const std::uint32_t number = surface[0] & k_facet_mask;
   if (number == 0) return std::nullopt;
   float depth = 0.0F;
-  gl_->ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  gl.ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   std::array<std::uint8_t, 4> bits{};
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets_->to_accessible.name());
-  gl_->ReadPixels(pixel.x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, bits.data());
-  gl::check_errors(*gl_, "reading what is under the cursor");
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_accessible.name());
+  gl.ReadPixels(pixel.x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, bits.data());
+  gl::check_errors(gl, "reading what is under the cursor");
 
-  const ViewFrame frame(shown_->camera, size, shown_->settings, shown_->direction,
-                        std::max(0, shown_->samples - 1));
   const glm::dvec4 clip(2.0 * (pixel.x + 0.5) / size.x - 1.0, 2.0 * (row + 0.5) / size.y - 1.0,
                         2.0 * depth - 1.0, 1.0);
-  const glm::dvec4 seen = glm::inverse(frame.clip_from_eye * frame.eye_from_unit) * clip;
-  const double opened = bits[0] == 1   ? frame.settings.open_mold
-                        : bits[0] == 2 ? -frame.settings.open_mold
-                                       : 0.0;
+  const glm::dvec4 seen = unit_from_clip_ * clip;
+  const double travel = shown_.settings.travel();
+  const double opened = bits[0] == 1 ? travel : bits[0] == 2 ? -travel : 0.0;
   return PickedPoint{.facet = number - 1,
-                     .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * frame.direction),
+                     .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * shown_.direction),
                      .region = region_of((bits[0] & 1U) != 0, (bits[0] & 2U) != 0)};
 }
 
 std::vector<std::uint32_t> PartView::read_facets() const {
-  const glm::ivec2& size = targets_->size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   std::vector<std::array<std::uint32_t, 2>> surface(pixels);
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets_->to_surface.name());
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_->ReadPixels(0, 0, size.x, size.y, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, size.x, size.y, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   std::vector<std::uint32_t> facets;
   facets.reserve(pixels);
   for (const auto& words : surface) facets.push_back(words[0] & k_facet_mask);
@@ -157,11 +147,12 @@ std::vector<std::uint32_t> PartView::read_facets() const {
 }
 
 std::vector<std::uint8_t> PartView::read_regions() const {
-  const glm::ivec2& size = targets_->size;
+  const gl::Functions& gl = tools_.gl;
+  const glm::ivec2& size = tools_.targets.size;
   std::vector<std::uint8_t> regions(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, targets_->to_accessible.name());
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_->ReadPixels(0, 0, size.x, size.y, GL_RED_INTEGER, GL_UNSIGNED_BYTE, regions.data());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_accessible.name());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, size.x, size.y, GL_RED_INTEGER, GL_UNSIGNED_BYTE, regions.data());
   return regions;
 }
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,23 +14,17 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "gl/objects.hpp"
 #include "mold/region.hpp"
-#include "render/camera.hpp"
-#include "render/view_geometry.hpp"
-#include "render/view_mesh.hpp"
-#include "render/view_settings.hpp"
+#include "render/view_frame.hpp"
+#include "render/view_tools.hpp"
 
 namespace moldlight {
 
-class ViewPasses;
-struct ViewTargets;
-
-/// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
-/// colour that keeps sRGB values as they are written.
-struct ViewTarget {
-  GLuint framebuffer = 0;
-  glm::ivec2 size{0};
+/// From where a part is seen, and how it is shown.
+struct View {
+  Camera camera = {};
+  ViewSettings settings = {};
+  ViewMarks marks = {};
 };
 
 /// What is seen at a pixel.
@@ -44,17 +37,17 @@ struct PickedPoint {
 /// Needs its context current at every call. Keeps targets of the size last drawn.
 class PartView {
  public:
-  PartView(const gl::Functions& gl, const ViewGeometry& geometry);
-  ~PartView();
+  PartView(const gl::Functions& gl, const ViewGeometry& geometry) : tools_(gl, geometry) {}
 
   /// Draws the part. Returns true while drawing the same again would refine the picture; false once it is
   /// final.
-  bool draw(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-            const ViewSettings& settings, const ViewMarks& marks = {});
+  bool draw(const ViewTarget& target, const ViewSubject& subject, const View& view);
 
   /// The same until the picture is final.
-  void draw_final(const ViewTarget& target, const ViewSubject& subject, const Camera& camera,
-                  const ViewSettings& settings, const ViewMarks& marks = {});
+  void draw_final(const ViewTarget& target, const ViewSubject& subject, const View& view) {
+    while (draw(target, subject, view)) {
+    }
+  }
 
   /// Facets that are marked from the next call of draw() on.
   void choose_facets(std::span<const FacetIndex> facets);
@@ -73,14 +66,13 @@ class PartView {
   [[nodiscard]] std::vector<std::uint8_t> read_regions() const;
 
  private:
-  struct Shown;
-
   void draw_sample(const ViewSubject& subject);
 
-  const gl::Functions* gl_;
-  std::unique_ptr<ViewPasses> passes_;
-  std::unique_ptr<ViewTargets> targets_;
-  std::unique_ptr<Shown> shown_;
+  ViewTools tools_;
+  // What the targets show, to tell whether the next picture is the same.
+  ViewInputs shown_;
+  int samples_ = 0;                 // drawn so far
+  glm::dmat4 unit_from_clip_{1.0};  // of the last of them
 };
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// Counts surface samples by region for all directions of a batch of maps; a few numbers a direction come
+// Counts surface samples by region for all directions of the maps; a few numbers a direction come
 // back.
 #pragma once
 
@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "gl/pass.hpp"
 #include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
-#include "render/map_batch.hpp"
+#include "render/shadow_maps.hpp"
 
 namespace moldlight {
 
@@ -18,8 +19,8 @@ class SampleCounting {
   /// Uploads the samples, 10 million at most, and makes room for the counts of so many directions.
   SampleCounting(const gl::Functions& gl, std::span<const SurfaceSample> samples, int directions);
 
-  /// Counts of the first `directions` places of the batch, which must be drawn. Waits for the GL, once.
-  [[nodiscard]] std::vector<SampleCounts> run(const MapBatch& maps, int directions);
+  /// Counts of the first `directions` places of the maps, which must be drawn. Waits for the GL, once.
+  [[nodiscard]] std::vector<SampleCounts> run(const ShadowMaps& maps, int directions);
 
  private:
   /// A number of four parts for each direction (row) and block of samples (column).
@@ -29,9 +30,7 @@ class SampleCounting {
   };
   [[nodiscard]] Counts make_counts(int width, int height) const;
 
-  const gl::Functions* gl_;
-  gl::Program counting_, summing_;
-  gl::VertexArray fullscreen_;
+  gl::Tools tools_;
   gl::Texture samples_;
   int sample_count_ = 0, block_ = 0, blocks_ = 0;
   std::array<Counts, 2> counts_;

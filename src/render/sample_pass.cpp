@@ -9,32 +9,22 @@ constexpr int k_block_width = 1024, k_block_height = 1024;  // a block of 16 MiB
 }
 
 SamplePass::SamplePass(const gl::Functions& gl)
-    : gl_(&gl),
-      one_sided_(gl, {.vertex = "common/fullscreen.vert", .fragment = "measure/samples.frag"}),
-      symmetric_(gl, {.vertex = "common/fullscreen.vert",
-                      .fragment = "measure/samples.frag",
-                      .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
-      fullscreen_(gl::make_vertex_array(gl)),
+    : tools_(gl),
       samples_(gl::make_texture_2d(gl, GL_RGBA32UI, k_block_width, k_block_height)),
       verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)),
       framebuffer_(gl::make_framebuffer(gl, verdicts_)) {}
 
-std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const PartBuffers& part,
-                                          const ShadowMaps& maps) {
+std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const ShadowMaps& maps) {
   std::vector<std::uint8_t> verdicts(samples.size());
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  const gl::Program& program = maps.settings().symmetric_kernel ? symmetric_ : one_sided_;
-  program.use();
-  maps.bind(program, part, 1);
+  const gl::Program& program =
+      tools_.programs.use("common/fullscreen.vert", "measure/samples.frag",
+                          {maps.settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : ""});
+  maps.bind(program, 1);
   program.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->BindTexture(GL_TEXTURE_2D, samples_.name());
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  tools_.gl.ActiveTexture(GL_TEXTURE0);
+  tools_.gl.BindTexture(GL_TEXTURE_2D, samples_.name());
+  tools_.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  tools_.gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
 
   constexpr std::size_t k_width = k_block_width;
   for (std::size_t done = 0; done < samples.size();) {
@@ -44,14 +34,14 @@ std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples
     const std::size_t columns = rows == 0 ? left : k_width;
     const auto width = static_cast<GLsizei>(columns),
                height = static_cast<GLsizei>(std::max<std::size_t>(rows, 1));
-    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-                       &samples[done]);
-    gl_->Viewport(0, 0, width, height);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_->ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &verdicts[done]);
+    tools_.gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                            &samples[done]);
+    gl::begin(tools_.gl, {.framebuffer = framebuffer_.name(), .size = {width, height}});
+    tools_.corners.draw();
+    tools_.gl.ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &verdicts[done]);
     done += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
-  gl::check_errors(*gl_, "measuring samples");
+  gl::check_errors(tools_.gl, "measuring samples");
   return verdicts;
 }
 

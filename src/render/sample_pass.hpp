@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gl/program.hpp"
+#include "gl/pass.hpp"
 #include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/shadow_maps.hpp"
@@ -19,13 +19,10 @@ class SamplePass {
 
   /// One verdict (mold/measure.hpp) a sample, in order. Uploads and reads back in blocks, so that memory
   /// stays bounded.
-  [[nodiscard]] std::vector<std::uint8_t> run(std::span<const SurfaceSample> samples, const PartBuffers& part,
-                                              const ShadowMaps& maps);
+  [[nodiscard]] std::vector<std::uint8_t> run(std::span<const SurfaceSample> samples, const ShadowMaps& maps);
 
  private:
-  const gl::Functions* gl_;
-  gl::Program one_sided_, symmetric_;
-  gl::VertexArray fullscreen_;
+  gl::Tools tools_;
   gl::Texture samples_, verdicts_;
   gl::Framebuffer framebuffer_;
 };

@@ -1,5 +1,6 @@
 #include "render/shadow_maps.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "base/check.hpp"
@@ -8,7 +9,19 @@ namespace moldlight {
 
 namespace {
 
+constexpr std::size_t k_most_places = 64;
+/// Facets drawn for a batch: enough to keep a GL at work, few enough that it ends soon when it is cancelled.
+constexpr std::size_t k_most_facets = 4'000'000;
+
 float sign_of(bool plus) { return plus ? 1.0F : -1.0F; }
+int layer_of(std::size_t place, bool plus) { return 2 * static_cast<int>(place) + (plus ? 0 : 1); }
+
+gl::Pass pass_to(GLuint framebuffer, int resolution) {
+  return {.framebuffer = framebuffer,
+          .size = glm::ivec2(resolution),
+          .depth = gl::DepthTest::less,
+          .writes_depth = true};
+}
 
 }  // namespace
 
@@ -19,142 +32,151 @@ void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolu
   program.set("u_map_size", static_cast<float>(resolution));
 }
 
-MapPainter::MapPainter(const gl::Functions& gl)
-    : gl_(&gl),
-      facets_(gl, {.vertex = "maps/second_depth.vert", .fragment = "maps/second_depth.frag"}),
-      edges_(gl, {.vertex = "maps/contour_edge.vert", .fragment = "maps/contour_edge.frag"}),
-      symmetric_edges_(gl, {.vertex = "maps/contour_edge.vert",
-                            .fragment = "maps/contour_edge.frag",
-                            .defines = {{"SYMMETRIC_KERNEL", "1"}}}),
-      far_plane_(gl, {.vertex = "common/at_infinity.vert"}),
-      fullscreen_(gl::make_vertex_array(gl)) {}
-
-void MapPainter::draw_facets(const MapSubject& subject, bool plus) const {
-  gl_->Viewport(0, 0, subject.settings.resolution, subject.settings.resolution);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-  const GLuint none[4] = {0, 0, 0, 0};
-  const GLfloat furthest = 1.0F;
-  gl_->ClearBufferuiv(GL_COLOR, 0, none);
-  gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
-
-  // Both maps share their axes, so in both a facet that faces +d runs counter-clockwise. Each keeps the
-  // facets that face away from its light.
-  gl_->Enable(GL_CULL_FACE);
-  gl_->CullFace(plus ? GL_FRONT : GL_BACK);
-  facets_.use();
-  set_map_frame(facets_, subject.frame, subject.settings.resolution);
-  facets_.set("u_side", sign_of(plus));
-  subject.part.draw_facets();
-  gl_->Disable(GL_CULL_FACE);
+int fitting_places(const MapSettings& settings, std::size_t facets, std::size_t bytes) {
+  const auto side = static_cast<std::size_t>(settings.resolution);
+  const std::size_t map = 4 * side * side;
+  const std::size_t by_bytes = (bytes - std::min(bytes, map)) / (2 * map + facets);
+  const std::size_t by_facets = k_most_facets / std::max<std::size_t>(facets, 1);
+  return static_cast<int>(std::clamp<std::size_t>(std::min(by_bytes, by_facets), 1, k_most_places));
 }
 
-void MapPainter::draw_edges(const MapSubject& subject, bool plus) const {
-  const MapSettings& settings = subject.settings;
-  if (settings.edge_thickness <= 0.0) return;
-  gl_->Viewport(0, 0, settings.resolution, settings.resolution);
-  gl_->Enable(GL_DEPTH_TEST);
-  const gl::Program& program = settings.symmetric_kernel ? symmetric_edges_ : edges_;
-  program.use();
-  set_map_frame(program, subject.frame, settings.resolution);
+ShadowMaps::ShadowMaps(const gl::Functions& gl, int places)
+    : tools_(gl), places_(static_cast<std::size_t>(places)), batch_(true) {
+  CHECK(places >= 1);
+}
+
+void ShadowMaps::allocate(int resolution) {
+  allocated_ = 0;
+  const int count = places(), depth_layers = batch_ ? 1 : 2;
+  for (Place& place : places_) {
+    place.plus = {};
+    place.minus = {};
+  }
+  facets_ = gl::make_texture_array(tools_.gl, GL_R32UI, resolution, 2 * count);
+  depths_ = gl::make_texture_array(tools_.gl, GL_DEPTH_COMPONENT32F, resolution, depth_layers);
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    for (const bool plus : {true, false}) {
+      Side& side = plus ? places_[k].plus : places_[k].minus;
+      const int layer = layer_of(k, plus);
+      side.framebuffer =
+          gl::make_layer_framebuffer(tools_.gl, {facets_, layer}, {depths_, layer % depth_layers});
+      if (batch_) side.covered = gl::make_query(tools_.gl);
+    }
+  }
+  allocated_ = resolution;
+}
+
+ShadowMaps::Place& ShadowMaps::begin(const MapSubject& subject, const MapSettings& settings, int place) {
+  CHECK(subject.classes.size() == subject.part.facet_count());
+  CHECK(!batch_ || !settings.symmetric_kernel);
+  settings_ = settings;
+  part_ = &subject.part;
+  // Views tell drawings apart by it, also those of several pairs of maps.
+  static std::atomic<std::uint64_t> drawings = 0;
+  revision_ = ++drawings;
+  if (settings.resolution != allocated_) allocate(settings.resolution);
+  Place& drawn = places_.at(static_cast<std::size_t>(place));
+  drawn.frame = subject.frame;
+  drawn.classes.set(tools_.gl, subject.classes);
+  return drawn;
+}
+
+void ShadowMaps::draw(const MapSubject& subject, const MapSettings& settings, int place) {
+  const Place& drawn = begin(subject, settings, place);
+  for (const bool plus : {true, false}) {
+    draw_facets(subject, drawn.side(plus), plus);
+    if (drawn.side(plus).covered) count_covered(drawn.side(plus));
+    if (settings.edge_thickness > 0.0) draw_edges(subject, drawn, plus);
+  }
+  gl::check_errors(tools_.gl, "drawing the shadow maps");
+}
+
+void ShadowMaps::draw_facets(const MapSubject& subject, const Side& side, bool plus) {
+  // Both maps share their axes, so in both a facet that faces +d runs counter-clockwise. Each keeps the
+  // facets that face away from its light.
+  gl::Pass pass = pass_to(side.framebuffer.name(), settings_.resolution);
+  pass.cull = plus ? gl::Cull::front : gl::Cull::back;
+  gl::begin(tools_.gl, pass);
+  gl::clear_numbers(tools_.gl);
+  const gl::Program& program = tools_.programs.use("maps/second_depth.vert", "maps/second_depth.frag");
+  set_map_frame(program, subject.frame, settings_.resolution);
   program.set("u_side", sign_of(plus));
-  program.set("u_half_width", static_cast<float>(0.5 * settings.edge_thickness / settings.resolution));
-  program.set_texture("t_facet_class", 0, GL_TEXTURE_BUFFER, subject.facet_classes);
-  if (!settings.symmetric_kernel)
+  subject.part.draw_facets();
+}
+
+void ShadowMaps::draw_edges(const MapSubject& subject, const Place& place, bool plus) {
+  gl::begin(tools_.gl, pass_to(place.side(plus).framebuffer.name(), settings_.resolution));
+  const gl::Program& program = tools_.programs.use("maps/contour_edge.vert", "maps/contour_edge.frag",
+                                                   {settings_.symmetric_kernel ? "SYMMETRIC_KERNEL" : ""});
+  set_map_frame(program, subject.frame, settings_.resolution);
+  program.set("u_side", sign_of(plus));
+  program.set("u_half_width", 0.5 * settings_.edge_thickness / settings_.resolution);
+  program.set_texture("t_facet_class", 0, GL_TEXTURE_BUFFER, place.classes.texels());
+  if (!settings_.symmetric_kernel)
     program.set_texture("t_planes", 1, GL_TEXTURE_BUFFER, subject.part.planes());
   subject.part.draw_concave_edges();
 }
 
-void MapPainter::count_covered(const gl::Query& query) const {
+void ShadowMaps::count_covered(const Side& side) {
   // What is nearer than the far plane.
-  gl_->DepthFunc(GL_GREATER);
-  gl_->DepthMask(GL_FALSE);
-  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  far_plane_.use();
-  gl_->BindVertexArray(fullscreen_.name());
-  gl_->BeginQuery(GL_SAMPLES_PASSED, query.name());
-  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_->EndQuery(GL_SAMPLES_PASSED);
-  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
+  gl::begin(tools_.gl, {.framebuffer = side.framebuffer.name(),
+                        .size = glm::ivec2(settings_.resolution),
+                        .depth = gl::DepthTest::greater,
+                        .writes_colour = false});
+  tools_.programs.use("common/at_infinity.vert", {});
+  tools_.gl.BeginQuery(GL_SAMPLES_PASSED, side.covered.name());
+  tools_.corners.draw();
+  tools_.gl.EndQuery(GL_SAMPLES_PASSED);
 }
 
-ShadowMaps::ShadowMaps(const gl::Functions& gl) : gl_(&gl), painter_(gl) {}
-
-void ShadowMaps::begin(const MapFrame& frame, const MapSettings& settings) {
-  frame_ = frame;
-  settings_ = settings;
-  // Views tell drawings apart by it, also those of several pairs of maps.
-  static std::atomic<std::uint64_t> drawings = 0;
-  revision_ = ++drawings;
-  if (settings.resolution == allocated_) return;
-  allocated_ = 0;
-  for (Side* side : {&plus_, &minus_}) {
-    *side = {};
-    side->facets = gl::make_texture_2d(*gl_, GL_R32UI, settings.resolution, settings.resolution);
-    side->depth = gl::make_texture_2d(*gl_, GL_DEPTH_COMPONENT32F, settings.resolution, settings.resolution);
-    side->framebuffer = gl::make_framebuffer(*gl_, side->facets, &side->depth);
-  }
-  allocated_ = settings.resolution;
-}
-
-void ShadowMaps::draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings) {
-  begin(frame, settings);
-  const MapSubject subject{part, part.facet_classes(), frame_, settings_};
+double ShadowMaps::shadow(int place) const {
+  GLuint most = 0;
   for (const bool plus : {true, false}) {
-    gl_->BindFramebuffer(GL_FRAMEBUFFER, side(plus).framebuffer.name());
-    painter_.draw_facets(subject, plus);
-    painter_.draw_edges(subject, plus);
+    GLuint covered = 0;
+    const Side& side = places_.at(static_cast<std::size_t>(place)).side(plus);
+    tools_.gl.GetQueryObjectuiv(side.covered.name(), GL_QUERY_RESULT, &covered);
+    most = std::max(most, covered);
   }
-  gl::check_errors(*gl_, "drawing the shadow maps");
+  const double texel = 1.0 / settings_.resolution;
+  return static_cast<double>(most) * texel * texel;
 }
 
-void ShadowMaps::load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
-                      std::span<const std::uint32_t> minus) {
-  const auto size = static_cast<std::size_t>(settings.resolution);
-  CHECK(!settings.symmetric_kernel && plus.size() == size * size && minus.size() == size * size);
-  begin(frame, settings);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl_->ActiveTexture(GL_TEXTURE0);
-  for (const bool of_plus : {true, false}) {
-    gl_->BindTexture(GL_TEXTURE_2D, side(of_plus).facets.name());
-    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings.resolution, settings.resolution, GL_RED_INTEGER,
-                       GL_UNSIGNED_INT, (of_plus ? plus : minus).data());
-  }
-  gl::check_errors(*gl_, "uploading the shadow maps");
+void ShadowMaps::load(const MapSubject& subject, const MapSettings& settings, const SecondDepthMaps& maps) {
+  CHECK(!settings.symmetric_kernel && settings.resolution == maps.resolution());
+  begin(subject, settings, 0);
+  for (const bool plus : {true, false})
+    upload(facets_, plus, {GL_RED_INTEGER, GL_UNSIGNED_INT, maps.facets(plus).data()});
 }
 
-void ShadowMaps::load_depths(std::span<const float> plus, std::span<const float> minus) {
-  const auto size = static_cast<std::size_t>(settings_.resolution);
-  CHECK(plus.size() == size * size && minus.size() == size * size);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl_->ActiveTexture(GL_TEXTURE0);
-  for (const bool of_plus : {true, false}) {
-    gl_->BindTexture(GL_TEXTURE_2D, side(of_plus).depth.name());
-    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings_.resolution, settings_.resolution, GL_DEPTH_COMPONENT,
-                       GL_FLOAT, (of_plus ? plus : minus).data());
-  }
-  gl::check_errors(*gl_, "uploading depths of the shadow maps");
+void ShadowMaps::load_depths(const SecondDepthMaps& maps) {
+  CHECK(settings_.resolution == maps.resolution());
+  for (const bool plus : {true, false})
+    upload(depths_, plus, {GL_DEPTH_COMPONENT, GL_FLOAT, maps.depths(plus).data()});
 }
 
-void ShadowMaps::bind(const gl::Program& program, const PartBuffers& part, int first_unit) const {
-  set_map_frame(program, frame_, settings_.resolution);
-  program.set_texture("t_facet_class", first_unit, GL_TEXTURE_BUFFER, part.facet_classes());
+void ShadowMaps::upload(const gl::Texture& maps, bool plus, const Texels& texels) const {
+  tools_.gl.ActiveTexture(GL_TEXTURE0);
+  tools_.gl.BindTexture(GL_TEXTURE_2D_ARRAY, maps.name());
+  tools_.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  tools_.gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer_of(0, plus), settings_.resolution,
+                          settings_.resolution, 1, texels.format, texels.type, texels.data);
+  gl::check_errors(tools_.gl, "uploading the shadow maps");
+}
+
+void ShadowMaps::bind(const gl::Program& program, int first_unit, int place) const {
+  const Place& bound = places_.at(static_cast<std::size_t>(place));
+  set_map_frame(program, bound.frame, settings_.resolution);
+  program.set_texture("t_facet_class", first_unit, GL_TEXTURE_BUFFER, bound.classes.texels());
   if (settings_.symmetric_kernel) {
-    program.set_texture("t_depth_plus", first_unit + 1, GL_TEXTURE_2D, plus_.depth);
-    program.set_texture("t_depth_minus", first_unit + 2, GL_TEXTURE_2D, minus_.depth);
+    program.set_texture("t_depths", first_unit + 1, GL_TEXTURE_2D_ARRAY, depths_);
     program.set("u_kernel_radius", settings_.kernel_radius);
   } else {
-    program.set_texture("t_map_plus", first_unit + 1, GL_TEXTURE_2D, plus_.facets);
-    program.set_texture("t_map_minus", first_unit + 2, GL_TEXTURE_2D, minus_.facets);
-    program.set("u_lateral", static_cast<float>(settings_.lateral));
+    program.set_texture("t_maps", first_unit + 1, GL_TEXTURE_2D_ARRAY, facets_);
+    program.set("u_map_pair", place);
+    program.set("u_lateral", settings_.lateral);
   }
   if (program.has("t_planes"))
-    program.set_texture("t_planes", first_unit + 3, GL_TEXTURE_BUFFER, part.planes());
+    program.set_texture("t_planes", first_unit + 2, GL_TEXTURE_BUFFER, part_->planes());
 }
 
 }  // namespace moldlight

@@ -1,12 +1,15 @@
 // The two second-depth shadow maps of a parting direction, thick concave contour edges included (paper,
-// section 2.3).
+// section 2.3); of one direction, or of several at once in the layers of one array texture, so that none
+// waits for another's figures.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "gl/program.hpp"
+#include "gl/pass.hpp"
 #include "mold/map_frame.hpp"
+#include "mold/second_depth.hpp"
 #include "render/part_buffers.hpp"
 
 namespace moldlight {
@@ -23,76 +26,87 @@ struct MapSettings {
   bool operator==(const MapSettings&) const = default;
 };
 
-/// What is drawn; `facet_classes` (R8UI, one a facet) must be those for `frame.z`.
+/// What is drawn. The part must stay where it is as long as its maps are looked at; the classes are those for
+/// `frame.z`, one a facet, maybe with k_left_out.
 struct MapSubject {
   const PartBuffers& part;
-  const gl::Texture& facet_classes;
   const MapFrame& frame;
-  const MapSettings& settings;
-};
-
-/// Draws maps into whatever framebuffer is bound. Needs its context current. The framebuffers have an R32UI
-/// colour and a depth buffer, both square with the resolution as side; `plus` is the map of the light at +d.
-class MapPainter {
- public:
-  explicit MapPainter(const gl::Functions& gl);
-
-  /// Clears and draws the facets that face away from the light.
-  void draw_facets(const MapSubject& subject, bool plus) const;
-  /// Adds the thick edges to the facets.
-  void draw_edges(const MapSubject& subject, bool plus) const;
-  /// Has `query` count the texels that are covered so far.
-  void count_covered(const gl::Query& query) const;
-
- private:
-  const gl::Functions* gl_;
-  gl::Program facets_, edges_, symmetric_edges_, far_plane_;
-  gl::VertexArray fullscreen_;
+  std::span<const FacetClass> classes;
 };
 
 /// Sets what shaders/common/map_frame.glsl asks for on `program`, which must be in use.
 void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolution);
 
+/// How many directions to draw at once: 64 at most, fewer if their maps and classes would take more than
+/// `bytes` or if a part of many facets keeps the GL at work anyway; at least 1.
+[[nodiscard]] int fitting_places(const MapSettings& settings, std::size_t facets, std::size_t bytes);
+
 /// Owns the maps and draws them. Needs its context current.
 class ShadowMaps {
  public:
-  explicit ShadowMaps(const gl::Functions& gl);
+  /// Of one direction.
+  explicit ShadowMaps(const gl::Functions& gl) : tools_(gl), places_(1) {}
+  /// Of so many directions, from place 0 on, for one-sided look-ups; shadow() is known, and depths() are
+  /// those of the last map drawn.
+  ShadowMaps(const gl::Functions& gl, int places);
 
-  /// Draws both maps; the facet classes of `part` must be those for `frame.z`. Allocates only when the
-  /// resolution changes.
-  void draw(const PartBuffers& part, const MapFrame& frame, const MapSettings& settings);
+  /// Draws both maps of a direction, without waiting for the GL. The settings are one for all places;
+  /// allocates only when the resolution changes.
+  void draw(const MapSubject& subject, const MapSettings& settings, int place = 0);
 
-  /// Takes maps that were drawn elsewhere, for a one-sided kernel: facet + 1 (0: none) a texel, rows from
-  /// below.
-  void load(const MapFrame& frame, const MapSettings& settings, std::span<const std::uint32_t> plus,
-            std::span<const std::uint32_t> minus);
-  /// Adds depths to such maps, for who looks at depth().
-  void load_depths(std::span<const float> plus, std::span<const float> minus);
+  /// Takes maps that were drawn elsewhere, for a one-sided kernel.
+  void load(const MapSubject& subject, const MapSettings& settings, const SecondDepthMaps& maps);
+  /// Adds depths to such maps, for who looks at depths().
+  void load_depths(const SecondDepthMaps& maps);
+
+  /// Area of the part's shadow along the direction at `place`, unit frame squared, from the texels that
+  /// facets alone cover, without the thick edges: the larger of the two maps' areas, which are equal for a
+  /// closed part. Waits for the GL.
+  [[nodiscard]] double shadow(int place) const;
 
   /// Binds everything that shaders/common/region.glsl asks for to `program`, which must be in use and
-  /// compiled with SYMMETRIC_KERNEL defined exactly if the settings say so; takes texture units from
-  /// `first_unit` on, four at most.
-  void bind(const gl::Program& program, const PartBuffers& part, int first_unit) const;
+  /// compiled with SYMMETRIC_KERNEL defined exactly if the settings say so; takes three texture units from
+  /// `first_unit` on.
+  void bind(const gl::Program& program, int first_unit, int place = 0) const;
 
+  [[nodiscard]] int places() const { return static_cast<int>(places_.size()); }
   [[nodiscard]] const MapSettings& settings() const { return settings_; }
-  [[nodiscard]] const MapFrame& frame() const { return frame_; }
+  [[nodiscard]] const MapFrame& frame() const { return places_.front().frame; }
+  [[nodiscard]] const gl::Texture& classes() const { return places_.front().classes.texels(); }
   /// Another for every drawing of any maps; 0 before they are drawn.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  [[nodiscard]] const gl::Texture& facets(bool plus) const { return side(plus).facets; }  // R32UI, facet + 1
-  [[nodiscard]] const gl::Texture& depth(bool plus) const { return side(plus).depth; }
+  /// The map of the light at +d or at -d: R32UI, facet + 1, 0 for none.
+  [[nodiscard]] GLuint framebuffer(bool plus) const { return places_.front().side(plus).framebuffer.name(); }
+  /// Of the +d map in layer 0, of the -d map in layer 1.
+  [[nodiscard]] const gl::Texture& depths() const { return depths_; }
 
  private:
   struct Side {
-    gl::Texture facets, depth;
     gl::Framebuffer framebuffer;
+    gl::Query covered;  // texels
   };
-  [[nodiscard]] const Side& side(bool plus) const { return plus ? plus_ : minus_; }
-  void begin(const MapFrame& frame, const MapSettings& settings);
+  struct Place {
+    Side plus, minus;
+    FacetClassBuffer classes;
+    MapFrame frame;
+    [[nodiscard]] const Side& side(bool of_plus) const { return of_plus ? plus : minus; }
+  };
+  Place& begin(const MapSubject& subject, const MapSettings& settings, int place);
+  void allocate(int resolution);
+  void draw_facets(const MapSubject& subject, const Side& side, bool plus);
+  void draw_edges(const MapSubject& subject, const Place& place, bool plus);
+  void count_covered(const Side& side);
+  struct Texels {
+    GLenum format, type;
+    const void* data;
+  };
+  void upload(const gl::Texture& maps, bool plus, const Texels& texels) const;
 
-  const gl::Functions* gl_;
-  MapPainter painter_;
-  Side plus_, minus_;
-  MapFrame frame_;
+  gl::Tools tools_;
+  gl::Texture facets_, depths_;  // arrays; several places share one layer of depths, one after the other
+  std::vector<Place> places_;
+  bool batch_ = false;
+  const PartBuffers* part_ = nullptr;
   MapSettings settings_;
   int allocated_ = 0;
   std::uint64_t revision_ = 0;

@@ -26,16 +26,15 @@ glm::dvec2 picture_shift(int sample) {
 
 }  // namespace
 
-ViewFrame::ViewFrame(const Camera& from, const glm::ivec2& picture_size, const ViewSettings& shown,
-                     const glm::dvec3& parting_direction, int sample_number)
-    : camera(from),
+ViewFrame::ViewFrame(const ViewInputs& inputs, const ViewSubject& shown, const glm::ivec2& picture_size,
+                     int sample_number)
+    : ViewInputs(inputs),
+      subject(shown),
       size(picture_size),
-      settings(shown),
-      direction(parting_direction),
       sample(sample_number),
       shift_px(picture_shift(sample_number)),
-      eye_from_unit(view_matrix(from)),
-      clip_from_eye(projection_matrix(from, picture_size, shift_px)),
+      eye_from_unit(view_matrix(camera)),
+      clip_from_eye(projection_matrix(camera, size, shift_px)),
       clip_from_unit(clip_from_eye * eye_from_unit) {}
 
 void ViewFrame::set_sight(const gl::Program& program) const {
@@ -67,43 +66,26 @@ void ViewFrame::set_eye_depth(const gl::Program& program) const {
                                  : glm::vec4(near, far - near, 1.0, 0.0));
 }
 
-ViewTargets::ViewTargets(const gl::Functions& gl, const glm::ivec2& wanted) : size(wanted) {
-  const auto texture = [&](GLenum format) { return gl::make_texture_2d(gl, format, size.x, size.y); };
-  surface = texture(GL_RG32UI);
-  depth = texture(GL_DEPTH_COMPONENT32F);
-  accessible = texture(GL_R8UI);
-  openness = texture(GL_R8);
-  colour = texture(GL_RGBA8);
-  to_surface = gl::make_framebuffer(gl, surface, &depth);
-  to_accessible = gl::make_framebuffer(gl, accessible, &depth);
-  to_colour = gl::make_framebuffer(gl, colour, &depth);
-  const GLuint shaded[] = {colour.name(), accessible.name()};
-  to_shaded = gl::make_framebuffer(gl, {.colours = shaded, .depth = depth.name()});
-  to_depth = gl::make_framebuffer(gl, {.colours = {}, .depth = depth.name()});
-  to_openness = gl::make_framebuffer(gl, openness);
+void ViewFrame::set_section(const gl::Program& program) const {
+  program.set("u_section_normal", glm::vec3(direction));
+  program.set("u_section_offset", *settings.cut_at);
 }
 
-void ViewTargets::make_sum(const gl::Functions& gl) {
-  if (sum) return;
-  sum = gl::make_texture_2d(gl, GL_RGBA32F, size.x, size.y);
-  to_sum = gl::make_framebuffer(gl, sum);
+std::vector<Piece> ViewFrame::pieces() const {
+  const auto bit = [](Region region) { return 1U << facts(region).accessible; };
+  if (layer == Layer::undercuts_alone) return {{glm::vec3(0.0F), bit(Region::undercut)}};
+  const glm::vec3 moved(settings.travel() * direction);
+  return {{glm::vec3(0.0F), bit(Region::undercut) | bit(Region::both)},
+          {moved, bit(Region::core)},
+          {-moved, bit(Region::cavity)}};
 }
 
-const gl::Program& ViewPrograms::use(std::string_view vertex, std::string_view fragment,
-                                     const std::vector<std::string_view>& defines) {
-  std::string key(vertex);
-  key.append(" ").append(fragment);
-  for (const std::string_view define : defines) key.append(" ").append(define);
-  auto found = programs_.find(key);
-  if (found == programs_.end()) {
-    gl::ProgramSources sources{.vertex = vertex, .fragment = fragment};
-    for (const std::string_view define : defines) {
-      if (!define.empty()) sources.defines.emplace_back(define, "1");
-    }
-    found = programs_.emplace(std::move(key), gl::Program(*gl_, sources)).first;
-  }
-  found->second.use();
-  return found->second;
+bool ViewFrame::exact() const {
+  return subject.split != nullptr && (subject.maps == nullptr || settings.regions_by == RegionsBy::exact);
+}
+
+std::string_view ViewFrame::kernel_define() const {
+  return subject.maps != nullptr && subject.maps->settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : "";
 }
 
 }  // namespace moldlight

@@ -1,9 +1,7 @@
-// What the passes of a picture share: what each is told of the sample, the pictures between them, the
-// programs.
+// What the passes of a picture are told: one sample of it, and one of its layers.
 #pragma once
 
-#include <map>
-#include <string>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -13,62 +11,56 @@
 
 #include "gl/program.hpp"
 #include "render/camera.hpp"
+#include "render/view_mesh.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight {
 
-/// One sample of a picture.
-struct ViewFrame {
-  ViewFrame(const Camera& camera, const glm::ivec2& size, const ViewSettings& settings,
-            const glm::dvec3& direction, int sample);
+/// Which surface is drawn: a picture that looks through all but the undercuts has two layers.
+enum class Layer : std::uint8_t { whole, undercuts_alone };
 
-  /// Each sets the uniforms of the shader file of that name (or of the eye's axes).
+/// All that a picture depends on but for its marks.
+struct ViewInputs {
+  Camera camera;
+  ViewSettings settings;
+  glm::dvec3 direction{0, 0, 1};      // parting direction, unit
+  std::uint64_t maps = 0, split = 0;  // revisions; 0: none
+
+  bool operator==(const ViewInputs&) const = default;
+};
+
+/// A copy of the surface that the mold's opening moves, and the accessibility bits it is made of.
+struct Piece {
+  glm::vec3 shift{0.0F};
+  std::uint32_t regions = 0;  // bit k: accessibility bits k
+};
+
+/// One sample of a picture. The subject has what the settings ask for and no more.
+struct ViewFrame : ViewInputs {
+  ViewFrame(const ViewInputs& inputs, const ViewSubject& subject, const glm::ivec2& size, int sample);
+
+  /// Each sets the uniforms of the shader file of that name (or of the eye's axes, of a section's plane).
   void set_sight(const gl::Program& program) const;
   void set_eye_axes(const gl::Program& program) const;
   void set_eye_depth(const gl::Program& program) const;
+  void set_section(const gl::Program& program) const;
 
-  Camera camera;
+  [[nodiscard]] bool opened() const { return settings.open_mold > 0.0; }
+  /// True if the surface is drawn in pieces(), each of its own regions.
+  [[nodiscard]] bool by_region() const { return opened() || layer == Layer::undercuts_alone; }
+  [[nodiscard]] std::vector<Piece> pieces() const;
+  /// True if the split surface's own regions are shown.
+  [[nodiscard]] bool exact() const;
+  /// The define that the maps' look-ups want; may be empty.
+  [[nodiscard]] std::string_view kernel_define() const;
+
+  ViewSubject subject;
   glm::ivec2 size;
-  ViewSettings settings;
-  glm::dvec3 direction;  // parting direction, unit
-  int sample;            // 0, 1, …
-  glm::dvec2 shift_px;   // of the picture, y down; that of sample 0 is zero
+  int sample;           // 0, 1, …
+  glm::dvec2 shift_px;  // of the picture, y down; that of sample 0 is zero
   glm::dmat4 eye_from_unit, clip_from_eye;
   glm::mat4 clip_from_unit;
-};
-
-/// The pictures between the passes, all of the size of the final one.
-struct ViewTargets {
-  ViewTargets() = default;
-  ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
-  /// Makes what pictures at rest alone need, unless it is there already.
-  void make_sum(const gl::Functions& gl);
-
-  glm::ivec2 size{0};
-  gl::Texture surface;                                   // RG32UI, see shaders/view/surface_bits.glsl
-  gl::Texture depth;                                     // 32-bit float
-  gl::Texture accessible;                                // R8UI, accessibility bits
-  gl::Texture openness;                                  // R8, 1: sees the whole sky
-  gl::Texture colour;                                    // RGBA8, one sample in sRGB
-  gl::Texture sum;                                       // RGBA32F, squares of samples
-  gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
-  gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
-  gl::Framebuffer to_depth, to_openness, to_sum;
-};
-
-/// The programs of a picture, each variant compiled when it is first needed.
-class ViewPrograms {
- public:
-  explicit ViewPrograms(const gl::Functions& gl) : gl_(&gl) {}
-
-  /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
-  /// defines are left out. Throws Error where it does not compile.
-  const gl::Program& use(std::string_view vertex, std::string_view fragment,
-                         const std::vector<std::string_view>& defines = {});
-
- private:
-  const gl::Functions* gl_;
-  std::map<std::string, gl::Program, std::less<>> programs_;
+  Layer layer = Layer::whole;
 };
 
 }  // namespace moldlight

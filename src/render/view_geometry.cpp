@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "mesh/edges.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight {
 
@@ -55,9 +56,6 @@ glm::vec2 folded(const glm::vec2& place) {
 
 constexpr std::uint32_t k_bits_shift = 30;
 constexpr float k_least_square = 1e-6F;  // of a mean normal; one shorter says nothing
-
-/// By region: bit 0 where it is accessible along +d, bit 1 along -d.
-constexpr std::array<std::uint32_t, k_region_count> k_accessibility_bits = {1, 2, 3, 0};
 
 /// Shares of a facet's corners in a point of it, sum 1; those of the first corner alone for a facet without
 /// area.
@@ -167,16 +165,15 @@ SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, c
       }
     }
     geometry.pieces.push_back(corners);
-    geometry.sources.push_back(piece.facet | k_accessibility_bits[static_cast<std::size_t>(piece.region)]
-                                                 << k_bits_shift);
+    geometry.sources.push_back(piece.facet | facts(piece.region).accessible << k_bits_shift);
   }
   return geometry;
 }
 
-PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward, double opened) {
+PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward, double open_mold) {
   double top = 0.0;
   for (const glm::vec3& point : extremes) top = std::max(top, glm::dot(glm::dvec3(point), toward));
-  const double reach = top + opened + k_gap;
+  const double reach = top + open_mold * k_mold_travel + k_gap;
   return {.tail = reach * toward,
           .tip = (reach + k_length) * toward,
           .shaft_radius = k_shaft_radius,

@@ -58,7 +58,8 @@ void TriangleBuffer::draw(const gl::Functions& gl) const {
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count_), GL_UNSIGNED_INT, nullptr);
 }
 
-SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry)
+SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry,
+                           std::span<const FacetClass> classes)
     : triangles_(gl, geometry.vertices, geometry.pieces),
       source_buffer_(
           gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const std::uint32_t>(geometry.sources))),
@@ -66,13 +67,24 @@ SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometr
   // Views tell surfaces apart by it, wherever they lie in memory.
   static std::atomic<std::uint64_t> surfaces = 0;
   revision_ = ++surfaces;
+  classes_.set(gl, classes);
+}
+
+ChosenFacets::ChosenFacets(const gl::Functions& gl, std::size_t facet_count,
+                           std::span<const FacetIndex> chosen)
+    : any_(!chosen.empty()) {
+  std::vector<std::uint8_t> flags(facet_count, 0);
+  for (const FacetIndex facet : chosen) flags[facet] = 1;
+  buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const std::uint8_t>(flags));
+  flags_ = gl::make_buffer_texture(gl, GL_R8UI, buffer_);
 }
 
 ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
-    : feature_edges(gl, geometry.feature_edges),
-      facets_(gl, geometry.vertices, geometry.facets),
-      facet_count_(geometry.facets.size()),
-      closed_(geometry.closed),
-      extremes_(geometry.extremes) {}
+    : facets(gl, geometry.vertices, geometry.facets),
+      facet_count(geometry.facets.size()),
+      closed(geometry.closed),
+      extremes(geometry.extremes),
+      feature_edges(gl, geometry.feature_edges),
+      chosen(gl, facet_count, {}) {}
 
 }  // namespace moldlight

@@ -45,13 +45,15 @@ class TriangleBuffer {
   gl::VertexArray triangles_;
 };
 
-/// A surface whose regions are known (see split_geometry()). Valid for one context.
+/// A surface whose regions are known (see split_geometry()), and the classes of the part's facets for its
+/// direction. Valid for one context.
 class SplitSurface {
  public:
-  SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry);
+  SplitSurface(const gl::Functions& gl, const SplitGeometry& geometry, std::span<const FacetClass> classes);
 
   [[nodiscard]] const TriangleBuffer& triangles() const { return triangles_; }
   [[nodiscard]] const gl::Texture& sources() const { return sources_; }  // R32UI, one a piece
+  [[nodiscard]] const gl::Texture& classes() const { return classes_.texels(); }
   /// Another for every surface.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
@@ -59,37 +61,49 @@ class SplitSurface {
   TriangleBuffer triangles_;
   gl::Buffer source_buffer_;
   gl::Texture sources_;
+  FacetClassBuffer classes_;
   std::uint64_t revision_;
 };
 
-/// Valid for one context.
-class ViewMesh {
+/// Which facets are marked, as shaders/view/marks.frag reads it. Valid for one context.
+class ChosenFacets {
  public:
-  ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
+  ChosenFacets(const gl::Functions& gl, std::size_t facet_count, std::span<const FacetIndex> chosen);
 
-  /// Triangle k is facet k.
-  [[nodiscard]] const TriangleBuffer& facets() const { return facets_; }
-  [[nodiscard]] std::size_t facet_count() const { return facet_count_; }
-  [[nodiscard]] bool closed() const { return closed_; }
-  [[nodiscard]] std::span<const glm::vec3> extremes() const { return extremes_; }
-
-  SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] const gl::Texture& flags() const { return flags_; }  // R8UI, one a facet
 
  private:
-  TriangleBuffer facets_;
-  std::size_t facet_count_ = 0;
-  bool closed_ = false;
-  std::vector<glm::vec3> extremes_;
+  gl::Buffer buffer_;
+  gl::Texture flags_;
+  bool any_;
+};
+
+/// Valid for one context.
+struct ViewMesh {
+  ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
+
+  TriangleBuffer facets;  // triangle k is facet k
+  std::size_t facet_count;
+  bool closed;
+  std::vector<glm::vec3> extremes;
+  SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
+  ChosenFacets chosen;
 };
 
 /// What a picture shows: a part, a parting direction, and what tells the regions. A plain picture needs
 /// neither maps nor a split surface, any other at least one of them; to mark their difference takes both.
 /// What is pointed at must live as long as a picture is drawn.
 struct ViewSubject {
-  const PartBuffers& part;              // with the direction's facet classes
+  const PartBuffers& part;
   glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
   const ShadowMaps* maps = nullptr;     // drawn from `part` for the direction
   const SplitSurface* split = nullptr;  // of the part for the direction
+
+  /// Of the facets; there are maps or a split surface.
+  [[nodiscard]] const gl::Texture& classes() const {
+    return maps != nullptr ? maps->classes() : split->classes();
+  }
 };
 
 }  // namespace moldlight

@@ -10,6 +10,7 @@
 namespace moldlight {
 
 enum class Theme : std::uint8_t { dark, light };
+/// What the surface is coloured by; plain is for pictures that show no region, and nobody's choice.
 enum class ColourMode : std::uint8_t { regions, draft_angle, plain };
 /// What lies behind the part: the theme's gradient, one colour, or nothing (alpha 0).
 enum class Backdrop : std::uint8_t { gradient, flat, none };
@@ -18,29 +19,42 @@ enum class Backdrop : std::uint8_t { gradient, flat, none };
 /// subject has but one of them, it is that.
 enum class RegionsBy : std::uint8_t { exact, maps };
 
-/// Lengths are in the unit frame. What is changed here restarts the refinement of a picture at rest.
-struct ViewSettings {
-  Theme theme = Theme::dark;
-  Backdrop backdrop = Backdrop::gradient;
+/// What a user chooses to see of a part; session/look_options.hpp has its table.
+struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
-  RegionsBy regions_by = RegionsBy::exact;
-  bool mark_difference = false;  // where shadow maps and exact regions differ
-  bool hatch_undercut = true;
-  bool feature_edges = true;  // edges sharper than the crease angle, and open ones
-  bool facet_edges = false;
-  bool contour_edges = false;  // of the parting direction: convex ones light, concave ones dark
-  bool near_vertical = false;  // level lines on facets that are neither up nor down
-  bool parting_arrows = false;
-  bool ambient_occlusion = true;
-  double tau_deg = 1.0;         // for the scale of the draft colours
-  double open_mold = 0.0;       // core surface moves by this along +d, cavity surface along -d; [0, 1]
+  double open_mold = 0.0;       // [0, 1]: how far core and cavity surface are moved apart along +-d
   double others_opacity = 1.0;  // of everything but the undercuts, [0, 1]
-  std::optional<double> section =
-      {};                    // what lies beyond this offset along +d from the frame's origin is cut away
-  double pixel_scale = 1.0;  // widths of lines and hatches in units of a pixel
-  int samples = 16;          // pictures at rest average this many shifted ones, [1, 64]
+  bool section = false;         // cut the part by a plane across d
+  double section_height = 0.5;  // [0, 1] of the part's extent along d; what lies above is cut away
+  bool hatching = true;         // stripes on undercuts
+  bool feature_edges = true;    // edges sharper than the crease angle, and open ones
+  bool facet_edges = false;
+  bool near_vertical = false;               // level lines on facets that are neither up nor down
+  bool contour_edges = false;               // of the parting direction: convex ones light, concave ones dark
+  bool arrows = true;                       // the parting arrows
+  RegionsBy regions_by = RegionsBy::exact;  // of a direction at rest; one that moves has the maps' regions
+  bool mark_difference = false;             // where shadow maps and exact regions differ
 
+  bool operator==(const LookSettings&) const = default;
+};
+
+/// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
+inline constexpr double k_mold_travel = 0.5;
+
+/// All of it. What is changed here restarts the refinement of a picture at rest.
+struct ViewSettings : LookSettings {
+  Theme theme = Theme::dark;
+  Backdrop backdrop = Backdrop::gradient;
+  bool ambient_occlusion = true;
+  double tau_deg = 1.0;            // for the scale of the draft colours
+  std::optional<double> cut_at{};  // what lies beyond this offset along +d from the frame's origin is cut
+                                   // away, unit frame; follows from the section
+  double pixel_scale = 1.0;        // widths of lines and hatches in units of a pixel
+  int samples = 16;                // pictures at rest average this many shifted ones, [1, 64]
+
+  /// By which core and cavity surface are moved, unit frame.
+  [[nodiscard]] double travel() const { return open_mold * k_mold_travel; }
   bool operator==(const ViewSettings&) const = default;
 };
 

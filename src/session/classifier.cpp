@@ -45,17 +45,20 @@ std::vector<FacetClass> facet_classes(const FacetGeometry& geometry, const glm::
   return classes;
 }
 
-Classifier::Classifier(const gl::Context& context, std::shared_ptr<const PartModel> model)
+PartBuffers part_buffers(const gl::Context& context, const PartModel& model) {
+  return {context.functions(), {model.part.mesh, model.geometry, model.frame, model.edges.concave}};
+}
+
+PartMaps::PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)
     : context_(&context),
       model_(std::move(model)),
-      buffers_(context.functions(), model_->part.mesh, model_->geometry, model_->frame,
-               model_->edges.concave),
+      buffers_(part_buffers(context, *model_)),
       maps_(context.functions()) {}
 
-void Classifier::draw_maps(const MethodSettings& settings) {
+void PartMaps::draw_maps(const MethodSettings& settings) {
   const MapFrame frame = map_frame(settings.direction);
-  buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, settings.tau_deg));
-  maps_.draw(buffers_, frame, map_settings(settings, model_->frame.diagonal));
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
+  maps_.draw({buffers_, frame, classes}, map_settings(settings, model_->frame.diagonal));
 }
 
 Classification Classifier::classify(const MethodSettings& settings, const Progress& progress,
@@ -69,7 +72,7 @@ Classification Classifier::classify(const MethodSettings& settings, const Progre
   draw_maps(settings);
   progress.report("measuring", 0.0);
   result.facet_fractions = settings.readout == Readout::samples ? fractions_by_samples(settings.samples)
-                                                                : fractions_by_facet_id(settings.resolution);
+                                                                : fractions_by_facet_id(settings);
   const double exact_undercut = result.areas[Region::undercut];
   result.areas = region_areas(result.facet_fractions, model_->geometry);
   result.uncertainty.readout = std::abs(result.areas[Region::undercut] - exact_undercut);
@@ -100,10 +103,10 @@ FacetFractions Classifier::fractions_by_samples(int wanted) {
 
 std::vector<std::uint8_t> Classifier::look_up(std::span<const SurfaceSample> samples) {
   if (!sample_pass_) sample_pass_.emplace(context_->functions());
-  return sample_pass_->run(samples, buffers_, maps_);
+  return sample_pass_->run(samples, maps_);
 }
 
-FacetFractions Classifier::fractions_by_facet_id(int resolution) {
+FacetFractions Classifier::fractions_by_facet_id(const MethodSettings& settings) {
   const MapFrame& frame = maps_.frame();
   if (!facet_id_pass_) facet_id_pass_.emplace(context_->functions());
   float top[2] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
@@ -115,9 +118,11 @@ FacetFractions Classifier::fractions_by_facet_id(int resolution) {
       top[1] = std::max(top[1], -height);
     }
   }
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
   const std::vector<std::uint8_t> bits = facet_id_pass_->run(
-      buffers_, frame, top,
-      {.resolution = resolution, .draft_perturbation_deg = k_perturbation_deg_at_512 * 512.0 / resolution});
+      {buffers_, frame, classes}, top,
+      {.resolution = settings.resolution,
+       .draft_perturbation_deg = k_perturbation_deg_at_512 * 512.0 / settings.resolution});
   FacetFractions fractions(bits.size());
   for (FacetIndex facet = 0; facet < bits.size(); ++facet) {
     if (model_->geometry.areas[facet] <= 0.0) continue;

@@ -25,11 +25,36 @@ namespace moldlight {
 [[nodiscard]] std::vector<FacetClass> facet_classes(const FacetGeometry& geometry,
                                                     const glm::dvec3& direction, double tau_deg);
 
-/// Keeps what several directions share: buffers, maps, samples. `context` must be current at every call and
-/// outlive the classifier.
-class Classifier {
+/// The part on the GL.
+[[nodiscard]] PartBuffers part_buffers(const gl::Context& context, const PartModel& model);
+
+/// One part's buffers and its maps for one direction after another. `context` must be current at every call
+/// and outlive it. It does not move.
+class PartMaps {
  public:
-  Classifier(const gl::Context& context, std::shared_ptr<const PartModel> model);
+  PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> model);
+  PartMaps(const PartMaps&) = delete;
+
+  /// Draws the maps of the settings' direction. Throws UsageError for settings that make no sense, Error
+  /// where the GL fails.
+  void draw_maps(const MethodSettings& settings);
+
+  [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
+  [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
+  [[nodiscard]] const PartModel& model() const { return *model_; }
+  [[nodiscard]] const gl::Context& context() const { return *context_; }
+
+ protected:
+  const gl::Context* context_;
+  std::shared_ptr<const PartModel> model_;
+  PartBuffers buffers_;
+  ShadowMaps maps_;
+};
+
+/// Keeps what several directions share, samples too.
+class Classifier : public PartMaps {
+ public:
+  using PartMaps::PartMaps;
 
   /// classify_exact(), and for another readout its areas in place of the exact ones; their difference is part
   /// of the uncertainty. The split mesh is that of the exact regions. Throws UsageError for settings that
@@ -41,23 +66,11 @@ class Classifier {
   /// as the settings say.
   void compare_maps(Classification& result, const Progress& progress);
 
-  /// Draws the maps for the settings' direction, for pictures.
-  void draw_maps(const MethodSettings& settings);
-
-  [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
-  [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
-  [[nodiscard]] const PartModel& model() const { return *model_; }
-  [[nodiscard]] const gl::Context& context() const { return *context_; }
-
  private:
   [[nodiscard]] std::vector<std::uint8_t> look_up(std::span<const SurfaceSample> samples);
   [[nodiscard]] FacetFractions fractions_by_samples(int wanted);
-  [[nodiscard]] FacetFractions fractions_by_facet_id(int resolution);
+  [[nodiscard]] FacetFractions fractions_by_facet_id(const MethodSettings& settings);
 
-  const gl::Context* context_;
-  std::shared_ptr<const PartModel> model_;
-  PartBuffers buffers_;
-  ShadowMaps maps_;
   std::optional<SamplePass> sample_pass_;
   std::optional<FacetIdPass> facet_id_pass_;
   std::optional<SurfaceSamples> samples_;

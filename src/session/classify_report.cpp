@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "io/file_format.hpp"
 #include "session/figures.hpp"
 #include "session/method_options.hpp"
 
@@ -84,9 +83,7 @@ std::string comparison_table(const MapComparison& comparison, const FigureColumn
   return text;
 }
 
-/// SGR codes of the paper's colours, by region, and of none.
-constexpr std::array<std::string_view, k_region_count> k_terminal_colours = {"\033[34m", "\033[32m",
-                                                                             "\033[90m", "\033[31m"};
+/// SGR code of no colour.
 constexpr std::string_view k_plain = "\033[0m";
 
 std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
@@ -155,8 +152,7 @@ Json classify_json(const PartModel& model, const Classification& result) {
         {"regions", result.timings.regions_ms},
         {"readout", result.timings.readout_ms},
         {"total", result.timings.total_ms}}}};
-  if (model.part.format == format_name(FileFormat::step))
-    json["faces"] = faces_json(face_areas(model, result));
+  if (model.part.has_cad_faces) json["faces"] = faces_json(face_areas(model, result));
   if (result.maps) json["compare_maps"] = comparison_json(*result.maps);
   return json;
 }
@@ -179,12 +175,10 @@ std::string classify_table(const PartModel& model, const Classification& result,
   fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
   for (const Region region : k_regions) {
     const std::string name = fmt::format("{:<9}", region_name(region));
-    fmt::format_to(
-        out, "{}{:>16}{:>10}{}\n",
-        colour ? fmt::format("{}{}{}", k_terminal_colours[static_cast<std::size_t>(region)], name, k_plain)
-               : name,
-        areas.text(result.areas[region]), share_text(result.areas[region], result.total_area),
-        region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
+    fmt::format_to(out, "{}{:>16}{:>10}{}\n",
+                   colour ? fmt::format("{}{}{}", facts(region).terminal_colour, name, k_plain) : name,
+                   areas.text(result.areas[region]), share_text(result.areas[region], result.total_area),
+                   region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
   }
   fmt::format_to(out, "{:<9}{:>16}{:>10}\n\n", "total", areas.text(result.total_area),
                  share_text(result.total_area, result.total_area));

@@ -61,8 +61,11 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     std::vector<double> plain_of_round;
     const auto draw = [&](const PictureMaps& maps, int turn, ColourMode mode) {
       const Camera camera =
-          orbited(start, 0.05 * (k_turns * round + turn), 0.01 * turn, {0, 0, 1}, glm::dvec3(0.0));
-      view.draw({picture.framebuffer(), size}, maps.subject(), camera, {.colour_mode = mode});
+          orbited(start, {0.05 * (k_turns * round + turn), 0.01 * turn}, {0, 0, 1}, glm::dvec3(0.0));
+      ViewSettings settings;
+      settings.colour_mode = mode;
+      settings.arrows = false;
+      view.draw({picture.framebuffer(), size}, maps.subject(), {camera, settings});
     };
     for (int turn = -k_warm_up; turn < k_turns; ++turn) {
       const double plain = frame_ms([&] { draw(resting, turn, ColourMode::plain); });

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "io/file_format.hpp"
 #include "io/text_scanner.hpp"
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
@@ -157,11 +156,9 @@ std::string info_text(const PartModel& model, const DefectPlaces& places) {
   fmt::format_to(out, "part        {}\n", part_name(part));
   fmt::format_to(out, "format      {}, {}\n", part.format,
                  part.unit.empty() ? "which names no unit" : "unit " + part.unit);
-  fmt::format_to(out, "facets      {}{}\n", health.facets,
-                 sources == 0
-                     ? ""
-                     : fmt::format(", of {} {}", sources,
-                                   part.format == format_name(FileFormat::step) ? "faces" : "polygons"));
+  fmt::format_to(
+      out, "facets      {}{}\n", health.facets,
+      sources == 0 ? "" : fmt::format(", of {} {}", sources, part.has_cad_faces ? "faces" : "polygons"));
   fmt::format_to(out, "vertices    {}\ncomponents  {}\n", health.vertices, health.components);
   fmt::format_to(out, "size        {} {}\n",
                  figures(health.bounds.max - health.bounds.min, model.frame.diagonal), length_unit(part));

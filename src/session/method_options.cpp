@@ -1,5 +1,9 @@
 #include "session/method_options.hpp"
 
+#include <algorithm>
+
+#include "mesh/length_unit.hpp"
+
 namespace moldlight {
 
 std::span<const Option<MethodSettings>> method_options() {
@@ -78,7 +82,7 @@ std::span<const Option<ReadOptions>> reading_options() {
 
 double lateral_tolerance(const MethodSettings& settings, double diagonal) {
   constexpr double k_standard_share = 1.0 / 2048.0;
-  if (settings.tolerance > 0.0) return settings.tolerance;
+  if (settings.tolerance > 0.0) return std::min(settings.tolerance, diagonal);
   if (settings.kernel > 0) return 0.5 * (settings.kernel - 1) * diagonal / settings.resolution;
   return k_standard_share * diagonal;
 }
@@ -88,6 +92,11 @@ void validate(const MethodSettings& settings) {
     throw UsageError(
         "--readout facet-id looks nothing up in the maps; it does not go with --kernel-shape symmetric");
   }
+}
+
+void validate(const MethodSettings& settings, double diagonal) {
+  validate(settings);
+  if (settings.tolerance > 0.0) require_within_part("--tolerance", settings.tolerance, diagonal);
 }
 
 }  // namespace moldlight

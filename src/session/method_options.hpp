@@ -16,4 +16,7 @@ namespace moldlight {
 /// Checks what no single option can: throws UsageError for settings that contradict each other.
 void validate(const MethodSettings& settings);
 
+/// The same for a part of this diagonal, in model units: lengths that are greater make no sense.
+void validate(const MethodSettings& settings, double diagonal);
+
 }  // namespace moldlight

@@ -1,6 +1,7 @@
 // One description of a setting, from which command line, JSON and window are all made.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "base/check.hpp"
 
 namespace moldlight {
 
@@ -158,5 +161,13 @@ struct Option {
                DirectionsKind<S>, SetKind<S>, TextKind<S>>
       kind;
 };
+
+/// The option of this key, which the table must hold.
+template <typename S>
+[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
+  const auto found = std::ranges::find(options, key, &Option<S>::key);
+  CHECK(found != options.end());
+  return *found;
+}
 
 }  // namespace moldlight

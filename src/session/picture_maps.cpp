@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "session/classifier.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -25,13 +23,6 @@ MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
   return moving;
 }
 
-PictureMaps::PictureMaps(const gl::Context& context, std::shared_ptr<const PartModel> model)
-    : context_(&context),
-      model_(std::move(model)),
-      buffers_(context.functions(), model_->part.mesh, model_->geometry, model_->frame,
-               model_->edges.concave),
-      maps_(context.functions()) {}
-
 void PictureMaps::draw_moving(const MethodSettings& settings) {
   const MethodSettings moving = moving_method(settings, model_->frame.diagonal);
   if (context_->draws_on_cpu() && moving.kernel_shape == KernelShape::one_sided) {
@@ -42,18 +33,16 @@ void PictureMaps::draw_moving(const MethodSettings& settings) {
 }
 
 void PictureMaps::draw_resting(const MethodSettings& settings) {
-  const MapFrame frame = map_frame(settings.direction);
-  direction_ = frame.z;
-  buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, settings.tau_deg));
-  maps_.draw(buffers_, frame, map_settings(settings, model_->frame.diagonal));
+  draw_maps(settings);
+  direction_ = maps_.frame().z;
   lacks_depths_ = false;
 }
 
 void PictureMaps::take_split(const SplitMesh& split, const ViewGeometry& view,
                              const MethodSettings& settings) {
   direction_ = split_direction_ = unit_direction(settings.direction);
-  buffers_.set_facet_classes(facet_classes(model_->geometry, direction_, settings.tau_deg));
-  split_.emplace(context_->functions(), split_geometry(split, model_->part.mesh, view, model_->frame));
+  split_.emplace(context_->functions(), split_geometry(split, model_->part.mesh, view, model_->frame),
+                 facet_classes(model_->geometry, direction_, settings.tau_deg));
 }
 
 ViewSubject PictureMaps::subject() const {
@@ -75,14 +64,13 @@ void PictureMaps::scan(const MethodSettings& settings) {
   const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
   scanned_->draw({mesh, positions_, model_->geometry.normals, model_->edges.concave}, frame, classes,
                  map.edge_thickness);
-  buffers_.set_facet_classes(classes);
-  maps_.load(frame, map, scanned_->facets(true), scanned_->facets(false));
+  maps_.load({buffers_, frame, classes}, map, *scanned_);
   lacks_depths_ = true;
 }
 
 void PictureMaps::complete_depths() {
   if (!lacks_depths_) return;
-  maps_.load_depths(scanned_->depths(true), scanned_->depths(false));
+  maps_.load_depths(*scanned_);
   lacks_depths_ = false;
 }
 

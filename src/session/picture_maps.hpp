@@ -7,13 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "gl/context.hpp"
 #include "mold/exact/split_mesh.hpp"
 #include "mold/second_depth.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_mesh.hpp"
-#include "session/part_model.hpp"
-#include "session/settings.hpp"
+#include "session/classifier.hpp"
 
 namespace moldlight {
 
@@ -22,13 +20,13 @@ namespace moldlight {
 /// part, model units.
 [[nodiscard]] MethodSettings moving_method(const MethodSettings& settings, double diagonal);
 
-/// Keeps one part's buffers, maps and split surface. `context` must be current at every call and outlive it.
+/// The maps, and the split surface.
 ///
 /// Where the GL draws on the processor, our own scan converter makes the maps of a moving direction, which
 /// takes a fraction of the time.
-class PictureMaps {
+class PictureMaps : PartMaps {
  public:
-  PictureMaps(const gl::Context& context, std::shared_ptr<const PartModel> model);
+  using PartMaps::buffers, PartMaps::maps, PartMaps::PartMaps;
 
   /// Draws the maps of the settings' direction. Throws UsageError for settings that make no sense, Error
   /// where the GL fails.
@@ -45,16 +43,9 @@ class PictureMaps {
   /// Makes sure that the maps have depths, which pictures of the part do not need.
   void complete_depths();
 
-  [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
-  [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
-
  private:
   void scan(const MethodSettings& settings);
 
-  const gl::Context* context_;
-  std::shared_ptr<const PartModel> model_;
-  PartBuffers buffers_;
-  ShadowMaps maps_;
   glm::dvec3 direction_{0.0, 0.0, 1.0}, split_direction_{0.0};
   std::optional<SplitSurface> split_;
   std::vector<glm::vec3> positions_;  // of the vertices, unit frame

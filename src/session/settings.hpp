@@ -37,7 +37,7 @@ struct MethodSettings {
 };
 
 /// The lateral tolerance that the settings mean for a part of this diagonal, both in model units: where they
-/// say nothing, 1/2048 of the diagonal, whatever the resolution.
+/// say nothing, 1/2048 of the diagonal, whatever the resolution; never more than the diagonal.
 [[nodiscard]] double lateral_tolerance(const MethodSettings& settings, double diagonal);
 
 }  // namespace moldlight

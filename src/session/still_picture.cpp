@@ -119,7 +119,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
   const gl::ColourTarget small(gl, small_size);
   ViewSettings plain;
   plain.colour_mode = ColourMode::plain;
-  plain.ambient_occlusion = plain.feature_edges = false;
+  plain.ambient_occlusion = plain.feature_edges = plain.arrows = false;
   plain.samples = 1;
   for (const Box& box : boxes) {
     const Camera candidate = framed(camera, points, box, composition.size);
@@ -131,7 +131,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
       collides = collides || (pixel && holds(forbidden, *pixel));
     }
     if (collides) continue;
-    view.draw_final({small.framebuffer(), small_size}, {.part = part}, candidate, plain);
+    view.draw_final({small.framebuffer(), small_size}, {.part = part}, {candidate, plain});
     if (!part_covers(view, small_size, forbidden)) return candidate;
   }
   return camera;
@@ -210,8 +210,9 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
                          const Progress& progress) {
   validate(settings);
   const glm::ivec2& size = settings.size;
+  const LookSettings& look = settings.look;
   const auto split = exact_regions(*model_, result, progress);
-  if (settings.regions_by == RegionsBy::maps || settings.mark_difference) maps_.draw_resting(result.settings);
+  if (look.regions_by == RegionsBy::maps || look.mark_difference) maps_.draw_resting(result.settings);
   maps_.take_split(*split, geometry_, result.settings);
 
   const LegendContent content = legend_content(*model_, result);
@@ -225,25 +226,21 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
                           : Projection::orthographic;
   camera.fov_deg = 22.0;
 
-  ViewSettings view_settings;
+  ViewSettings view_settings{look};
   view_settings.theme = settings.theme;
-  view_settings.palette = settings.palette;
-  view_settings.regions_by = settings.regions_by;
-  view_settings.mark_difference = settings.mark_difference;
-  view_settings.parting_arrows = settings.arrows;
   view_settings.pixel_scale = std::max(1.0, 1.15 * places.scale);
   view_settings.samples = k_samples;
   std::vector<glm::vec3> beyond;
-  if (settings.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
+  if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
   camera = composed(context_->functions(), view_, maps_.buffers(), camera,
                     {size, places.legend, geometry_.extremes, beyond});
   const gl::ColourTarget picture(context_->functions(), size);
-  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), camera, view_settings);
+  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
 
   Canvas canvas({size.x, size.y, picture.read()});
   const LegendStyle style{
-      .dark = settings.theme == Theme::dark, .palette = settings.palette, .scale = places.scale};
-  if (settings.arrows && places.legend) {
+      .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
+  if (look.arrows && places.legend) {
     label_arrow(canvas, view_, camera, size, arrows[0], "core", style);
     label_arrow(canvas, view_, camera, size, arrows[1], "cavity", style);
   }
@@ -260,15 +257,6 @@ std::span<const Option<StillSettings>> still_options() {
        choice<&S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
       {"theme", "--theme", "Theme", "", "Whether the picture's background is light or dark.",
        choice<&S::theme>({"dark", "light"})},
-      {"palette", "--palette", "Palette", "",
-       "The paper's colours, or a set that colour-blind eyes tell apart.",
-       choice<&S::palette>({"paper", "safe"})},
-      {"regions", "--regions", "Regions by", "",
-       "What the picture's regions are: exact, or as the shadow maps of these settings show them.",
-       choice<&S::regions_by>({"exact", "maps"})},
-      {"mark_difference", "--mark-difference", "Mark difference", "",
-       "Hatch the surface on which the shadow maps and the exact regions differ.",
-       SwitchKind<S>{&S::mark_difference}},
   };
   return k_options;
 }

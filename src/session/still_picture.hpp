@@ -13,6 +13,7 @@
 #include "gl/context.hpp"
 #include "render/part_view.hpp"
 #include "session/classification.hpp"
+#include "session/look_options.hpp"
 #include "session/option.hpp"
 #include "session/picture_maps.hpp"
 
@@ -28,14 +29,11 @@ struct StillSettings {
   glm::ivec2 size{1600, 1000};  // pixels, in that range each
   PictureView view = PictureView::automatic;
   Theme theme = Theme::light;
-  Palette palette = Palette::paper;
-  RegionsBy regions_by = RegionsBy::exact;
-  bool mark_difference = false;  // where shadow maps and exact regions differ
-  bool legend = true;            // left out where a picture is too small for it
-  bool arrows = true;
+  LookSettings look = {};
+  bool legend = true;  // left out where a picture is too small for it
 };
 
-/// For help and command line: every setting but the size.
+/// For help and command line: view and theme.
 [[nodiscard]] std::span<const Option<StillSettings>> still_options();
 
 /// A size from "WxH" in pixels, `least` to k_most_picture_px a side; throws UsageError that names `what`.

@@ -209,20 +209,101 @@ TEST(Usage, OutputsThatMeetEndWithTwo) {
   EXPECT_FALSE(fs::exists(file));
 }
 
+TEST(Usage, OutputsThatMeetInputsOrFoldersEndWithTwo) {
+  const SmallPart part;
+  const std::string list = part.folder().write("list.csv", "x,y,z\n0,0,1\n");
+  expect_failure(part.sweep({"--directions-file", list, "--csv", list}), 2, {"--csv", "--directions-file"});
+  EXPECT_EQ(test::file_bytes(list), "x,y,z\n0,0,1\n");
+  const std::string folder = part.output("pieces"), inside = folder + "/deeper/a.csv";
+  expect_failure(part.classify({"--split-dir", folder, "--facets", inside}), 2, {"--facets", "--split-dir"});
+  expect_failure(part.sweep({"--image-dir", folder, "--csv", inside}), 2, {"--csv", "--image-dir"});
+  expect_failure(part.classify({"--mesh", part.output("a.obj"), "--facets", part.output("a.mtl")}), 2,
+                 {"--facets", "--mesh"});
+  const std::string events = part.folder().write("events.json", "[]");
+  expect_failure({"view", part.file(), "--script", events, "--screenshot", events}, 2, {"--script"});
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(Usage, LengthsBeyondThePartEndWithTwo) {
+  const SmallPart part;
+  expect_failure(part.classify({"--tolerance", "1e20"}), 2, {"--tolerance", "1e+20"});
+  expect_failure(part.sweep({"--tolerance", "1e20"}), 2, {"--tolerance", "1e+20"});
+  expect_failure(part.classify({"--repair", "weld", "--weld-tolerance", "1e20"}), 2, {"--weld-tolerance"});
+}
+
+TEST(Usage, ScriptsThatAreNoneEndWithTwo) {
+  const SmallPart part;
+  const std::string nested = std::string(100'000, '[') + std::string(100'000, ']');
+  for (const std::string& events :
+       {std::string(), std::string("[]"), std::string("{}"), nested, std::string(R"([{"scale": 0}])"),
+        std::string(R"([{"scale": -1}])"), std::string(R"([{"scale": 1e9}])"),
+        std::string(R"([{"click": [10, 10], "times": 2000000000}])"), std::string(R"([{"wait": 1e18}])"),
+        std::string(R"([{"wheel": 1e300}])"), std::string(R"([{"resize": [1, 1000000]}])"),
+        std::string(R"([{"move": ["a", 1]}])")}) {
+    const std::string file = part.folder().write("events.json", events);
+    expect_failure({"view", part.file(), "--screenshot", part.output("a.png"), "--script", file}, 2,
+                   {"--script"});
+  }
+  const std::string settings = part.folder().write("settings.json", R"({"schema": )" + nested + "}");
+  expect_failure({"view", part.file(), "--screenshot", part.output("a.png"), "--settings", settings}, 2,
+                 {"settings"});
+  EXPECT_FALSE(fs::exists(part.output("a.png")));
+}
+
+TEST(Usage, HelpThatCannotBeWrittenIsAFailure) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  for (const std::string what : {"--help", "--version", "classify --help"}) {
+    const test::ProcessResult run =
+        test::Process({"/bin/sh", "-c", std::string("'" MOLDLIGHT_BINARY "' ") + what + " >/dev/full"}, {})
+            .finish();
+    EXPECT_EQ(run.exit_code, 1) << what;
+    EXPECT_EQ(run.error_lines(), 1u) << run.err;
+  }
+}
+
+std::size_t entries(const SmallPart& part) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(part.folder().path()), fs::directory_iterator()));
+}
+
+TEST(Usage, AFileBeyondTheLimitOfSizeIsAFailureAndLeavesNothing) {
+  const SmallPart part;
+  const std::size_t before = entries(part);
+  test::ProcessSettings settings;
+  settings.file_size_limit = 1024;
+  const auto run = run_moldlight(part.classify({"--mesh", part.output("a.ply")}), settings);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.error_lines(), 1u) << run.err;
+  EXPECT_NE(run.err.find("a.ply"), std::string::npos) << run.err;
+  EXPECT_EQ(entries(part), before);
+}
+
+TEST(Usage, ThreadsThatCannotBeStartedEndNothing) {
+  // 256 stacks do not go into the room: the sweep makes do with fewer or says what is missing.
+  if (test::built_with_sanitizers()) GTEST_SKIP() << "the address sanitizer wants all room";
+  const SmallPart part;
+  for (const std::size_t megabytes : {150, 300, 400, 500, 700}) {
+    test::ProcessSettings settings;
+    settings.address_space_limit = megabytes << 20;
+    settings.time_limit_s = 60.0;
+    const auto run = run_moldlight(part.sweep({"--jobs", "256"}), settings);
+    EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << megabytes << ": " << run.exit_code;
+    EXPECT_EQ(run.out.empty(), run.exit_code == 1) << megabytes;
+    if (run.exit_code == 1) {
+      EXPECT_NE(run.err.find("memory"), std::string::npos) << megabytes << run.err;
+    }
+  }
+}
+
 TEST(Usage, AFailedRunLeavesNothingBehind) {
   const SmallPart part;
-  const auto entries = [&] {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(part.folder().path())) ++count;
-    return count;
-  };
-  const std::size_t before = entries();
+  const std::size_t before = entries(part);
   auto arguments = part.classify({"--json", part.output("a.json"), "--mesh", part.output("a.ply"), "--facets",
                                   part.output("a.csv"), "--split-dir", part.output("pieces"), "--borders",
                                   part.output("b.csv")});
   arguments[1] = part.output("nowhere.stl");
   expect_failure(arguments, 1, {"nowhere.stl"});
-  EXPECT_EQ(entries(), before);
+  EXPECT_EQ(entries(part), before);
 }
 
 TEST(Usage, ABackendThatIsNotThereSaysWhatWasTried) {

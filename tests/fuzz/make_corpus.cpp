@@ -6,11 +6,12 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <string>
 
 #include "base/error.hpp"
 #include "fuzz/seed_files.hpp"
-#include "io/file_format.hpp"
+#include "io/part_formats.hpp"
 #include "io/step_result.hpp"
 
 namespace fs = std::filesystem;
@@ -27,24 +28,15 @@ void write_seed(const fs::path& folder, const std::string& target, const std::st
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-std::string target_of(FileFormat format) {
-  switch (format) {
-    case FileFormat::stl_binary:
-      return "fuzz_binary_stl";
-    case FileFormat::stl_ascii:
-      return "fuzz_ascii_stl";
-    case FileFormat::obj:
-      return "fuzz_obj";
-    case FileFormat::ply:
-      return "fuzz_ply";
-    case FileFormat::off:
-      return "fuzz_off";
-    case FileFormat::threemf:
-      return "fuzz_threemf";
-    case FileFormat::step:
-      break;
-  }
-  return "";
+std::string target_of(const PartFormat& format) {
+  static const std::map<std::string_view, std::string> k_targets = {{"STL binary", "fuzz_binary_stl"},
+                                                                    {"STL ASCII", "fuzz_ascii_stl"},
+                                                                    {"OBJ", "fuzz_obj"},
+                                                                    {"PLY", "fuzz_ply"},
+                                                                    {"OFF", "fuzz_off"},
+                                                                    {"3MF", "fuzz_threemf"}};
+  const auto found = k_targets.find(format.name);
+  return found != k_targets.end() ? found->second : "";
 }
 
 void add_part(const fs::path& folder, const fs::path& path) {

@@ -97,7 +97,7 @@ class MapsAreCompared : public RegionsAre {
     Classifier classifier(window.context(), model);
     classifier.draw_maps(method());
     SamplePass pass(window.context().functions());
-    return comparison_text(compare_maps(set, pass.run(set.samples, classifier.buffers(), classifier.maps())));
+    return comparison_text(compare_maps(set, pass.run(set.samples, classifier.maps())));
   }
   [[nodiscard]] bool is_shown() { return window.app().controls().contains("map comparison"); }
   /// Holds a slider at a share of its width, without letting go.

@@ -52,11 +52,12 @@ class SceneMaps : public ::testing::Test {
     SceneSettings settings;
     settings.method = method;
     settings.maps_looked_at = true;
-    settings.view.samples = 1;
-    settings.view.contour_edges = true;
-    settings.camera.orientation = standard_orientation(StandardView::isometric);
-    settings.camera =
-        fitted(settings.camera, unit_positions(loaded_.model->part.mesh, loaded_.model->frame), k_size);
+    settings.view.settings.samples = 1;
+    settings.view.settings.arrows = false;
+    settings.view.settings.contour_edges = true;
+    settings.view.camera.orientation = standard_orientation(StandardView::isometric);
+    settings.view.camera =
+        fitted(settings.view.camera, unit_positions(loaded_.model->part.mesh, loaded_.model->frame), k_size);
     scene.draw({.framebuffer = target_.framebuffer(), .size = k_size}, settings);
     return target_.read();
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/classify_mesh.hpp"
+#include "support/map_lookup.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight {
@@ -13,15 +14,6 @@ struct Drawn {
   std::vector<std::uint32_t> plus, minus;
   Classification samples, facet_ids, symmetric;
 };
-
-std::vector<std::uint32_t> read_map(const gl::Functions& gl, const gl::Texture& map, int size) {
-  const GLuint name = map.name();
-  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {&name, 1}});
-  std::vector<std::uint32_t> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, size, size, GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
-  return texels;
-}
 
 Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   const auto context = gl::create_headless_context(backend);
@@ -33,8 +25,8 @@ Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   settings.readout = Readout::samples;
   Drawn drawn;
   drawn.samples = classifier.classify(settings, Progress{});
-  drawn.plus = read_map(context->functions(), classifier.maps().facets(true), settings.resolution);
-  drawn.minus = read_map(context->functions(), classifier.maps().facets(false), settings.resolution);
+  drawn.plus = test::read_map(context->functions(), classifier.maps(), true);
+  drawn.minus = test::read_map(context->functions(), classifier.maps(), false);
   settings.readout = Readout::facet_id;
   drawn.facet_ids = classifier.classify(settings, Progress{});
   settings.readout = Readout::samples;

@@ -16,6 +16,7 @@ using test::ShapeSettings;
 ViewSettings flat_backdrop() {
   ViewSettings settings;
   settings.backdrop = Backdrop::flat;
+  settings.arrows = false;
   settings.samples = 8;
   return settings;
 }
@@ -50,8 +51,8 @@ TEST(GoldenPictures, DraftColoursOfARing) {
 
 TEST(GoldenPictures, OpenedMold) {
   ViewSettings settings = flat_backdrop();
-  settings.open_mold = 0.3;
-  settings.parting_arrows = true;
+  settings.open_mold = 0.3 / k_mold_travel;
+  settings.arrows = true;
   ShapePicture picture(test::shared_context(), snap_hook(ShapeSettings{}));
   Camera camera = picture.camera();
   camera.height *= 1.9;
@@ -60,7 +61,7 @@ TEST(GoldenPictures, OpenedMold) {
 
 TEST(GoldenPictures, SectionThroughAHollowSphere) {
   ViewSettings settings = flat_backdrop();
-  settings.section = 0.05;
+  settings.cut_at = 0.05;
   EXPECT_TRUE(matches_golden(drawn(hollow_sphere(ShapeSettings{}), settings), "hollow_sphere_section"));
 }
 

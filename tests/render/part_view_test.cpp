@@ -21,7 +21,7 @@ using test::ShapeSettings;
 ViewSettings one_sample() {
   ViewSettings settings;
   settings.samples = 1;
-  settings.ambient_occlusion = false;
+  settings.ambient_occlusion = settings.arrows = false;
   return settings;
 }
 
@@ -102,7 +102,7 @@ TEST(PartView, PicksWhatIsSeen) {
   const PartModel& model = *picture.model;
   for (const double opened : {0.0, 0.2}) {
     ViewSettings settings = one_sample();
-    settings.open_mold = opened;
+    settings.open_mold = opened / k_mold_travel;
     static_cast<void>(picture.draw(camera, settings));
     EXPECT_FALSE(picture.view.pick({0, 0}));
     EXPECT_FALSE(picture.view.pick({-1, 20}));
@@ -138,7 +138,7 @@ Drawn draw_on(gl::HeadlessBackend backend, const Shape& shape, std::string& rend
   Drawn drawn;
   ViewSettings settings;
   settings.samples = 4;
-  settings.parting_arrows = settings.mark_difference = true;
+  settings.arrows = settings.mark_difference = true;
   drawn.picture = picture.draw(picture.camera(), settings);
   static_cast<void>(picture.draw(picture.camera(), one_sample()));
   drawn.facets = picture.view.read_facets();
@@ -162,9 +162,10 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
   ViewSettings settings;
   settings.samples = 5;
+  settings.arrows = false;
   const ViewTarget target = picture.target();
   const auto draw = [&](const Camera& camera) {
-    return picture.view.draw(target, picture.maps.subject(), camera, settings);
+    return picture.view.draw(target, picture.maps.subject(), {camera, settings});
   };
   const Camera camera = picture.camera();
   for (int sample = 1; sample < settings.samples; ++sample) EXPECT_TRUE(draw(camera)) << sample;
@@ -205,10 +206,10 @@ TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
   picture.find_regions();
   const Camera camera = picture.camera();
   ViewSettings settings = one_sample();
-  settings.hatch_undercut = settings.feature_edges = false;
+  settings.hatching = settings.feature_edges = false;
   for (const double opened : {0.0, 0.2}) {
     for (const double opacity : {1.0, 0.4}) {
-      settings.open_mold = opened;
+      settings.open_mold = opened / k_mold_travel;
       settings.others_opacity = opacity;
       for (const RegionsBy by : {RegionsBy::exact, RegionsBy::maps}) {
         settings.regions_by = by;
@@ -262,7 +263,7 @@ TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
   const Camera camera = picture.camera();
   const auto counted = [&](double opened) {
     ViewSettings settings = one_sample();
-    settings.open_mold = opened;
+    settings.open_mold = opened / k_mold_travel;
     static_cast<void>(picture.draw(camera, settings));
     const auto facets = picture.view.read_facets();
     const auto regions = picture.view.read_regions();
@@ -285,7 +286,7 @@ TEST(PartView, APlainPictureNeedsNoRegions) {
   ViewSettings settings = one_sample();
   settings.colour_mode = ColourMode::plain;
   const Image known = picture.draw(picture.camera(), settings);
-  picture.view.draw_final(picture.target(), {.part = picture.maps.buffers()}, picture.camera(), settings);
+  picture.view.draw_final(picture.target(), {.part = picture.maps.buffers()}, {picture.camera(), settings});
   EXPECT_EQ(picture.read().rgba, known.rgba);
 }
 
@@ -293,6 +294,7 @@ TEST(PartView, NoBackdropIsTransparent) {
   ShapePicture picture(test::shared_context(), spool(ShapeSettings{}));
   ViewSettings settings;
   settings.backdrop = Backdrop::none;
+  settings.arrows = false;
   settings.samples = 4;
   const Image image = picture.draw(picture.camera(), settings);
   EXPECT_EQ(image.at(0, 0)[3], 0);

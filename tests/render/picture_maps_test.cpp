@@ -48,7 +48,9 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
       moving.draw_moving(method);
       drawn.draw_resting(moving_method(method, model->frame.diagonal));
       const auto regions = [&](const PictureMaps& maps) {
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, {.samples = 1});
+        ViewSettings settings;
+        settings.samples = 1;
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), {camera, settings});
         return view.read_regions();
       };
       const auto facets = (static_cast<void>(regions(drawn)), view.read_facets());
@@ -117,7 +119,9 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
       MethodSettings method;
       method.direction = direction;
       const auto regions = [&] {
-        view.draw({picture.framebuffer(), k_size}, maps.subject(), camera, {.samples = 1});
+        ViewSettings settings;
+        settings.samples = 1;
+        view.draw({picture.framebuffer(), k_size}, maps.subject(), {camera, settings});
         return view.read_regions();
       };
       maps.drop_split();
@@ -139,9 +143,10 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
   std::cout << models.size() << " parts: " << all_differing << " of " << all_pixels << " pixels differ\n";
 }
 
-std::vector<float> depths(const gl::Functions& gl, const gl::Texture& texture, int size) {
+std::vector<float> depths(const gl::Functions& gl, const ShadowMaps& maps, bool plus) {
+  const int size = maps.settings().resolution;
   std::vector<float> values(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {}, .depth = texture.name()});
+  gl.BindFramebuffer(GL_FRAMEBUFFER, maps.framebuffer(plus));
   gl.ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
   return values;
 }
@@ -161,8 +166,8 @@ TEST_P(Moving, HasTheDepthsOfMapsDrawnByTheGl) {
     moving.complete_depths();
     drawn.draw_resting(method);
     for (const bool plus : {true, false}) {
-      const auto expected = depths(context.functions(), drawn.maps().depth(plus), method.resolution);
-      const auto found = depths(context.functions(), moving.maps().depth(plus), method.resolution);
+      const auto expected = depths(context.functions(), drawn.maps(), plus);
+      const auto found = depths(context.functions(), moving.maps(), plus);
       std::size_t covered = 0, differing = 0;
       for (std::size_t i = 0; i < found.size(); ++i) {
         covered += expected[i] < 1.0F ? 1 : 0;

@@ -57,7 +57,6 @@ class BothMaps {
   [[nodiscard]] Verdicts compare_verdicts(SamplePass& pass) const;
 
  private:
-  [[nodiscard]] std::vector<std::uint32_t> gl_entries(bool plus) const;
   [[nodiscard]] bool is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t scan_entry) const;
   [[nodiscard]] bool is_near_edge(FacetIndex facet, double x, double y) const;
 
@@ -66,17 +65,6 @@ class BothMaps {
   std::optional<test::ScannedMaps> scan_;
   MethodSettings settings_;
 };
-
-std::vector<std::uint32_t> BothMaps::gl_entries(bool plus) const {
-  const gl::Functions& gl = test::shared_context().functions();
-  const GLuint name = classifier_.maps().facets(plus).name();
-  const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, {.colours = {&name, 1}});
-  const int size = settings_.resolution;
-  std::vector<std::uint32_t> entries(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, size, size, GL_RED_INTEGER, GL_UNSIGNED_INT, entries.data());
-  return entries;
-}
 
 /// True if an edge of the facet passes within rounding of the texel's centre.
 bool BothMaps::is_near_edge(FacetIndex facet, double x, double y) const {
@@ -123,7 +111,8 @@ bool BothMaps::is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t 
 BothMaps::Comparison BothMaps::compare() const {
   Comparison result;
   for (const bool plus : {true, false}) {
-    const std::vector<std::uint32_t> gl_map = gl_entries(plus);
+    const std::vector<std::uint32_t> gl_map =
+        test::read_map(test::shared_context().functions(), classifier_.maps(), plus);
     for (int y = 0; y < settings_.resolution; ++y) {
       for (int x = 0; x < settings_.resolution; ++x) {
         const std::uint32_t by_gl =
@@ -145,8 +134,7 @@ BothMaps::Comparison BothMaps::compare() const {
 
 BothMaps::Verdicts BothMaps::compare_verdicts(SamplePass& pass) const {
   const SurfaceSamples samples = sample_surface(model_->part.mesh, model_->geometry, model_->frame, 20'000);
-  const std::vector<std::uint8_t> by_gl =
-      pass.run(samples.samples, classifier_.buffers(), classifier_.maps());
+  const std::vector<std::uint8_t> by_gl = pass.run(samples.samples, classifier_.maps());
   Verdicts result;
   result.samples = by_gl.size();
   for (std::size_t i = 0; i < by_gl.size(); ++i) {

@@ -51,7 +51,7 @@ TEST(StillPicture, LooksWhereTheUndercutsAre) {
   for (const Shape& shape : {cup_with_side_hole(ShapeSettings{}), plate_with_side_pocket(ShapeSettings{}),
                              t_slot(ShapeSettings{}), test::turned(snap_hook(ShapeSettings{}), turn)}) {
     Classified part(shape);
-    const Image image = part.picture({.size = {240, 180}, .legend = false, .arrows = false});
+    const Image image = part.picture({.size = {240, 180}, .look = {.arrows = false}, .legend = false});
     EXPECT_EQ(image.width, 240);
     EXPECT_EQ(image.height, 180);
     EXPECT_GT(red_pixels(image), 100U) << shape.name;
@@ -73,7 +73,7 @@ TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
 TEST(StillPicture, HasALegendWhereThereIsRoom) {
   Classified part(cup_with_side_hole(ShapeSettings{}));
   for (const glm::ivec2& size : {glm::ivec2(640, 400), glm::ivec2(480, 640)}) {
-    StillSettings settings{.size = size, .arrows = false};
+    StillSettings settings{.size = size, .look = {.arrows = false}};
     const Image with = part.picture(settings);
     settings.legend = false;
     const Image without = part.picture(settings);

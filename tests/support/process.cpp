@@ -34,6 +34,10 @@ std::array<int, 2> make_pipe() {
     const rlimit limit{settings.address_space_limit, settings.address_space_limit};
     ::setrlimit(RLIMIT_AS, &limit);
   }
+  if (settings.file_size_limit > 0) {
+    const rlimit limit{settings.file_size_limit, settings.file_size_limit};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
   for (const std::string& name : settings.removed_environment) ::unsetenv(name.c_str());
   for (const std::string& entry : settings.environment) {
     const std::size_t equals = entry.find('=');

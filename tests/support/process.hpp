@@ -14,6 +14,7 @@ namespace moldlight::test {
 struct ProcessSettings {
   double time_limit_s = 120.0;                   // killed after that
   std::size_t address_space_limit = 0;           // bytes; 0: none. Not set under the address sanitizer
+  std::size_t file_size_limit = 0;               // bytes; 0: none
   std::vector<std::string> environment;          // "NAME=value", in addition to ours
   std::vector<std::string> removed_environment;  // names
   std::string folder;                            // to run in; empty: ours

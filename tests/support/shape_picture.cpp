@@ -41,7 +41,7 @@ void ShapePicture::find_regions() {
 }
 
 Image ShapePicture::draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
-  view.draw_final(target(), maps.subject(), camera, settings, marks);
+  view.draw_final(target(), maps.subject(), {camera, settings, marks});
   return read();
 }
 

@@ -12,6 +12,8 @@
 #include FT_FREETYPE_H
 #include <imgui_freetype.h>
 
+#include "picture/canvas.hpp"
+
 namespace moldlight::gui {
 
 namespace {
@@ -155,7 +157,7 @@ void round_advances(ImFont& font) {
 }  // namespace
 
 FontFile find_interface_font(bool semibold) {
-  for (const char* family : {"Inter", "Roboto", "Noto Sans", "DejaVu Sans"}) {
+  for (const char* family : k_font_families) {
     const FontFile file = find_face(family, semibold ? FC_WEIGHT_DEMIBOLD : FC_WEIGHT_REGULAR);
     if (!file.path.empty()) return file;
   }

@@ -14,7 +14,7 @@ struct FontFile {
   int face = 0;
 };
 
-/// The first of Inter, Roboto, Noto Sans and DejaVu Sans that is installed, in a regular or a semibold weight
+/// The first of k_font_families (picture/canvas.hpp) that is installed, in a regular or a semibold weight
 /// (or the nearest); an empty path where there is none.
 [[nodiscard]] FontFile find_interface_font(bool semibold);
 /// One with many symbols, for the characters that the first lacks; an empty path where there is none.

@@ -156,19 +156,18 @@ bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpe
   return value != before;
 }
 
-bool number_field(const Ui& ui, const char* id_text, std::string_view label, double& value, int decimals,
-                  float width) {
+bool number_field(const Ui& ui, const char* id_text, double& value, const NumberSpec& spec) {
   const ImGuiID id = ImGui::GetID(id_text);
   if (ui.memory->typing_id == id) {
     constexpr double k_greatest = std::numeric_limits<double>::max();
-    return typed_row(ui, id, width, value, -k_greatest, k_greatest);
+    return typed_row(ui, id, spec.width, value, -k_greatest, k_greatest);
   }
-  const Row row = begin_row(ui, id_text, width);
+  const Row row = begin_row(ui, id_text, spec.width);
   if (row.clicked) start_typing(*ui.memory, id, real_text(value));
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
-  draw_row_text(ui.fonts.body, row.min.x + ui.px(8), row, ui.colours->muted, label);
-  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
-  draw_value(ui, row, fmt::format("{:.{}f}", shown, decimals));
+  draw_row_text(ui.fonts.body, row.min.x + ui.px(8), row, ui.colours->muted, spec.label);
+  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
+  draw_value(ui, row, fmt::format("{:.{}f}", shown, spec.decimals));
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
 }

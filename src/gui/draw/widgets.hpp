@@ -27,8 +27,12 @@ struct SliderSpec {
 bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified);
 
 /// A number that is typed.
-bool number_field(const Ui& ui, const char* id, std::string_view label, double& value, int decimals,
-                  float width);
+struct NumberSpec {
+  std::string_view label;
+  int decimals;
+  float width;  // pixels
+};
+bool number_field(const Ui& ui, const char* id, double& value, const NumberSpec& spec);
 
 bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified);
 

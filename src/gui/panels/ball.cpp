@@ -10,25 +10,24 @@ namespace moldlight::gui {
 
 namespace {
 
-void draw_axis_names(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera) {
+void draw_axis_names(const Ui& ui, const Ball& ball) {
   constexpr std::string_view k_names = "XYZ";
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 direction(0.0);
     direction[axis] = 1.0;
-    const BallPoint point = ball_point(camera, direction);
+    const BallPoint point = ball.point(direction);
     if (!point.front) continue;
     const glm::vec2 at = ball.centre + 0.86F * (ball.screen(point) - ball.centre);
-    draw_text(list, ui.fonts.small, at - 0.5F * text_size(ui.fonts.small, k_names.substr(axis, 1)),
+    draw_text(ball.list, ui.fonts.small, at - 0.5F * text_size(ui.fonts.small, k_names.substr(axis, 1)),
               ui.colours->muted, k_names.substr(axis, 1));
   }
 }
 
-void drag_ball(const PanelContext& context, BallDrag& drag, const BallPlace& ball) {
-  const Camera& camera = context.state.camera;
+void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
   MethodSettings& method = context.edits.settings.method;
   const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
   if (ImGui::IsItemActivated()) {
-    const BallPoint marker = ball_point(camera, context.edits.settings.direction());
+    const BallPoint marker = ball.point(context.edits.settings.direction());
     const glm::vec2 to_marker = ball.screen(marker) - mouse;
     const bool gripped = glm::length(to_marker) < context.ui.px(10);
     drag = {.active = true,
@@ -42,7 +41,7 @@ void drag_ball(const PanelContext& context, BallDrag& drag, const BallPlace& bal
   }
   context.edits.dragging = true;
   if (drag.gripped && !ImGui::IsMouseDragging(0, 3.0F)) return;
-  glm::dvec3 direction = ball_direction(camera, {ball.disc(mouse + drag.grip), !drag.back});
+  glm::dvec3 direction = ball_direction(ball.camera, {ball.disc(mouse + drag.grip), !drag.back});
   if (ImGui::GetIO().KeyCtrl) direction = snapped_to(context.state.features, direction);
   method.direction = direction;
 }
@@ -54,9 +53,9 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   ImGui::InvisibleButton("ball", ImVec2(size, size));
   ui.memory->controls["ball"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
   const glm::vec2 min = from_im(ImGui::GetItemRectMin());
-  const BallPlace ball{min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Ball ball{list, context.state.camera, min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)};
   drag_ball(context, drag, ball);
-  const Camera& camera = context.state.camera;
   const SweepState& sweep = context.state.sweep;
   const bool mapped = sweep.map && !sweep.map->field.empty();
   const glm::dvec2 mouse = ball.disc(from_im(ImGui::GetIO().MousePos));
@@ -69,27 +68,26 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     context.edits.sweep_choices.large_ball = !context.state.sweep_choices.large_ball;
   }
 
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool dark = context.state.window.theme == Theme::dark;
   const BareBall bare{.light = dark ? IM_COL32(88, 93, 100, 255) : IM_COL32(255, 255, 255, 255),
                       .dark = dark ? IM_COL32(34, 36, 40, 255) : IM_COL32(176, 182, 189, 255)};
-  draw_sphere(list, ball, camera, mapped ? &*sweep.map : nullptr, bare);
+  draw_sphere(ball, mapped ? &*sweep.map : nullptr, bare);
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 across(0.0);
     across[axis] = 1.0;
-    draw_circle(list, ball, camera, across, 90.0, faded(ui.colours->text, 0.16F), 1.0F);
+    draw_circle(ball, across, 90.0, {faded(ui.colours->text, 0.16F), 1.0F});
   }
-  draw_axis_names(ui, list, ball, camera);
+  draw_axis_names(ui, ball);
   if (ImGui::GetIO().KeyCtrl) {
     for (const FeatureDirection& feature : context.state.features) {
       for (const glm::dvec3& direction : {feature.direction, -feature.direction}) {
-        const BallPoint point = ball_point(camera, direction);
+        const BallPoint point = ball.point(direction);
         if (point.front) list.AddCircleFilled(im(ball.screen(point)), 2.5F * ui.scale, ui.colours->text);
       }
     }
   }
-  if (mapped) draw_sweep_marks(ui, list, ball, camera, sweep);
-  const BallPoint marker = ball_point(camera, context.edits.settings.direction());
+  if (mapped) draw_sweep_marks(ui, ball, sweep);
+  const BallPoint marker = ball.point(context.edits.settings.direction());
   const glm::vec2 at = ball.screen(marker);
   list.AddLine(im(ball.centre), im(at), faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
   if (marker.front) {
@@ -99,7 +97,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   } else {
     list.AddCircle(im(at), 4.5F * ui.scale, faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   }
-  if (read) tell_direction(context, ball_direction(camera, {mouse, true}));
+  if (read) tell_direction(context, ball_direction(ball.camera, {mouse, true}));
 }
 
 }  // namespace moldlight::gui

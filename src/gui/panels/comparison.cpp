@@ -75,7 +75,7 @@ void draw_comparison(const PanelContext& context) {
   for (const Region region : k_regions) {
     const double right = other.classification.areas[region];
     const double left = known ? state.figures.shown->areas[region] : 0.0;
-    rows.add(shown_name(region),
+    rows.add(facts(region).title,
              {known ? grouped(column.text(left)) : "…", grouped(column.text(right)),
               known ? with_sign(column, left - right) : "…"},
              ui.colours->text, &region, palette);

@@ -43,8 +43,8 @@ std::string area_text(const AppState& state, double area) {
 
 }  // namespace
 
-void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap* map,
-                 const BareBall& bare) {
+void draw_sphere(const Ball& ball, const SweepMap* map, const BareBall& bare) {
+  ImDrawList& list = ball.list;
   // As fine as the map itself on a large ball; a few pixels on a small one. Shade alone needs less.
   const int rings = map != nullptr ? std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48) : 7;
   const int spokes = map != nullptr ? 3 * rings : 40;
@@ -60,7 +60,7 @@ void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
       const glm::dvec3 seen(at.x, -at.y, std::sqrt(std::max(0.0, 1.0 - r * r)));
       const double lit = std::clamp(glm::dot(seen, glm::normalize(glm::dvec3(-0.5, 0.7, 0.8))), 0.0, 1.0);
       list.PrimWriteVtx(im(ball.centre + ball.radius * glm::vec2(at)), white,
-                        map_colour(map, camera.orientation * seen, static_cast<float>(lit), bare));
+                        map_colour(map, ball.camera.orientation * seen, static_cast<float>(lit), bare));
     }
   }
   const auto index = [&](int ring, int spoke) {
@@ -76,8 +76,7 @@ void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
   list.AddCircle(im(ball.centre), ball.radius, bare.dark, map != nullptr ? 96 : 64, 1.5F);
 }
 
-void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
-                 double angle_deg, ImU32 colour, float thickness) {
+void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, const Stroke& stroke) {
   const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
   const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
   const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
@@ -85,16 +84,15 @@ void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, 
   glm::vec2 before(0.0F);
   for (int step = 0; step <= k_steps; ++step) {
     const double turn = 2.0 * glm::pi<double>() * step / k_steps;
-    const BallPoint point =
-        ball_point(camera, cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y));
+    const BallPoint point = ball.point(cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y));
     const glm::vec2 here = ball.screen(point);
-    if (step > 0 && point.front) list.AddLine(im(before), im(here), colour, thickness);
+    if (step > 0 && point.front) ball.list.AddLine(im(before), im(here), stroke.colour, stroke.thickness);
     before = here;
   }
 }
 
-void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera,
-                      const SweepState& sweep) {
+void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep) {
+  ImDrawList& list = ball.list;
   constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 230), k_light = IM_COL32(255, 255, 255, 240);
   if (!sweep.result) return;
   for (const SweepCandidate& candidate : sweep.result->candidates) {
@@ -103,10 +101,10 @@ void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, con
     for (const double sign : {1.0, -1.0}) {
       const glm::dvec3 direction = sign * candidate.candidate.direction;
       if (const auto& tilt = candidate.tilt; best && tilt && tilt->deg > 0.0) {
-        draw_circle(list, ball, camera, direction, tilt->deg, faded(k_dark, 0.7F), 2.5F * ui.scale);
-        draw_circle(list, ball, camera, direction, tilt->deg, k_light, 1.0F * ui.scale);
+        draw_circle(ball, direction, tilt->deg, {faded(k_dark, 0.7F), 2.5F * ui.scale});
+        draw_circle(ball, direction, tilt->deg, {k_light, 1.0F * ui.scale});
       }
-      const BallPoint point = ball_point(camera, direction);
+      const BallPoint point = ball.point(direction);
       if (!point.front) continue;
       const ImVec2 at = im(ball.screen(point));
       if (best) {

@@ -70,14 +70,14 @@ void draw_fields(const PanelContext& context) {
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) ImGui::SameLine(0.0F, gap);
     const std::string name(1, "xyz"[axis]);
-    typed = number_field(ui, name.c_str(), name, direction[axis], 3, third) || typed;
+    typed = number_field(ui, name.c_str(), direction[axis], {name, 3, third}) || typed;
   }
   if (typed && direction != glm::dvec3(0.0)) method.direction = direction;
   Angles angles = angles_of(context.edits.settings.direction());
-  bool turned = number_field(ui, "azimuth", "az °", angles.azimuth_deg, 1, half);
+  bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
   tooltip(ui, "Azimuth", "About z, from x towards y, in degrees.");
   ImGui::SameLine(0.0F, gap);
-  turned = number_field(ui, "elevation", "el °", angles.elevation_deg, 1, half) || turned;
+  turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
   tooltip(ui, "Elevation", "Above the xy plane, in degrees.");
   if (turned) method.direction = direction_of(angles);
 }

@@ -4,14 +4,9 @@
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
+#include "io/mesh_writer.hpp"
 
 namespace moldlight::gui {
-
-namespace {
-
-constexpr std::string_view k_mesh_formats[] = {"ply", "obj", "stl"};
-
-}  // namespace
 
 void ExportDialog::ask_for_files(Edits& edits) const {
   const std::string base(base_.data());
@@ -19,7 +14,8 @@ void ExportDialog::ask_for_files(Edits& edits) const {
   if (json_) files.json = base + ".json";
   if (facets_) files.facets = base + ".csv";
   if (faces_) files.faces = base + "-faces.csv";
-  if (mesh_) files.mesh = base + "." + std::string(k_mesh_formats[mesh_format_]);
+  if (mesh_)
+    files.mesh = base + "." + std::string(mesh_formats()[static_cast<std::size_t>(mesh_format_)].extension);
   if (split_) files.split_folder = base;
   if (borders_) files.borders = base + "-borders.obj";
   edits.ask(&Commands::export_files, files, picture_ ? base + ".png" : std::string());
@@ -48,7 +44,9 @@ void ExportDialog::draw(const PanelContext& context) {
       toggle(ui, "Table of the file's faces (CSV)", faces_, false);
     }
     toggle(ui, "Mesh with coloured regions", mesh_, false);
-    if (mesh_) choice(ui, "Format of the mesh", k_mesh_formats, mesh_format_, false);
+    std::vector<std::string_view> extensions;
+    for (const auto& format : mesh_formats()) extensions.push_back(format.extension);
+    if (mesh_) choice(ui, "Format of the mesh", extensions, mesh_format_, false);
     toggle(ui, "One STL a region, in a folder", split_, false);
     toggle(ui, "Lines between regions (OBJ)", borders_, false);
     toggle(ui, "Picture with legend", picture_, false);

@@ -7,19 +7,13 @@
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
-#include "io/file_format.hpp"
+#include "io/part_formats.hpp"
 
 namespace moldlight::gui {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_part_file(const std::string& name) {
-  constexpr std::string_view k_extensions[] = {"stl", "obj", "ply", "off", "3mf", "step", "stp"};
-  const std::string extension = lower_extension(name);
-  return std::find(std::begin(k_extensions), std::end(k_extensions), extension) != std::end(k_extensions);
-}
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -108,7 +102,7 @@ void FileBrowser::draw_list(const PanelContext& context) {
   const std::string filter = lower(filter_.data());
   std::optional<fs::path> next;
   for (const Entry& entry : entries_) {
-    if (!entry.folder && !all_files_ && !is_part_file(entry.name)) continue;
+    if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
     if (!filter.empty() && lower(entry.name).find(filter) == std::string::npos) continue;
     if (!list_line(ui, entry.name.c_str(), entry.folder ? Icon::folder : Icon::file, entry.name,
                    entry.folder ? std::string() : size_text(entry.bytes))) {

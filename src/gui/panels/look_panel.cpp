@@ -68,7 +68,7 @@ void draw_look_panel(const PanelContext& context) {
       if ((is_switch && option.key != "section") || is_among(k_map_look_options, option)) continue;
       if (option.key == "section_height" && !look.section) continue;
       option_row(ui, option, look);
-      if (option.key == "colouring" && look.colouring == Colouring::draft) draw_draft_key(context);
+      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));

@@ -31,18 +31,15 @@ double near_round_number(double value) {
   return std::round(nearest_on_log_scale(value, 10.0, {1.0, 2.0, 5.0, 10.0}));
 }
 
-bool option_menu(const Ui& ui, std::string_view label, std::string_view help, const std::string& value,
-                 const std::string& default_value, bool modified) {
-  tooltip(ui, label,
-          fmt::format("{}\nDefault: {}. Right click for more.", help,
-                      default_value.empty() ? "none" : default_value));
-  const std::string id = fmt::format("menu {}", label);
+bool option_menu(const Ui& ui, const OptionTexts& option) {
+  const std::string standard = option.default_value.empty() ? "none" : option.default_value;
+  tooltip(ui, option.label, fmt::format("{}\nDefault: {}. Right click for more.", option.help, standard));
+  const std::string id = fmt::format("menu {}", option.label);
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopup(id.c_str())) return false;
-  const std::string reset_text =
-      fmt::format("Reset to {}", default_value.empty() ? std::string("none") : default_value);
-  const bool reset = ImGui::MenuItem(reset_text.c_str(), nullptr, false, modified);
-  if (ImGui::MenuItem("Copy the value")) ImGui::SetClipboardText(value.c_str());
+  const bool reset = ImGui::MenuItem(fmt::format("Reset to {}", standard).c_str(), nullptr, false,
+                                     option.value != option.default_value);
+  if (ImGui::MenuItem("Copy the value")) ImGui::SetClipboardText(option.value.c_str());
   ImGui::EndPopup();
   return reset;
 }

@@ -20,8 +20,11 @@ namespace moldlight::gui {
 /// "1.0°", "3 texel", "2048²": a value with its unit as the window writes it.
 [[nodiscard]] std::string value_text(double value, int decimals, std::string_view unit);
 /// Tooltip and right-click menu of the row just drawn; true when its reset was chosen.
-bool option_menu(const Ui& ui, std::string_view label, std::string_view help, const std::string& value,
-                 const std::string& default_value, bool modified);
+struct OptionTexts {
+  std::string_view label, help;
+  const std::string &value, &default_value;
+};
+bool option_menu(const Ui& ui, const OptionTexts& option);
 
 /// The nearest of 1, 1.5, 2, 3, 4, 6, 8 …: what map resolutions are.
 [[nodiscard]] double near_power_of_two(double value);
@@ -36,13 +39,6 @@ namespace detail {
 
 }  // namespace detail
 
-/// The option of this key, which the table must hold.
-template <typename S>
-[[nodiscard]] const Option<S>& option_named(std::span<const Option<S>> options, std::string_view key) {
-  const auto found = std::ranges::find(options, key, &Option<S>::key);
-  CHECK(found != options.end());
-  return *found;
-}
 /// Whether the option is one of these.
 template <typename S>
 [[nodiscard]] bool is_among(std::span<const std::string_view> keys, const Option<S>& option) {
@@ -74,7 +70,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
   const auto number_row = [&](double number, int decimals, SliderSpec spec) {
     spec.text = [&](double v) { return value_text(v, decimals, option.unit); };
     const float width = ImGui::GetContentRegionAvail().x;
-    if (typed.refused ? number_field(ui, option.key.data(), option.label, number, decimals, width)
+    if (typed.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
                       : slider(ui, option.label, number, spec, modified))
       after = real_text(number);
   };
@@ -91,7 +87,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                  [&](const PositiveKind<S>& kind) {
                    double number = kind.value(settings).value_or(0.0);
                    const float width = ImGui::GetContentRegionAvail().x;
-                   if (number_field(ui, option.key.data(), option.label, number, 3, width))
+                   if (number_field(ui, option.key.data(), number, {option.label, 3, width}))
                      after = number > 0.0 ? real_text(number) : std::string();  // none
                  },
                  [&](const IntegerKind<S>& kind) {
@@ -121,7 +117,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                  [&](const TextKind<S>& kind) { words_row(kind.words); }, [](const auto&) {},  // directions
              },
              option.kind);
-  if (option_menu(ui, option.label, option.help, before, standard, modified)) after = standard;
+  if (option_menu(ui, {option.label, option.help, before, standard})) after = standard;
   if (!after) return false;
   try {
     set_option(option, settings, *after);

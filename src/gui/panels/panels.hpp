@@ -48,8 +48,6 @@ void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
-/// "Core".
-[[nodiscard]] std::string_view shown_name(Region region);
 void draw_status(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
@@ -73,11 +71,14 @@ inline constexpr float k_start_picture_size = 124.0F;
 /// 0 where there is none yet.
 void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails);
 
-/// A ball on the screen, pixels.
-struct BallPlace {
+/// A ball of directions on the screen, pixels, as a camera sees it.
+struct Ball {
+  ImDrawList& list;
+  const Camera& camera;
   glm::vec2 centre{0.0F};
   float radius = 1.0F;
 
+  [[nodiscard]] BallPoint point(const glm::dvec3& direction) const { return ball_point(camera, direction); }
   [[nodiscard]] glm::vec2 screen(const BallPoint& point) const {
     return centre + radius * glm::vec2(point.at.x, -point.at.y);
   }
@@ -91,15 +92,16 @@ struct BallPlace {
 struct BareBall {
   ImU32 light = 0, dark = 0;
 };
-void draw_sphere(ImDrawList& list, const BallPlace& ball, const Camera& camera, const SweepMap* map,
-                 const BareBall& bare);
+void draw_sphere(const Ball& ball, const SweepMap* map, const BareBall& bare);
 /// The circle of directions `angle_deg` away from the unit direction `axis`, as far as it is on the viewer's
 /// side.
-void draw_circle(ImDrawList& list, const BallPlace& ball, const Camera& camera, const glm::dvec3& axis,
-                 double angle_deg, ImU32 colour, float thickness);
+struct Stroke {
+  ImU32 colour;
+  float thickness;
+};
+void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, const Stroke& stroke);
 /// Rings around the best directions, dots on those that tie with them, circles of the tilt margins.
-void draw_sweep_marks(const Ui& ui, ImDrawList& list, const BallPlace& ball, const Camera& camera,
-                      const SweepState& sweep);
+void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep);
 /// A tooltip with what is known of the direction under the mouse.
 void tell_direction(const PanelContext& context, const glm::dvec3& direction);
 /// The scale of the colours with its ends, `width` pixels wide; returns its height.

@@ -13,20 +13,6 @@ namespace {
 
 constexpr float k_legend_row = 24.0F;
 
-std::string_view meaning(Region region) {
-  switch (region) {
-    case Region::core:
-      return "Accessible along +d only: the core's half forms it.";
-    case Region::cavity:
-      return "Accessible along −d only: the cavity's half forms it.";
-    case Region::both:
-      return "Accessible along +d and along −d: either half may form it.";
-    case Region::undercut:
-      break;
-  }
-  return "Accessible along neither: it needs a side action, another direction or another shape.";
-}
-
 void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const glm::vec2& min) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float size = ui.px(12);
@@ -78,13 +64,14 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   const Ui& ui = context.ui;
   const double area = legend.result.areas[region];
   const std::string name(region_name(region));
-  const Line line = begin_line(ui, name.c_str(), shown_name(region), ui.colours->text);
+  const Line line = begin_line(ui, name.c_str(), facts(region).title, ui.colours->text);
   draw_swatch(ui, region, context.state.settings.look, line.min + glm::vec2(ui.px(6), ui.px(6)));
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
   draw_text_to(ui.fonts.strong, line.right, line.top, strong,
                fmt::format("{:.1f} %", 100.0 * share(area, legend.result.total_area)));
   draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, quiet, grouped(legend.column.text(area)));
-  tooltip(ui, shown_name(region), fmt::format("{}\n{} {}", meaning(region), real_text(area), legend.unit));
+  tooltip(ui, facts(region).title,
+          fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));
   copy_menu(name.c_str(), area);
 }
 
@@ -149,11 +136,6 @@ void draw_by(const PanelContext& context) {
 }
 
 }  // namespace
-
-std::string_view shown_name(Region region) {
-  constexpr std::array<std::string_view, k_region_count> k_names = {"Core", "Cavity", "Both", "Undercut"};
-  return k_names[static_cast<std::size_t>(region)];
-}
 
 void draw_regions_panel(const PanelContext& context) {
   const Ui& ui = context.ui;

@@ -6,6 +6,7 @@
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
+#include "io/part_formats.hpp"
 
 namespace moldlight::gui {
 
@@ -32,7 +33,7 @@ void draw_drop_zone(const PanelContext& context) {
   };
   draw_icon(list, Icon::open, min + glm::vec2(0.5F * size.x, ui.px(38)), ui.px(30), ui.colours->muted);
   centred(ui.fonts.title, 62, ui.colours->text, "Drop a part here");
-  centred(ui.fonts.body, 102, ui.colours->muted, "or click to choose one: STL, OBJ, PLY, OFF, 3MF, STEP");
+  centred(ui.fonts.body, 102, ui.colours->muted, "or click to choose one: " + part_format_names(", "));
   if (clicked) context.edits.dialogs.browser = true;
 }
 

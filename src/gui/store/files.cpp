@@ -30,6 +30,20 @@ std::optional<std::string> read_text(const fs::path& path) {
   return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
 }
 
+nlohmann::json parse_json(std::string_view text) {
+  using Json = nlohmann::json;
+  constexpr int k_deepest = 32;
+  bool too_deep = false;
+  Json json = Json::parse(
+      text,
+      [&](int depth, Json::parse_event_t, Json&) {
+        too_deep = too_deep || depth > k_deepest;
+        return !too_deep;
+      },
+      false);
+  return too_deep ? Json(Json::value_t::discarded) : json;
+}
+
 void write_text(const fs::path& path, const std::string& text) {
   std::error_code ignored;  // write_file says what is wrong with the folder
   fs::create_directories(path.parent_path(), ignored);

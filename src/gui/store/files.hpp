@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <nlohmann/json.hpp>
 
 namespace moldlight::gui {
 
@@ -17,6 +19,10 @@ namespace moldlight::gui {
 
 /// All bytes of a small text file; nothing where it cannot be read.
 [[nodiscard]] std::optional<std::string> read_text(const std::filesystem::path& path);
+
+/// The JSON document in the text; is_discarded() where the text is none, or nests deeper than anything that
+/// the window reads.
+[[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
 /// Replaces the file whole or not at all, and makes its folder. Throws FileError.
 void write_text(const std::filesystem::path& path, const std::string& text);

@@ -61,7 +61,7 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
 }
 
 PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
-  Json json = Json::parse(text, nullptr, false);
+  Json json = parse_json(text);
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
   if (!json.contains("schema")) {
     set_options(method_options(), notes.method, json);

@@ -44,7 +44,7 @@ std::string user_state_json(const UserState& state) {
 }
 
 UserState parse_user_state(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parse_json(text);
   if (!json.is_object()) throw UsageError("the saved window settings are no JSON object");
   UserState state;
   if (json.contains("settings")) set_known_options(window_options(), state.window, json["settings"]);

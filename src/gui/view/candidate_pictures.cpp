@@ -87,11 +87,12 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   scene.method = result_->settings.method;
   scene.method.direction = candidate.candidate.direction;
   scene.method.resolution = std::min(scene.method.resolution, k_small_maps);
-  scene.view.theme = view.theme;
-  scene.view.palette = view.palette;
-  scene.view.tau_deg = view.tau_deg;
-  scene.view.pixel_scale = k_thin * view.pixel_scale;
-  scene.camera = telling_view(*scene_.part().model, scene.method.direction, size_px);
+  scene.view.settings.theme = view.theme;
+  scene.view.settings.palette = view.palette;
+  scene.view.settings.tau_deg = view.tau_deg;
+  scene.view.settings.pixel_scale = k_thin * view.pixel_scale;
+  scene.view.settings.arrows = false;
+  scene.view.camera = telling_view(*scene_.part().model, scene.method.direction, size_px);
   for (int pass = 0; pass < k_refinements; ++pass) {
     if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
   }
@@ -106,8 +107,8 @@ std::vector<unsigned> CandidatePictures::textures() const {
 
 bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settings) {
   settings.method.direction = result_->candidates[split.candidate].candidate.direction;
-  settings.camera = split.camera;
-  settings.marks = {};
+  settings.view.camera = split.camera;
+  settings.view.marks = {};
   if (wanted_ != settings.method) {
     wanted_ = settings.method;
     job_.request(settings.method);

@@ -16,12 +16,13 @@ void draw_thumbnail(const gl::Context& context, const LoadedPart& part, Theme th
   Scene scene(context, part);
   SceneSettings settings;
   settings.method.resolution = k_map_resolution;
-  settings.view.theme = theme;
-  settings.view.backdrop = Backdrop::none;
-  settings.view.samples = 8;
+  settings.view.settings.theme = theme;
+  settings.view.settings.backdrop = Backdrop::none;
+  settings.view.settings.samples = 8;
+  settings.view.settings.arrows = false;
   Camera camera;
   camera.orientation = standard_orientation(StandardView::isometric);
-  settings.camera =
+  settings.view.camera =
       fitted(camera, unit_positions(part.model->part.mesh, part.model->frame), target.size(), 0.8);
   while (scene.draw({.framebuffer = target.framebuffer(), .size = target.size()}, settings)) {
   }

@@ -21,7 +21,7 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
-      map_picture_(context.functions()) {}
+      tools_(context.functions()) {}
 
 double Scene::section_height(const glm::dvec3& direction, double share) {
   if (direction != extent_.direction) {
@@ -55,9 +55,9 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     thumbnails_stale_ = true;
   }
   if (fine && settings.samples) compare_with(settings.samples);
-  if (settings.view.contour_edges) find_contour_edges(inputs);
+  if (settings.view.settings.contour_edges) find_contour_edges(inputs);
   drawn_ = true;
-  return view_.draw(target, maps_.subject(), settings.camera, settings.view, settings.marks);
+  return view_.draw(target, maps_.subject(), settings.view);
 }
 
 void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
@@ -65,7 +65,7 @@ void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
   if (compared_samples_ == samples && compared_maps_ == revision) return;
   if (!sample_pass_) sample_pass_.emplace(context_->functions());
   comparison_ = std::make_shared<const MapComparison>(
-      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.buffers(), maps_.maps())));
+      compare_maps(*samples, sample_pass_->run(samples->samples, maps_.maps())));
   compared_samples_ = samples;
   compared_maps_ = revision;
 }
@@ -99,38 +99,11 @@ MapTextures Scene::map_pictures(int size_px) {
   }
   if (thumbnails_stale_) {
     maps_.complete_depths();
-    map_picture_.draw(plus_->framebuffer(), plus_->size(), maps_.maps(), true);
-    map_picture_.draw(minus_->framebuffer(), minus_->size(), maps_.maps(), false);
+    draw_map(tools_, {plus_->framebuffer(), plus_->size()}, maps_.maps(), true);
+    draw_map(tools_, {minus_->framebuffer(), minus_->size()}, maps_.maps(), false);
     thumbnails_stale_ = false;
   }
   return {plus_->texture(), minus_->texture()};
-}
-
-ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
-                           double pixel_scale) {
-  const LookSettings& look = settings.look;
-  ViewSettings view;
-  view.theme = theme;
-  view.palette = look.palette;
-  view.colour_mode = look.colouring == Colouring::regions ? ColourMode::regions : ColourMode::draft_angle;
-  view.regions_by = look.regions_by;
-  view.mark_difference = look.mark_difference;
-  view.hatch_undercut = look.hatching;
-  view.feature_edges = look.feature_edges;
-  view.facet_edges = look.facet_edges;
-  view.contour_edges = look.contour_edges;
-  view.near_vertical = look.near_vertical;
-  view.parting_arrows = look.arrows;
-  view.tau_deg = settings.method.tau_deg;
-  view.open_mold = open_mold * k_mold_travel;
-  view.others_opacity = look.others_opacity;
-  view.pixel_scale = pixel_scale;
-  return view;
-}
-
-PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
-                              double open_mold) {
-  return parting_arrow(extremes, toward, open_mold * k_mold_travel);
 }
 
 Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, const EditedSettings& settings,
@@ -149,7 +122,7 @@ Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, cons
   }
   // The arrows and their names are to be seen too.
   for (const glm::dvec3& toward : {direction, -direction})
-    points.emplace_back(parting_arrow_of(extremes, toward, open_mold).tip);
+    points.emplace_back(parting_arrow(extremes, toward, open_mold).tip);
   const glm::ivec2 free = glm::max(area.max - area.min, glm::ivec2(64));
   Camera fit = fitted(camera, points, free, k_fill);
   // The free area's picture, seen as a part of the window's.

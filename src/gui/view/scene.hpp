@@ -1,5 +1,5 @@
 // The part in the window: its buffers, maps and picture on the window's context, drawn anew only as far as
-// something changed. And from the window's settings to those of the picture, and where the camera goes.
+// something changed. And where the camera goes.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 #include "gui/app_state.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "render/sample_pass.hpp"
-#include "render/screen_passes.hpp"
 #include "render/view_geometry.hpp"
+#include "render/view_passes.hpp"
 #include "session/map_comparison.hpp"
 #include "session/picture_maps.hpp"
 
@@ -21,9 +21,7 @@ namespace moldlight::gui {
 /// What the picture shows, beside the part.
 struct SceneSettings {
   MethodSettings method;
-  ViewSettings view;
-  Camera camera;
-  ViewMarks marks;
+  View view;
   bool direction_moves = false;                 // maps may be coarser than the method's
   bool maps_looked_at = false;                  // they are to be the method's own once the direction rests
   std::shared_ptr<const SplitMesh> split;       // for the method's settings; none where it is not known yet
@@ -67,7 +65,7 @@ class Scene {
   LoadedPart part_;
   PictureMaps maps_;
   PartView view_;
-  MapPicture map_picture_;
+  gl::Tools tools_;
   std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
   std::optional<MapInputs> maps_of_;        // from which the maps were drawn
   bool maps_are_coarse_ = false;            // they are those of a moving direction
@@ -86,17 +84,6 @@ class Scene {
   Extent
       extent_;  // along the direction last asked for: millions of vertices are not gone through every frame
 };
-
-/// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
-inline constexpr double k_mold_travel = 0.5;
-
-/// The arrow along `toward` (unit), as the picture draws it beside the part's outermost points.
-[[nodiscard]] PartingArrow parting_arrow_of(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
-                                            double open_mold);
-
-/// All but the section's height; `pixel_scale`: pixels per layout unit.
-[[nodiscard]] ViewSettings view_settings(const EditedSettings& settings, Theme theme, double open_mold,
-                                         double pixel_scale);
 
 /// The camera with its orientation and projection, so that the part fills the free area; opened halves
 /// included.

@@ -21,7 +21,7 @@ constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
 
 PartingArrow arrow_in_scene(const AppState& state, const SceneFrame& frame, bool core) {
   const glm::dvec3 direction = state.settings.direction();
-  return parting_arrow_of(state.extremes, core ? direction : -direction, frame.open_mold);
+  return parting_arrow(state.extremes, core ? direction : -direction, frame.open_mold);
 }
 
 std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, bool core) {
@@ -136,7 +136,7 @@ void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) 
   switch (gesture_) {
     case Gesture::orbit: {
       const glm::dvec2 turn = by / static_cast<double>(ui.scale) * k_turn_per_unit_rad;
-      edits.camera = orbited(edits.camera, turn.x, turn.y, {0, 0, 1}, pivot_);
+      edits.camera = orbited(edits.camera, turn, {0, 0, 1}, pivot_);
       break;
     }
     case Gesture::pan:
@@ -159,7 +159,7 @@ void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits&
   // How far out the tip stands depends on where it points: that is found by going round a few times.
   glm::dvec3 direction = state.settings.direction() * (drag_->core ? 1.0 : -1.0);
   for (int round = 0; round < 6; ++round) {
-    const double distance = glm::length(parting_arrow_of(state.extremes, direction, frame.open_mold).tip);
+    const double distance = glm::length(parting_arrow(state.extremes, direction, frame.open_mold).tip);
     const double radius = distance / pixel_length(state.camera, frame.size);
     direction = ball_direction(state.camera, {glm::dvec2(tip.x, -tip.y) / radius, drag_->front});
   }

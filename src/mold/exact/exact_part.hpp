@@ -43,13 +43,14 @@ class ExactPart {
   /// Edge of each side of a facet (side k runs from corner k to corner k + 1); k_no_edge for a facet with two
   /// equal corners.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& side_edges() const { return side_edges_; }
-  /// Where other facets cross a facet, and which stand close in front of it.
+  /// Where other facets cross a facet.
   [[nodiscard]] std::span<const FacetCrossing> crossings(FacetIndex facet) const {
     return encounters_.crossings.of(facet);
   }
   [[nodiscard]] bool any_crossings() const { return !encounters_.crossings.items.empty(); }
-  [[nodiscard]] std::span<const FacetIndex> in_front(FacetIndex facet) const {
-    return encounters_.in_front.of(facet);
+  /// Null where too many facets stand in front of others.
+  [[nodiscard]] const FacetLists<FacetIndex>* in_front() const {
+    return encounters_.in_front ? &*encounters_.in_front : nullptr;
   }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }

@@ -58,9 +58,10 @@ struct FacetTest {
 /// One thread's room.
 class FacetSplitter {
  public:
-  FacetSplitter(const ProjectedPart& projected, const ExactQuery& query)
+  FacetSplitter(const ProjectedPart& projected, const ExactQuery& query, const Progress& progress)
       : projected_(projected),
         query_(query),
+        progress_(progress),
         sine_of_tau_(std::sin(glm::radians(query.tau_deg))),
         square_(projected.part().frame().diagonal * projected.part().frame().diagonal),
         seen_(projected.contour().size(), 0),
@@ -92,6 +93,7 @@ class FacetSplitter {
 
   const ProjectedPart& projected_;
   const ExactQuery& query_;
+  const Progress& progress_;
   double sine_of_tau_;
   double square_;     // model units squared per unit frame squared
   PlaneFrame plane_;  // of the facet, shifted
@@ -153,6 +155,7 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   shift_ = test.shift;
   for (std::size_t k = 0; k < 3; ++k) corners_[k] = projected_.point(vertices[k]) + shift_;
   const auto region_at = [&](const glm::dvec3& point) {
+    if (progress_.cancelled()) throw Cancelled();  // one facet may be cut into a million cells
     const auto blocked = [&](Sense sense) {
       return projected_.blocked(
           {.point = point, .sense = sense, .beside = test.beside, .own = test.beside ? k_no_facet : facet},
@@ -244,8 +247,9 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   if (!test.beside || shift_ == glm::dvec3(0.0)) return;
   const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
   const double height = glm::dot(normal, shift_);
-  if (height >= k_least_in_front + k_near && glm::length(shift_) <= k_most_in_front) {
-    for (const FacetIndex other : part.in_front(facet)) add_crossing(other, normal);
+  if (part.in_front() != nullptr && height >= k_least_in_front + k_near &&
+      glm::length(shift_) <= k_most_in_front) {
+    for (const FacetIndex other : part.in_front()->of(facet)) add_crossing(other, normal);
     return;
   }
   for (const ProjectionGrid& facets : projected_.facet_grids()) {
@@ -330,8 +334,8 @@ void FacetSplitter::add_crossing(FacetIndex other, const glm::dvec3& normal) {
 
 using Splitters = tbb::enumerable_thread_specific<FacetSplitter>;
 
-Splitters splitters_for(const ProjectedPart& projected, const ExactQuery& query) {
-  return Splitters([&] { return FacetSplitter(projected, query); });
+Splitters splitters_for(const ProjectedPart& projected, const ExactQuery& query, const Progress& progress) {
+  return Splitters([&] { return FacetSplitter(projected, query, progress); });
 }
 
 /// Splits these facets; visit(splitter, facet, outcome) is called from several threads.
@@ -394,7 +398,7 @@ ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query, const Pro
 ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
   const ProjectedPart projected(part, query.direction, progress);
   progress.report("computing regions", 0.0);
-  Splitters splitters = splitters_for(projected, query);
+  Splitters splitters = splitters_for(projected, query, progress);
   std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
   SplitAssembly assembly(part);
   split_facets(splitters, facet_order(outcomes.size(), {}), true, progress,
@@ -409,7 +413,7 @@ std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQ
                                              const UndercutLimit& limit, const Progress& progress) {
   const ProjectedPart projected(part, query.direction, progress);
   progress.report("computing regions", 0.0);
-  Splitters splitters = splitters_for(projected, query);
+  Splitters splitters = splitters_for(projected, query, progress);
   std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
   const std::vector<FacetIndex> order = facet_order(outcomes.size(), limit.first);
   // A sum in another order than that of the facets may be a little larger.

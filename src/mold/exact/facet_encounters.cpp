@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,6 +25,9 @@ constexpr double k_shortest = 1e-9;  // shorter crossings cut nothing that has a
 constexpr std::uint32_t k_leaf_facets = 6;
 constexpr std::uint32_t k_parallel_facets = 8192;  // smaller subtrees are one task
 constexpr std::size_t k_leaves_a_task = 64;
+/// Where more facets are in front of others (thousands round one edge), they are not noted down.
+constexpr std::size_t k_most_in_front_a_facet = 32, k_always_in_front = 1'000'000;
+constexpr std::size_t k_counted_at_once = 256;
 
 struct Box {
   glm::vec3 low, high;
@@ -141,19 +146,29 @@ struct Found {
   Item item;
 };
 
-template <typename Item>
-FacetLists<Item> by_facet(std::vector<Found<Item>>& found, std::size_t facets) {
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
-  });
+/// Of what the threads found: by facet, those of one in the order of the others. Throws Cancelled.
+template <typename Lists, typename Item>
+FacetLists<Item> by_facet(Lists& found, std::vector<Found<Item>> Lists::value_type::*which,
+                          std::size_t facets, const Progress& progress) {
   FacetLists<Item> lists;
   lists.first.assign(facets + 1, 0);
-  lists.items.reserve(found.size());
-  for (const Found<Item>& one : found) {
-    lists.items.push_back(one.item);
-    ++lists.first[one.facet + 1];
+  for (const auto& some : found) {
+    for (const Found<Item>& one : some.*which) ++lists.first[one.facet + 1];
   }
   std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  std::vector<std::pair<FacetIndex, Item>> placed(lists.first.back());
+  std::vector<std::uint32_t> next(lists.first.begin(), lists.first.end() - 1);
+  for (auto& some : found) {
+    for (const Found<Item>& one : some.*which) placed[next[one.facet]++] = {one.other, one.item};
+    some.*which = {};
+  }
+  progress.report("finding crossings", 1.0);
+  for (std::size_t facet = 0; facet < facets; ++facet) {
+    std::stable_sort(placed.begin() + lists.first[facet], placed.begin() + lists.first[facet + 1],
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+  }
+  lists.items.reserve(placed.size());
+  for (const auto& [other, item] : placed) lists.items.push_back(item);
   return lists;
 }
 
@@ -247,6 +262,7 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
   struct Lists {
     std::vector<Found<FacetCrossing>> crossings;
     std::vector<Found<FacetIndex>> in_front;
+    std::size_t uncounted = 0;  // of those in front
   };
   const auto add_crossings = [&](FacetIndex facet, FacetIndex other, const Heights& here_over,
                                  const Heights& there_over, std::vector<Found<FacetCrossing>>& found) {
@@ -264,14 +280,22 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
     const CrossingQuery there{other_corners.data(), corners.data(), normals[facet], 0.0};
     if (triangle_crossing(there, crossing)) found.push_back({other, facet, crossing});
   };
+  std::atomic<std::size_t> counted = 0;
+  const std::size_t most_in_front = k_most_in_front_a_facet * mesh.facets.size() + k_always_in_front;
+  const auto add_in_front = [&](FacetIndex facet, FacetIndex other, Lists& found) {
+    if (counted.load(std::memory_order_relaxed) > most_in_front) return;
+    found.in_front.push_back({facet, other, other});
+    if (++found.uncounted < k_counted_at_once) return;
+    counted += std::exchange(found.uncounted, 0);
+  };
   const auto add_pair = [&](FacetIndex facet, FacetIndex other, Lists& found) {
     if (normals[other] == glm::dvec3(0.0)) return;
     const Heights here_over =
         heights_over(corners_of(facet), positions[mesh.facets[other][0]], normals[other]);
     const Heights there_over =
         heights_over(corners_of(other), positions[mesh.facets[facet][0]], normals[facet]);
-    if (there_over.in_front) found.in_front.push_back({facet, other, other});
-    if (here_over.in_front) found.in_front.push_back({other, facet, facet});
+    if (there_over.in_front) add_in_front(facet, other, found);
+    if (here_over.in_front) add_in_front(other, facet, found);
     if (tree.overlap(facet, other)) add_crossings(facet, other, here_over, there_over, found.crossings);
   };
   tbb::enumerable_thread_specific<Lists> found;
@@ -286,12 +310,12 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
                       }
                     });
   progress.report("finding crossings", 1.0);
-  Lists all;
-  for (const Lists& some : found) {
-    all.crossings.insert(all.crossings.end(), some.crossings.begin(), some.crossings.end());
-    all.in_front.insert(all.in_front.end(), some.in_front.begin(), some.in_front.end());
-  }
-  return {by_facet(all.crossings, mesh.facets.size()), by_facet(all.in_front, mesh.facets.size())};
+  // By how many there are in all, whichever thread found them.
+  for (const Lists& some : found) counted += some.uncounted;
+  FacetEncounters encounters{by_facet(found, &Lists::crossings, mesh.facets.size(), progress), {}};
+  if (counted <= most_in_front)
+    encounters.in_front = by_facet(found, &Lists::in_front, mesh.facets.size(), progress);
+  return encounters;
 }
 
 }  // namespace moldlight

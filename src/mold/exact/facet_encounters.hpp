@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,8 +33,9 @@ struct FacetLists {
 struct FacetEncounters {
   /// Where others cross a facet in a segment; facets that touch or lie in one plane do not cross.
   FacetLists<FacetCrossing> crossings;
-  /// Others that reach over a facet's plane, on its outer side, near it.
-  FacetLists<FacetIndex> in_front;
+  /// Others that reach over a facet's plane, on its outer side, near it; nothing where those are so many that
+  /// noting them down takes more memory than it saves time.
+  std::optional<FacetLists<FacetIndex>> in_front;
 };
 
 /// Heights over a facet that in_front tells of: others of which some lies above the first and some below the

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "mold/measure.hpp"
+#include "session/classifier.hpp"
 #include "session/headless.hpp"
 
 namespace moldlight {
@@ -28,12 +29,8 @@ BatchScorer::BatchScorer(BatchScorerPart part, const BatchScorerSettings& settin
   const PartModel& model = *part_.model;
   const std::size_t bytes =
       context_->draws_on_cpu() ? std::min(settings.map_bytes, k_software_map_bytes) : settings.map_bytes;
-  batch_size_ = static_cast<std::size_t>(
-      MapBatch::fitting_capacity(settings.map, model.part.mesh.facets.size(), bytes));
-  gl_.emplace(OnGl{
-      PartBuffers(context_->functions(), model.part.mesh, model.geometry, model.frame, model.edges.concave),
-      {},
-      {}});
+  batch_size_ = static_cast<std::size_t>(fitting_places(settings.map, model.part.mesh.facets.size(), bytes));
+  gl_.emplace(OnGl{part_buffers(*context_, model), {}, {}});
   classes_.resize(model.part.mesh.facets.size());
 }
 
@@ -43,11 +40,11 @@ BatchScorer::~BatchScorer() {
 }
 
 void BatchScorer::make_room(std::size_t directions) {
-  if (gl_->maps && static_cast<std::size_t>(gl_->maps->capacity()) >= directions) return;
+  if (gl_->maps && static_cast<std::size_t>(gl_->maps->places()) >= directions) return;
   const auto capacity = static_cast<int>(directions);
   gl_->maps.reset();
   gl_->counting.reset();
-  gl_->maps.emplace(context_->functions(), gl_->part, settings_.map, capacity);
+  gl_->maps.emplace(context_->functions(), capacity);
   gl_->counting.emplace(context_->functions(), part_.samples.samples, capacity);
 }
 
@@ -59,11 +56,10 @@ SampleCounts BatchScorer::begin(const glm::dvec3& direction, int place) {
   for (std::size_t facet = 0; facet < classes_.size(); ++facet) {
     const double sine = glm::dot(geometry.normals[facet], frame.z);
     const FacetClass own = facet_class(sine, sine_of_tau);
-    const bool left_out = own == FacetClass::near_vertical || std::abs(sine) < steep_sine;
-    classes_[facet] =
-        static_cast<std::uint8_t>(static_cast<std::uint8_t>(own) | (left_out ? MapBatch::k_left_out : 0));
+    const bool by_rays = own == FacetClass::near_vertical || std::abs(sine) < steep_sine;
+    classes_[facet] = by_rays ? left_out(own) : own;
   }
-  gl_->maps->draw(place, frame, classes_);
+  gl_->maps->draw({gl_->part, frame, classes_}, settings_.map, place);
   return ask_rays(frame.z);
 }
 
@@ -71,11 +67,10 @@ SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
   const PartModel& model = *part_.model;
   sample_rays_.begin({.direction = direction, .lateral = settings_.map.lateral});
   for (const SurfaceSample& sample : part_.samples.samples) {
-    const std::uint8_t marked = classes_[sample.facet];
-    if ((marked & MapBatch::k_left_out) == 0) continue;
+    const FacetClass own = counted(classes_[sample.facet]);
+    if (own == classes_[sample.facet]) continue;
     const glm::dvec3& normal = model.geometry.normals[sample.facet];
-    sample_rays_.add(0, sample.position, normal, static_cast<FacetClass>(marked & ~MapBatch::k_left_out),
-                     glm::dot(normal, direction));
+    sample_rays_.add(0, sample.position, normal, own, glm::dot(normal, direction));
   }
   sample_rays_.ask(model.rays());
   SampleCounts counts;

@@ -44,7 +44,7 @@ class BatchScorer : public DirectionScorer {
   /// What lives in the context and goes before it does.
   struct OnGl {
     PartBuffers part;
-    std::optional<MapBatch> maps;
+    std::optional<ShadowMaps> maps;
     std::optional<SampleCounting> counting;
   };
   void make_room(std::size_t directions);
@@ -57,7 +57,7 @@ class BatchScorer : public DirectionScorer {
   std::unique_ptr<gl::Context> context_;
   std::size_t batch_size_ = 1;
   std::optional<OnGl> gl_;
-  std::vector<std::uint8_t> classes_;
+  std::vector<FacetClass> classes_;
   SampleRays sample_rays_;
 };
 

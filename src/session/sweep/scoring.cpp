@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace moldlight {
@@ -27,6 +28,15 @@ struct ScoringPool::Workers {
   std::atomic<std::size_t> next{0};
 
   std::vector<std::jthread> threads;
+
+  ~Workers() {
+    {
+      const std::lock_guard lock(mutex);
+      quit = true;
+    }
+    work.notify_all();
+    threads.clear();
+  }
 
   void score_share(DirectionScorer& scorer) {
     const std::size_t share = (tasks.size() + threads.size() - 1) / threads.size();
@@ -74,18 +84,17 @@ int ScoringPool::threads(int jobs) {
 ScoringPool::ScoringPool(MakeScorer make_scorer, int jobs)
     : jobs_(threads(jobs)), workers_(std::make_unique<Workers>()) {
   workers_->make_scorer = std::move(make_scorer);
-  for (int i = 0; i < jobs_; ++i)
-    workers_->threads.emplace_back([workers = workers_.get()] { workers->run(); });
+  try {
+    for (int i = 0; i < jobs_; ++i)
+      workers_->threads.emplace_back([workers = workers_.get()] { workers->run(); });
+  } catch (const std::system_error&) {
+    // The result is the same with fewer.
+    jobs_ = static_cast<int>(workers_->threads.size());
+    if (jobs_ == 0) throw;
+  }
 }
 
-ScoringPool::~ScoringPool() {
-  {
-    const std::lock_guard lock(workers_->mutex);
-    workers_->quit = true;
-  }
-  workers_->work.notify_all();
-  workers_->threads.clear();
-}
+ScoringPool::~ScoringPool() = default;
 
 std::vector<std::optional<DirectionScore>> ScoringPool::score(std::span<const ScoringTask> tasks,
                                                               const std::function<bool()>& stop,

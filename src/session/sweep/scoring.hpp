@@ -20,6 +20,7 @@ class ScoringPool {
   /// Told of every score, in any order, one call at a time.
   using Listener = std::function<void(std::size_t index, const DirectionScore& score)>;
 
+  /// Makes do with the threads that could be started; throws std::system_error where none could.
   ScoringPool(MakeScorer make_scorer, int jobs);
   ~ScoringPool();
   ScoringPool(const ScoringPool&) = delete;

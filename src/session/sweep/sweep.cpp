@@ -58,7 +58,7 @@ class SweepRun {
         pools_(std::move(model), settings_),
         measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs)),
         limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
-    validate(settings.method);
+    validate(settings.method, model_.frame.diagonal);
   }
 
   SweepResult run() {
@@ -117,8 +117,8 @@ void SweepRun::score_candidates() {
   watch_.report(sweep_stage::k_candidates, 0.0);
   std::vector<Candidate> candidates;
   try {
-    // Meanwhile another thread makes what the later stages need of the part.
-    std::future<void> prepared = std::async(std::launch::async, [&] {
+    // Meanwhile another thread, if there may be one, makes what the later stages need of the part.
+    std::future<void> prepared = std::async(std::launch::async | std::launch::deferred, [&] {
       (void)model_.exact(watch_.until_cancelled());
       (void)model_.rays();
     });

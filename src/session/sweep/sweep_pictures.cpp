@@ -125,8 +125,9 @@ Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const Part
   still.legend = false;
   still.size = glm::max(glm::ivec2(glm::round(scale * glm::dvec2(k_tile_width, k_tile_height))), 16);
   const std::size_t shown = std::min(result.candidates.size(), k_most_tiles);
-  ContactSheet sheet{
-      .title = part_name(model->part), .dark = settings.theme == Theme::dark, .palette = settings.palette};
+  ContactSheet sheet{.title = part_name(model->part),
+                     .dark = settings.theme == Theme::dark,
+                     .palette = settings.look.palette};
   sheet.line = shown == 0
                    ? "No direction was measured to the end."
                    : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",

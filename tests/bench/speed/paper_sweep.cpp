@@ -22,7 +22,7 @@ PaperSweep::PaperSweep(const gl::Context& context, std::shared_ptr<const PartMod
       model_(std::move(model)),
       resolution_(resolution),
       tau_deg_(tau_deg),
-      buffers_(*gl_, model_->part.mesh, model_->geometry, model_->frame, model_->edges.concave),
+      buffers_(part_buffers(context, *model_)),
       depth_program_(*gl_, {.vertex = "maps/second_depth.vert", .fragment = "maps/second_depth.frag"}),
       facet_id_pass_(*gl_),
       positions_(unit_positions(model_->part.mesh, model_->frame)) {
@@ -34,28 +34,19 @@ PaperSweep::PaperSweep(const gl::Context& context, std::shared_ptr<const PartMod
 
 double PaperSweep::undercut(const glm::dvec3& direction) {
   const MapFrame frame = map_frame(direction);
-  buffers_.set_facet_classes(facet_classes(model_->geometry, frame.z, tau_deg_));
-  gl_->Viewport(0, 0, resolution_, resolution_);
-  gl_->Disable(GL_BLEND);
-  gl_->Disable(GL_SCISSOR_TEST);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-  gl_->Enable(GL_CULL_FACE);
   depth_program_.use();
-  depth_program_.set("u_direction", glm::vec3(frame.z));
-  depth_program_.set("u_map_x", glm::vec3(frame.x));
-  depth_program_.set("u_map_y", glm::vec3(frame.y));
-  depth_program_.set("u_map_size", static_cast<float>(resolution_));
+  set_map_frame(depth_program_, frame, resolution_);
   for (const bool plus : {true, false}) {
-    gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[plus ? 0 : 1].name());
+    gl::begin(*gl_, {.framebuffer = framebuffers_[plus ? 0 : 1].name(),
+                     .size = glm::ivec2(resolution_),
+                     .depth = gl::DepthTest::less,
+                     .writes_depth = true,
+                     .cull = plus ? gl::Cull::front : gl::Cull::back});
     const GLfloat furthest = 1.0F;
     gl_->ClearBufferfv(GL_DEPTH, 0, &furthest);
-    gl_->CullFace(plus ? GL_FRONT : GL_BACK);
     depth_program_.set("u_side", plus ? 1.0F : -1.0F);
     buffers_.draw_facets();
   }
-  gl_->Disable(GL_CULL_FACE);
 
   float top[2] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
   const glm::vec3 along(frame.z);
@@ -64,8 +55,9 @@ double PaperSweep::undercut(const glm::dvec3& direction) {
     top[0] = std::max(top[0], height);
     top[1] = std::max(top[1], -height);
   }
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, tau_deg_);
   const std::vector<std::uint8_t> bits = facet_id_pass_.run(
-      buffers_, frame, top,
+      {buffers_, frame, classes}, top,
       {.resolution = resolution_, .draft_perturbation_deg = k_perturbation_deg_at_512 * 512.0 / resolution_});
   double area = 0.0;
   for (FacetIndex facet = 0; facet < bits.size(); ++facet) {

@@ -1,5 +1,7 @@
 // Exact regions of meshes that are no proper solids, and of directions and tolerances at their limits.
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -215,6 +217,42 @@ TEST(ExactBadInput, BodiesThatCrossAlongAnEdgeHideEachOther) {
   }
 }
 
+/// A section in x and z, counter-clockwise, drawn out along y.
+TriangleMesh drawn_along_y(const test::Loop2& section, double from_y, double to_y) {
+  test::SolidBuilder builder;
+  builder.extrude(section, {}, to_y - from_y);
+  TriangleMesh mesh = builder.mesh();
+  for (glm::dvec3& corner : mesh.vertices) corner = {corner.x, to_y - corner.z, corner.y};
+  return mesh;
+}
+
+TEST(ExactBadInput, ABodyThatEntersAlongAnEdgeHidesTheFacetBehindIt) {
+  // The slanting face of a wedge comes out of a block's top along an edge between two facets of it, with
+  // nothing of the wedge's outline near: one of the two lies in the wedge, the other under the open sky.
+  const glm::dvec3 low(0, 0, 0), high(4, 2, 2);
+  const TriangleMesh block = drawn_along_y({{0, 0}, {2, 0}, {4, 0}, {4, 2}, {2, 2}, {0, 2}}, 0.0, 2.0);
+  const TriangleMesh wedge = drawn_along_y({{1.5, 1}, {3.5, 1}, {3.5, 3}, {2.5, 3}}, -1.0, 3.0);
+  ASSERT_TRUE(std::ranges::count(block.vertices, glm::dvec3(2, 2, 2)) == 1);
+  std::vector<test::PlanarFace> faces = box_faces(low, high);
+  const FacetGeometry geometry = facet_geometry(wedge);
+  for (FacetIndex facet = 0; facet < wedge.facets.size(); ++facet) {
+    faces.push_back(
+        {{wedge.corner(facet, 0), wedge.corner(facet, 1), wedge.corner(facet, 2)}, geometry.normals[facet]});
+  }
+  const std::vector<test::ConvexBody> bodies = {box_body(low, high), wedge.vertices};
+  const TriangleMesh both = test::joined(block, wedge);
+  for (const TriangleMesh& mesh : {both, test::cut_in_four(test::cut_in_four(both))}) {
+    const test::ExactModel model(mesh);
+    for (const glm::dvec3& direction : directions()) {
+      const RegionValues expected = test::face_areas(faces, bodies, direction, k_settings);
+      EXPECT_LE(test::largest_difference(model.areas(direction, k_settings).areas, expected),
+                1e-9 * expected.total())
+          << mesh.facets.size() << " facets along " << direction.x << ' ' << direction.y << ' '
+          << direction.z;
+    }
+  }
+}
+
 TEST(ExactBadInput, TetrahedraOnALatticeHaveTheAreasOfTheirShadows) {
   // Corners, edges and planes in common, in every way there is.
   for (std::uint32_t seed = 0; seed < 150; ++seed) {
@@ -389,6 +427,22 @@ TEST(ExactBadInput, FacetsThrownTogetherAreSane) {
     }
     expect_sane(mesh, k_settings, "thrown together " + std::to_string(seed));
   }
+}
+
+TEST(ExactBadInput, ManyFacetsRoundOneEdgeAreMeasuredWithoutListsOfEachOther) {
+  constexpr int k_facets = 2000;
+  TriangleMesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (int i = 0; i < k_facets; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / k_facets;
+    mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    mesh.facets.push_back({0, 1, static_cast<VertexIndex>(i + 2)});
+  }
+  const test::ExactModel model(mesh);
+  EXPECT_EQ(model.part().in_front(), nullptr);
+  EXPECT_NE(test::ExactModel(small_box()).part().in_front(), nullptr);
+  // Along the edge all facets are upright, and nothing is above or below any of them.
+  const ExactAreas areas = model.areas({0, 0, 1}, k_settings);
+  EXPECT_NEAR(areas.areas[Region::both], 0.5 * k_facets, 1e-9 * k_facets);
 }
 
 TEST(ExactBadInput, ASingleFacetIsSeenFromItsSide) {

@@ -103,15 +103,15 @@ TEST(Camera, FittedPointsFillThePicture) {
 TEST(Camera, OrbitFollowsTheHandAndStopsAtThePoles) {
   const glm::dvec3 pivot(0.2, 0.0, 0.1);
   const Camera start{.target = pivot, .orientation = standard_orientation(StandardView::front)};
-  const Camera right = orbited(start, 0.2, 0.0, k_z, pivot);
+  const Camera right = orbited(start, {0.2, 0.0}, k_z, pivot);
   EXPECT_LT(right.toward_viewer().x, 0.0);  // the scene turns to the right, so the viewer goes left
-  const Camera down = orbited(start, 0.0, 0.3, k_z, pivot);
+  const Camera down = orbited(start, {0.0, 0.3}, k_z, pivot);
   EXPECT_GT(down.toward_viewer().z, 0.0);
   expect_near(down.target, pivot, 1e-12);
-  const Camera above = orbited(start, 0.4, 20.0, k_z, pivot);
+  const Camera above = orbited(start, {0.4, 20.0}, k_z, pivot);
   EXPECT_NEAR(above.toward_viewer().z, 1.0, 1e-5);
   EXPECT_GT(above.up().z, 0.0);
-  const Camera back = orbited(above, 0.0, -20.0, k_z, pivot);
+  const Camera back = orbited(above, {0.0, -20.0}, k_z, pivot);
   EXPECT_NEAR(back.toward_viewer().z, -1.0, 1e-5);
 }
 
@@ -120,7 +120,7 @@ TEST(Camera, OrbitKeepsThePivotInPlace) {
   for (const Projection projection : k_projections) {
     const Camera start = some_camera(projection);
     const auto before = project(start, k_size, pivot);
-    const Camera turned = orbited(start, 0.7, -0.2, k_z, pivot);
+    const Camera turned = orbited(start, {0.7, -0.2}, k_z, pivot);
     EXPECT_LT(glm::distance(*before, *project(turned, k_size, pivot)), 1e-6);
   }
 }

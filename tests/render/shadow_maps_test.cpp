@@ -1,5 +1,5 @@
 // The maps of several directions at once, and what is counted in them, against one direction at a time.
-#include "render/map_batch.hpp"
+#include "render/shadow_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "render/sample_counting.hpp"
 #include "render/sample_pass.hpp"
 #include "support/classify_mesh.hpp"
+#include "support/map_lookup.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
@@ -34,19 +35,15 @@ std::vector<MapFrame> frames() {
 struct Counted {
   Counted(std::shared_ptr<const PartModel> of_model, std::uint64_t wanted)
       : model(std::move(of_model)),
-        buffers(test::shared_context().functions(), model->part.mesh, model->geometry, model->frame,
-                model->edges.concave),
+        buffers(part_buffers(test::shared_context(), *model)),
         samples(sample_surface_evenly(model->part.mesh, model->geometry, model->frame, wanted)) {}
 
-  [[nodiscard]] static bool left_out(FacetIndex facet) { return facet % 3 == 0; }
-  [[nodiscard]] std::vector<std::uint8_t> marked_classes(const MapFrame& frame) const {
-    std::vector<std::uint8_t> marked;
-    for (const FacetClass of_facet : facet_classes(model->geometry, frame.z, 1.0)) {
-      const bool out = left_out(static_cast<FacetIndex>(marked.size()));
-      marked.push_back(
-          static_cast<std::uint8_t>(static_cast<int>(of_facet) | (out ? MapBatch::k_left_out : 0)));
-    }
-    return marked;
+  [[nodiscard]] static bool is_left_out(FacetIndex facet) { return facet % 3 == 0; }
+  [[nodiscard]] std::vector<FacetClass> marked_classes(const MapFrame& frame) const {
+    std::vector<FacetClass> classes = facet_classes(model->geometry, frame.z, 1.0);
+    for (FacetIndex facet = 0; facet < classes.size(); ++facet)
+      if (is_left_out(facet)) classes[facet] = left_out(classes[facet]);
+    return classes;
   }
   [[nodiscard]] SampleCounts by_verdicts(const std::vector<std::uint8_t>& verdicts) const;
 
@@ -58,23 +55,21 @@ struct Counted {
 SampleCounts Counted::by_verdicts(const std::vector<std::uint8_t>& verdicts) const {
   SampleCounts sums;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (!left_out(samples.samples[i].facet))
+    if (!is_left_out(samples.samples[i].facet))
       ++sums.regions[static_cast<std::size_t>(verdict_region(verdicts[i]))];
   }
   return sums;
 }
 
 /// Area of the shadow, unit frame squared, by the texels of single maps that facets cover.
-double shadow_area(ShadowMaps& maps, const PartBuffers& buffers, const MapFrame& frame) {
+double shadow_area(ShadowMaps& maps, const MapSubject& subject) {
   const gl::Functions& gl = test::shared_context().functions();
   MapSettings bare = k_settings;
   bare.edge_thickness = 0.0;
-  maps.draw(buffers, frame, bare);
+  maps.draw(subject, bare);
   std::ptrdiff_t most = 0;
   for (const bool plus : {true, false}) {
-    const gl::Framebuffer framebuffer = gl::make_framebuffer(gl, maps.facets(plus));
-    std::vector<std::uint32_t> texels(static_cast<std::size_t>(bare.resolution) * bare.resolution);
-    gl.ReadPixels(0, 0, bare.resolution, bare.resolution, GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
+    const std::vector<std::uint32_t> texels = test::read_map(gl, maps, plus);
     most = std::max(most, std::count_if(texels.begin(), texels.end(), [](auto texel) { return texel != 0; }));
   }
   const double texel = 1.0 / bare.resolution;
@@ -85,21 +80,23 @@ void expect_equal_counts(const Counted& part) {
   const gl::Functions& gl = test::shared_context().functions();
   const std::vector<MapFrame> all = frames();
   const auto count = static_cast<int>(all.size());
-  MapBatch batch(gl, part.buffers, k_settings, count);
+  ShadowMaps batch(gl, count);
   SampleCounting counting(gl, part.samples.samples, count);
-  for (int i = 0; i < count; ++i) batch.draw(i, all[i], part.marked_classes(all[i]));
+  for (int i = 0; i < count; ++i) {
+    const std::vector<FacetClass> classes = part.marked_classes(all[i]);
+    batch.draw({part.buffers, all[i], classes}, k_settings, i);
+  }
   const std::vector<SampleCounts> counts = counting.run(batch, count);
 
   ShadowMaps maps(gl);
   SamplePass pass(gl);
-  PartBuffers buffers(gl, part.model->part.mesh, part.model->geometry, part.model->frame,
-                      part.model->edges.concave);
   std::uint32_t undercut = 0;
   for (int i = 0; i < count; ++i) {
-    buffers.set_facet_classes(facet_classes(part.model->geometry, all[i].z, 1.0));
-    const double shadow = shadow_area(maps, buffers, all[i]);
-    maps.draw(buffers, all[i], k_settings);
-    const SampleCounts expected = part.by_verdicts(pass.run(part.samples.samples, buffers, maps));
+    const std::vector<FacetClass> classes = facet_classes(part.model->geometry, all[i].z, 1.0);
+    const MapSubject subject{part.buffers, all[i], classes};
+    const double shadow = shadow_area(maps, subject);
+    maps.draw(subject, k_settings);
+    const SampleCounts expected = part.by_verdicts(pass.run(part.samples.samples, maps));
     EXPECT_EQ(counts[i].regions, expected.regions) << "direction " << i;
     EXPECT_EQ(batch.shadow(i), shadow) << "direction " << i;
     undercut += expected.regions[3];
@@ -107,16 +104,16 @@ void expect_equal_counts(const Counted& part) {
   EXPECT_GT(undercut, 0U);
 }
 
-TEST(MapBatch, CountsWhatSingleMapsSay) {
+TEST(ShadowMaps, CountsWhatSingleMapsSay) {
   expect_equal_counts(Counted(test::model_of(test::subdivided(test::snap_hook({}).mesh, 3000)), 5003));
   expect_equal_counts(
       Counted(load_part((test::asset_folder() / "parts" / "enclosure_lid.stl").string(), {}, {}), 150'000));
 }
 
-TEST(MapBatch, TakesAsManyDirectionsAsFit) {
+TEST(ShadowMaps, TakesAsManyDirectionsAsFit) {
   constexpr std::size_t k_mib = 1U << 20;
   const auto fitting = [](int resolution, std::size_t facets, std::size_t bytes) {
-    return MapBatch::fitting_capacity({.resolution = resolution}, facets, bytes);
+    return fitting_places({.resolution = resolution}, facets, bytes);
   };
   EXPECT_EQ(fitting(512, 50'000, 512 * k_mib), 64);
   EXPECT_EQ(fitting(2048, 50'000, 512 * k_mib), 15);

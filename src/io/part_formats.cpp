@@ -1,0 +1,151 @@
+#include "io/part_formats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/readers.hpp"
+#include "io/text_scanner.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_looked_at_bytes = 4096;
+
+/// Control characters that no text holds show a binary file.
+bool looks_binary(std::string_view head) {
+  return std::any_of(head.begin(), head.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && (byte < '\t' || byte > '\r') && byte != 0x10 && byte != 0x1a && byte != 0x1b;
+  });
+}
+
+bool looks_utf16(std::string_view head) {
+  if (head.starts_with("\xfe\xff") || head.starts_with("\xff\xfe")) return true;
+  if (head.size() < 16) return false;
+  std::array<std::size_t, 2> zeros = {0, 0};
+  const std::size_t looked_at = std::min<std::size_t>(head.size(), 256) & ~std::size_t{1};
+  for (std::size_t i = 0; i < looked_at; ++i) zeros[i % 2] += head[i] == '\0' ? 1 : 0;
+  return (zeros[0] == 0 && zeros[1] == looked_at / 2) || (zeros[1] == 0 && zeros[0] == looked_at / 2);
+}
+
+template <std::size_t k_count>
+bool is_one_of(std::string_view word, const std::array<std::string_view, k_count>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+using Words = std::string_view;
+
+bool begins_ascii_stl(Words first, Words second) {
+  return equals_ignoring_case(first, "solid") ||
+         (equals_ignoring_case(first, "facet") && equals_ignoring_case(second, "normal"));
+}
+
+bool begins_obj(Words first, Words) {
+  constexpr std::array<std::string_view, 10> k_statements = {"v", "vn", "vt", "vp",     "f",
+                                                             "o", "g",  "s",  "mtllib", "usemtl"};
+  return is_one_of(first, k_statements);
+}
+
+bool begins_off(Words first, Words) {
+  constexpr std::array<std::string_view, 8> k_keywords = {"OFF",   "COFF",   "NOFF",   "CNOFF",
+                                                          "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+  return is_one_of(first, k_keywords);
+}
+
+bool begins_ply(std::string_view bytes) {
+  TextScanner words(bytes.substr(0, k_looked_at_bytes), {.has_comments = true});
+  return words.next() == "ply";
+}
+
+const PartFormat* by_extension(const std::string& extension, bool binary) {
+  const PartFormat* found = nullptr;
+  for (const PartFormat& format : part_formats()) {
+    const auto& own = format.extensions;
+    if (std::find(own.begin(), own.end(), extension) == own.end()) continue;
+    if (found == nullptr || format.binary == binary) found = &format;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::span<const PartFormat> part_formats() {
+  // The size of a binary STL that fits its count is worth more than any word in the header: many begin with
+  // "solid". A PLY's header is text, whatever follows.
+  static const std::vector<PartFormat> k_formats = {
+      {"STL binary", {"stl"}, true, binary_stl_size_fits, nullptr, read_binary_stl},
+      {"STL ASCII", {"stl"}, false, nullptr, begins_ascii_stl, read_ascii_stl},
+      {"OBJ", {"obj"}, false, nullptr, begins_obj, read_obj},
+      {"PLY", {"ply"}, false, begins_ply, nullptr, read_ply},
+      {"OFF", {"off", "coff"}, false, nullptr, begins_off, read_off},
+      {"3MF",
+       {"3mf"},
+       true,
+       [](std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); },
+       nullptr,
+       read_threemf},
+      {"STEP",
+       {"step", "stp"},
+       false,
+       nullptr,
+       [](Words first, Words) { return first.starts_with("ISO-10303-21"); },
+       read_step},
+  };
+  return k_formats;
+}
+
+std::string part_format_names(std::string_view last) {
+  std::vector<std::string> names;
+  for (const PartFormat& format : part_formats()) {
+    std::string name(format.extensions.front());
+    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (names.empty() || names.back() != name) names.push_back(std::move(name));
+  }
+  std::string text = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k)
+    text.append(k + 1 == names.size() ? last : ", ").append(names[k]);
+  return text;
+}
+
+bool is_part_file_name(const std::string& name) {
+  return by_extension(lower_extension(name), false) != nullptr;
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+const PartFormat& detect_format(const std::string& path, std::string_view bytes) {
+  if (bytes.empty()) throw FileError(path, "", "is empty (0 bytes); export the part again");
+  for (const PartFormat& format : part_formats())
+    if (format.magic != nullptr && format.magic(bytes)) return format;
+  if (bytes.starts_with("\x1f\x8b"))
+    throw FileError(path, "byte 0", "is compressed with gzip; unpack it first");
+
+  const std::string_view head = bytes.substr(0, k_looked_at_bytes);
+  if (looks_utf16(head)) throw FileError(path, "byte 0", "is UTF-16 text; save it as UTF-8 or plain ASCII");
+  if (head.starts_with("version https://git-lfs")) {
+    throw FileError(path, "line 1", "is a Git LFS pointer, not the part itself; run 'git lfs pull' first");
+  }
+  const bool binary = looks_binary(head);
+  TextScanner words(head, {.has_comments = true});
+  const std::string_view first = words.next(), second = words.next();
+  for (const PartFormat& format : part_formats())
+    if (!binary && format.words != nullptr && format.words(first, second)) return format;
+  if (const PartFormat* named = by_extension(lower_extension(path), binary)) return *named;
+  throw FileError(path, "byte 0",
+                  fmt::format("is no part file: none of {} by content or name", part_format_names(" and ")));
+}
+
+}  // namespace moldlight

@@ -1,0 +1,40 @@
+// The one table of the formats of part files, and which of them a file has: by its content; by its name only
+// where the content leaves it open.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/read_context.hpp"
+#include "mesh/part.hpp"
+
+namespace moldlight {
+
+/// Everything that the program knows of a format but how it is read.
+struct PartFormat {
+  std::string_view name;                     // "STL binary"
+  std::vector<std::string_view> extensions;  // in lower case; the first in capitals is its name in lists
+  bool binary;                               // never text, which tells formats of one extension apart
+  /// Each is null where the format has no such sign. `magic`: the bytes leave no doubt. `words`: a text that
+  /// begins so is one of it.
+  bool (*magic)(std::string_view bytes);
+  bool (*words)(std::string_view first, std::string_view second);
+  Part (*read)(const ReadContext& context);
+};
+
+[[nodiscard]] std::span<const PartFormat> part_formats();
+
+/// Throws FileError for an empty file and for what is no part file of any known format.
+[[nodiscard]] const PartFormat& detect_format(const std::string& path, std::string_view bytes);
+
+/// "STL, OBJ, PLY" and so on, with `last` before the last one.
+[[nodiscard]] std::string part_format_names(std::string_view last);
+/// True if files of this name are part files, as far as the name tells.
+[[nodiscard]] bool is_part_file_name(const std::string& name);
+
+/// The name's extension in lower case without the dot; empty where there is none.
+[[nodiscard]] std::string lower_extension(const std::string& path);
+
+}  // namespace moldlight

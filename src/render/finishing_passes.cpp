@@ -1,0 +1,49 @@
+#include "render/view_colours.hpp"
+#include "render/view_passes.hpp"
+
+namespace moldlight {
+
+void accumulate(ViewTools& tools, bool first) {
+  gl::begin(tools.gl, {.framebuffer = tools.targets.to_sum.name(),
+                       .size = tools.targets.size,
+                       .blend = first ? gl::Blend::replace : gl::Blend::add});
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/accumulate.frag");
+  program.set_texture("t_colour", 0, GL_TEXTURE_2D, tools.targets.colour);
+  tools.corners.draw();
+}
+
+void present(ViewTools& tools, int samples, GLuint framebuffer) {
+  const glm::ivec2& size = tools.targets.size;
+  gl::begin(tools.gl, {.framebuffer = framebuffer, .size = size});
+  if (samples == 1) {
+    tools.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, tools.targets.to_colour.name());
+    tools.gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    tools.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    return;
+  }
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/resolve.frag");
+  program.set_texture("t_sum", 0, GL_TEXTURE_2D, tools.targets.sum);
+  program.set("u_weight", 1.0F / static_cast<float>(samples));
+  tools.corners.draw();
+}
+
+void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
+  const ChosenFacets& chosen = tools.mesh.chosen;
+  if (!marks.hovered && !marks.blocking && marks.undercut_glow <= 0.0 && !chosen.any()) return;
+  gl::begin(tools.gl,
+            {.framebuffer = framebuffer, .size = tools.targets.size, .blend = gl::Blend::over_keeping_alpha});
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/marks.frag");
+  program.set_texture("t_surface", 0, GL_TEXTURE_2D, tools.targets.surface);
+  program.set_texture("t_accessible", 1, GL_TEXTURE_2D, tools.targets.accessible);
+  program.set_texture("t_chosen", 2, GL_TEXTURE_BUFFER, chosen.flags());
+  program.set("u_any_chosen", chosen.any());
+  const auto number = [](const std::optional<FacetIndex>& facet) { return facet ? *facet + 1 : 0U; };
+  program.set("u_hovered", number(marks.hovered));
+  program.set("u_blocking", number(marks.blocking));
+  program.set("u_glow", marks.undercut_glow);
+  program.set("u_hover_colour", screen_value(k_hover_mark));
+  program.set("u_block_colour", screen_value(k_block_mark));
+  tools.corners.draw();
+}
+
+}  // namespace moldlight

@@ -1,0 +1,46 @@
+// What a picture is drawn with: the pictures between its passes, the part's mesh.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "gl/pass.hpp"
+#include "render/view_mesh.hpp"
+
+namespace moldlight {
+
+/// Where a picture goes: the lower left `size` pixels of a framebuffer (0: the window's own) with one RGBA8
+/// colour that keeps sRGB values as they are written.
+struct ViewTarget {
+  GLuint framebuffer = 0;
+  glm::ivec2 size{0};
+};
+
+/// The pictures between the passes, all of the size of the final one.
+struct ViewTargets {
+  ViewTargets() = default;
+  ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
+  /// Makes what pictures at rest alone need, unless it is there already.
+  void make_sum(const gl::Functions& gl);
+
+  glm::ivec2 size{0};
+  gl::Texture surface;                                   // RG32UI, see shaders/view/surface_bits.glsl
+  gl::Texture depth;                                     // 32-bit float
+  gl::Texture accessible;                                // R8UI, accessibility bits
+  gl::Texture openness;                                  // R8, 1: sees the whole sky
+  gl::Texture colour;                                    // RGBA8, one sample in sRGB
+  gl::Texture sum;                                       // RGBA32F, squares of samples
+  gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
+  gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
+  gl::Framebuffer to_depth, to_openness, to_sum;
+};
+
+/// Valid for one context.
+struct ViewTools : gl::Tools {
+  ViewTools(const gl::Functions& functions, const ViewGeometry& geometry)
+      : gl::Tools(functions), mesh(functions, geometry) {}
+
+  ViewMesh mesh;
+  ViewTargets targets;
+};
+
+}  // namespace moldlight
