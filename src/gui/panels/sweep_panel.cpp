@@ -104,7 +104,8 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
   headings.push_back({"why", "", 0.0F, ImGuiTableColumnFlags_WidthStretch | k_not});
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Heading& heading : headings) {
-    const float width = std::max(ui.px(heading.width), text_size(ui.fonts.small, heading.name).x);
+    // With room for the mark of the column that is sorted by.
+    const float width = std::max(ui.px(heading.width), text_size(ui.fonts.small, heading.name).x + ui.px(8));
     ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width > 0.0F ? width : 0.0F);
   }
   const FontScope small(ui.fonts.small);
