@@ -11,28 +11,6 @@ namespace moldlight::cli {
 namespace {
 
 constexpr std::size_t k_help_width = 104;
-constexpr std::uint64_t k_most_facets = 1'400'000'000;
-constexpr double k_widest_deflection_deg = 90.0;
-
-double parse_positive(const std::string& text, const std::string& flag) {
-  const double value = parse_real(text, flag);
-  if (value <= 0.0) throw UsageError(fmt::format("{}: {} must be greater than 0", flag, text));
-  return value;
-}
-
-/// A flag for a number greater than 0; its errors name the flag.
-void add_positive_flag(CLI::App& command, const std::string& flag, const std::string& value,
-                       const std::string& help, double& number) {
-  add_text_flag(command, flag, value, help,
-                [flag, &number](const std::string& text) { number = parse_positive(text, flag); });
-}
-
-RepairLevel parse_repair_level(const std::string& text) {
-  if (text == "none") return RepairLevel::none;
-  if (text == "weld") return RepairLevel::weld;
-  if (text == "full") return RepairLevel::full;
-  throw UsageError(fmt::format("--repair: '{}' is none of none, weld, full", text));
-}
 
 }  // namespace
 
@@ -57,45 +35,6 @@ CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::strin
       [&size, least](const std::string& text) { size = parse_picture_size(text, "--size", least); });
 }
 
-void add_reading_flags(CLI::App& command, ReadOptions& options) {
-  add_text_flag(command, "--unit", "UNIT",
-                "Unit of the part, such as mm or in: named where the file names none, converted to otherwise",
-                [&options](const std::string& text) { options.unit = text; });
-  add_text_flag(
-      command, "--body", "N|NAME|all",
-      "Only this body of the file, by its number in the list that info prints, or by its name [default all]",
-      [&options](const std::string& text) { options.body = text; });
-  add_text_flag(
-      command, "--repair", "none|weld|full",
-      "Mend the mesh and say what was done: weld joins vertices that nearly coincide; full also drops "
-      "duplicate and empty facets, makes the winding consistent and fills small holes [default none]",
-      [&options](const std::string& text) { options.repair.level = parse_repair_level(text); });
-  add_positive_flag(
-      command, "--weld-tolerance", "LENGTH",
-      fmt::format("How near vertices are that --repair joins [default {} of the diagonal]", k_weld_share),
-      options.repair.weld_tolerance);
-  add_positive_flag(
-      command, "--linear-deflection", "LENGTH",
-      "STEP: how far facets may be from the CAD surface, in the file's unit [default 0.0005 of the diagonal]",
-      options.linear_deflection);
-  add_text_flag(command, "--angular-deflection", "DEG",
-                fmt::format("STEP: largest angle between neighbouring chords [up to {}; default {}]",
-                            k_widest_deflection_deg, options.angular_deflection_deg),
-                [&options](const std::string& text) {
-                  const double value = parse_positive(text, "--angular-deflection");
-                  if (value > k_widest_deflection_deg) {
-                    throw UsageError(fmt::format("--angular-deflection: {} is out of range, up to {}", text,
-                                                 k_widest_deflection_deg));
-                  }
-                  options.angular_deflection_deg = value;
-                });
-  command
-      .add_option("--max-facets", options.max_facets,
-                  fmt::format("Refuse files with more facets than this [default {}]", options.max_facets))
-      ->option_text("N")
-      ->check(CLI::Range(std::uint64_t{1}, k_most_facets));
-}
-
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command
       .add_option("PART", flags.part,
@@ -103,7 +42,7 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
       ->required();
   add_file_flag(command, "--json", flags.json, "FILE|-",
                 "Write the report as JSON; - for stdout, in place of the table");
-  add_reading_flags(command, flags.reading);
+  add_option_flags(command, reading_options(), flags.reading);
   CLI::Option* quiet = command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
 }

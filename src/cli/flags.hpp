@@ -2,6 +2,7 @@
 // from the table alone; how a part is read; files, sizes, help.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -11,9 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/command.hpp"
-#include "io/read_options.hpp"
 #include "session/method_options.hpp"
-#include "session/option_table.hpp"
 #include "session/still_picture.hpp"
 
 namespace moldlight::cli {
@@ -31,9 +30,6 @@ CLI::Option* add_file_flag(CLI::App& command, const std::string& flag, std::stri
 /// Adds --size; `least` is in pixels.
 CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
                            const glm::ivec2& least = glm::ivec2(k_least_picture_px));
-
-/// How a part is read and what is made of it at once: limits, unit, body, repair, CAD tessellation.
-void add_reading_flags(CLI::App& command, ReadOptions& options);
 
 /// Part file and the flags of every command that reports on it.
 struct PartFlags {
@@ -55,27 +51,32 @@ template <typename S>
   }
   if (std::holds_alternative<SwitchKind<S>>(option.kind)) return "on|off";
   if (std::holds_alternative<DirectionKind<S>>(option.kind)) return "X,Y,Z";
+  if (std::holds_alternative<DirectionsKind<S>>(option.kind)) return "X,Y,Z ...";
+  if (std::holds_alternative<SetKind<S>>(option.kind)) return "LIST";
+  if (const auto* text = std::get_if<TextKind<S>>(&option.kind)) return std::string(text->name);
   if (option.unit == "deg") return "DEG";
   if (option.unit == "texel") return "TEXELS";
   if (option.unit == "s") return "SECONDS";
   if (option.unit.starts_with('%')) return "PCT";
-  if (std::holds_alternative<OptionalRealKind<S>>(option.kind)) return "LENGTH";
+  if (std::holds_alternative<PositiveKind<S>>(option.kind)) return "LENGTH";
   return "N";
 }
 
 /// The option's help with range and default.
 template <typename S>
 [[nodiscard]] std::string flag_help(const Option<S>& option, const S& defaults) {
-  std::string range;
-  if (const auto* real = std::get_if<RealKind<S>>(&option.kind)) {
-    range = fmt::format("{:g} to {:g}", real->min, real->max);
-  }
-  const auto integer_range = [&](const auto* integer) {
-    if (integer != nullptr)
-      range = fmt::format("{} to {}{}", integer->min, integer->max, integer->odd ? ", odd" : "");
-  };
-  integer_range(std::get_if<IntegerKind<S>>(&option.kind));
-  integer_range(std::get_if<OptionalIntegerKind<S>>(&option.kind));
+  const std::string range =
+      std::visit(moldlight::detail::Overloaded{
+                     [](const RealKind<S>& kind) { return fmt::format("{:g} to {:g}", kind.min, kind.max); },
+                     [](const PositiveKind<S>& kind) {
+                       return std::isfinite(kind.max) ? fmt::format("up to {:g}", kind.max) : std::string();
+                     },
+                     [](const IntegerKind<S>& kind) {
+                       return fmt::format("{} to {}{}", kind.min, kind.max, kind.odd ? ", odd" : "");
+                     },
+                     [](const TextKind<S>& kind) { return fmt::format("{}", fmt::join(kind.words, ", ")); },
+                     [](const auto&) { return std::string(); }},
+                 option.kind);
   const std::string value = option_text(option, defaults);
   const std::string standard = value.empty() ? "" : "default " + value;
   if (range.empty() && standard.empty()) return std::string(option.help);
@@ -92,8 +93,16 @@ CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& sett
   if (is_switch != nullptr && !(settings.*is_switch->member)) {
     return command.add_flag(std::string(option.flag), settings.*is_switch->member, std::string(option.help));
   }
-  return add_text_flag(command, std::string(option.flag), value_text(option), flag_help(option, settings),
-                       [&option, &settings](const std::string& text) { set_option(option, settings, text); });
+  CLI::Option* flag =
+      add_text_flag(command, std::string(option.flag), value_text(option), flag_help(option, settings),
+                    [&option, &settings](const std::string& text) {
+                      if (text.empty()) throw UsageError(fmt::format("{}: the value is empty", option.flag));
+                      set_option(option, settings, text);
+                    });
+  // Given several times, it is joined by line ends.
+  if (std::holds_alternative<DirectionsKind<S>>(option.kind))
+    flag->multi_option_policy(CLI::MultiOptionPolicy::Join);
+  return flag;
 }
 
 /// The same for every option of a table.

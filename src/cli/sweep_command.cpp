@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "cli/flags.hpp"
 #include "io/direction_list.hpp"
-#include "mold/sweep/ranking.hpp"
 #include "session/figures.hpp"
 #include "session/headless.hpp"
 #include "session/still_picture.hpp"
@@ -82,7 +81,7 @@ UndercutLimit parse_undercut_limit(std::string_view text) {
   UndercutLimit limit;
   limit.per_cent = text.ends_with('%');
   if (limit.per_cent) text.remove_suffix(1);
-  limit.value = parse_real(text, "--fail-if-undercut");
+  limit.value = parse_real({text, "--fail-if-undercut"});
   if (limit.value < 0.0) throw UsageError("--fail-if-undercut: the limit is less than 0");
   return limit;
 }
@@ -179,32 +178,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
   SweepSettings& sweep = flags->sweep;
   add_part_flags(*command, flags->part, request);
   add_option_flags(*command, sweep_options(), sweep);
-  add_text_flag(
-      *command, "--candidates", "LIST",
-      "Where candidate directions come from, separated by commas: axis, revolution, plane, perpendicular, "
-      "hull, principal, uniform; all or none [default all]",
-      [&sweep](const std::string& text) { sweep.kinds = parse_candidate_kinds(text); });
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--direction",
-          [&sweep](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts)
-              sweep.user_directions.push_back(parse_direction(text, "--direction"));
-          },
-          "A direction to look at and list beside the others; may be given several times")
-      ->option_text("X,Y,Z ...")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_file_flag(*command, "--directions-file", flags->directions_file, "FILE.csv",
-                "The same from a file, a line a direction: x, y, z");
-  add_text_flag(
-      *command, "--objective", "LIST",
-      "What to rank by, smallest first: undercut, patches, draw-depth, projected-area, undraughted-area, or "
-      "a weighted sum of shares of the part, as undercut:1,draw-depth:0.1 [default undercut]",
-      [&sweep](const std::string& text) {
-        static_cast<void>(parse_objective(text));
-        sweep.objective = text;
-      });
+                "Such directions from a file, a line a direction: x, y, z");
   add_text_flag(
       *command, "--fail-if-undercut", "AREA|PCT%",
       "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "

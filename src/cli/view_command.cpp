@@ -106,7 +106,7 @@ void add_view_command(CLI::App& program, Request& request) {
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
       "with the direction at rest, and with a direction that changes every frame");
-  add_reading_flags(*command, flags->reading);
+  add_option_flags(*command, reading_options(), flags->reading);
   add_method_flags(*command, flags->notes.method);
   add_option_flags(*command, look_options(), flags->notes.look);
   add_option_flags(*command, gui::window_options(), flags->window);

@@ -57,8 +57,6 @@ class App {
   void open(const std::string& path);
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
-  /// Replaces the options of the next sweep.
-  void set_sweep_options(const SweepSettings& options) { state_.sweep_choices.options = options; }
 
   /// Readies fonts and style; then the platform starts ImGui's frame on its side, then frame() does the rest.
   void prepare(const FrameInput& input);

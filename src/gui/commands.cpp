@@ -11,6 +11,7 @@
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/round_wall.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -132,7 +133,7 @@ void Commands::quit() { app.quitting_ = true; }
 
 void Edits::keep_bookmark() {
   const glm::dvec3& direction = settings.method.direction;
-  bookmarks.push_back({.note = direction_text(direction), .direction = tidy(direction)});
+  bookmarks.push_back({.note = direction_text(direction, 3), .direction = tidy(direction)});
 }
 
 namespace {

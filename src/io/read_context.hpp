@@ -32,7 +32,7 @@ struct ReadContext {
 
   /// Throws where `facets` exceeds the limit of the options.
   void check_facet_count(std::uint64_t facets) const {
-    if (facets <= options.max_facets) return;
+    if (facets <= static_cast<std::uint64_t>(options.max_facets)) return;
     fail("", "holds more facets than the limit of {}; raise the limit (--max-facets) if they are meant",
          options.max_facets);
   }

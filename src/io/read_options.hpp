@@ -1,7 +1,6 @@
 // How a part file is read, and what is made of the part at once.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "mesh/repair.hpp"
@@ -9,7 +8,7 @@
 namespace moldlight {
 
 struct ReadOptions {
-  std::uint64_t max_facets = 200'000'000;  // a file with more is an error, [1, 1'400'000'000]
+  int max_facets = 200'000'000;  // a file with more is an error, [1, 1'400'000'000]
 
   // STEP only: how close the facets keep to the CAD surface.
   double linear_deflection = 0.0;       // distance in the file's unit; 0: 0.0005 of the part's diagonal

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/check.hpp"
+#include "mold/draft.hpp"
 
 namespace moldlight {
 
@@ -22,6 +23,15 @@ FacetFractions sampled_fractions(const SurfaceSamples& samples, std::span<const 
     }
   }
   return fractions;
+}
+
+double near_vertical_area(const FacetGeometry& geometry, const glm::dvec3& direction, double tau_deg) {
+  double area = 0.0;
+  for (std::size_t facet = 0; facet < geometry.areas.size(); ++facet) {
+    if (facet_class(geometry.normals[facet], direction, tau_deg) == FacetClass::near_vertical)
+      area += geometry.areas[facet];
+  }
+  return area;
 }
 
 RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry) {

@@ -26,6 +26,10 @@ inline constexpr std::uint8_t k_accessible_minus = 2;
 [[nodiscard]] FacetFractions sampled_fractions(const SurfaceSamples& samples,
                                                std::span<const std::uint8_t> verdicts);
 
+/// Area of the facets with less draft than tau (degrees) along a unit direction, model units squared.
+[[nodiscard]] double near_vertical_area(const FacetGeometry& geometry, const glm::dvec3& direction,
+                                        double tau_deg);
+
 /// Model units squared.
 [[nodiscard]] RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry);
 

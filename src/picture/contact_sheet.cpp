@@ -10,10 +10,10 @@ namespace moldlight {
 namespace {
 
 // Lengths at scale 1.
-constexpr double k_margin = 40.0, k_gap = 24.0, k_head = 76.0, k_text = 118.0, k_radius = 8.0;
+constexpr double k_margin = 40.0, k_gap = 24.0, k_head = 76.0, k_text = 118.0;
 constexpr double k_least_width = 2.0 * k_tile_width + k_gap;  // room for the title and the regions
 /// Where a tile's figures start.
-constexpr std::array<double, k_tile_columns - 1> k_columns = {0.0, 150.0, 214.0, 274.0};
+constexpr std::array<double, k_tile_columns - 1> k_columns = {0.0, 150.0, 206.0, 260.0};
 
 glm::dvec2 sheet_size(std::size_t tiles) {
   const std::size_t columns = sheet_columns(tiles), rows = tiles == 0 ? 0 : (tiles + columns - 1) / columns;

@@ -24,8 +24,8 @@ constexpr double k_row = 50.0, k_short_row = 26.0;
 constexpr double k_number_right = k_left + 18.0, k_tie_left = k_left + 21.0, k_swatch = k_left + 46.0,
                  k_reason_left = k_left + 66.0;
 constexpr std::array<double, 3> k_direction_right = {k_left + 120.0, k_left + 180.0, k_left + 240.0};
-constexpr double k_area_right = k_left + 318.0, k_error_right = k_left + 380.0,
-                 k_share_right = k_left + 436.0;
+constexpr std::array<double, k_sphere_columns> k_figure_right = {k_left + 312.0, k_left + 390.0,
+                                                                 k_left + 444.0, k_right};
 
 /// Rows of the table, with and without the line that says why.
 constexpr std::size_t k_tall_rows = 10, k_short_rows = 19;
@@ -83,10 +83,10 @@ void draw_row(DesignSpace& at, double top, const SphereRow& row, const UndercutF
   for (std::size_t axis = 0; axis < 3; ++axis) {
     at.text({k_direction_right[axis], base}, row.direction[axis], at.figure(Align::right, weight));
   }
-  at.text({k_area_right, base}, row.area, at.figure(Align::right, weight));
-  at.text({k_error_right, base}, row.error, at.figure(Align::right));
-  at.text({k_share_right, base}, row.share, at.figure(Align::right));
-  at.text({k_right, base}, row.tilt, at.figure(Align::right));
+  for (std::size_t k = 0; k < k_sphere_columns; ++k) {
+    at.text({k_figure_right[k], base}, row.figures[k],
+            k == 0 ? at.figure(Align::right, weight) : at.figure(Align::right));
+  }
   if (!with_reason) return;
   at.fitting({k_reason_left, base + 18.0}, row.reasons, at.small(Align::left), k_right - k_reason_left);
 }
@@ -97,10 +97,8 @@ void draw_table(DesignSpace& at, double top, const UndercutField& field, const S
   for (std::size_t axis = 0; axis < 3; ++axis) {
     at.text({k_direction_right[axis], top}, std::string(1, "xyz"[axis]), head);
   }
-  at.text({k_area_right, top}, content.unit, head);
-  at.text({k_error_right, top}, "±", head);
-  at.text({k_share_right, top}, "%", head);
-  at.text({k_right, top}, "may lean", head);
+  for (std::size_t k = 0; k < k_sphere_columns; ++k)
+    at.text({k_figure_right[k], top}, content.headings[k], head);
   const bool tall = content.rows.size() <= k_tall_rows;
   double y = top + 12.0;
   at.line({k_left, y}, {k_right, y}, at.inks().border, 1.0);
@@ -133,7 +131,7 @@ void draw_key(DesignSpace& at, const SphereContent& content, bool dark) {
   draw_mark(at.canvas(), at.place({x, base - 4.0}), false, at.scale());
   entry("listed");
   at.canvas().ring(at.place({x, base - 4.0}), 8.0 * at.scale(), at.inks().normal, 1.3 * at.scale());
-  entry("how far the best may lean");
+  entry("tilt of the best");
   draw_unknown(at.canvas(), at.box({x - 7.0, base - 11.0}, {14.0, 14.0}),
                {.dark = dark, .scale = at.scale()});
   entry("not looked at");

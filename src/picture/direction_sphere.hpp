@@ -12,13 +12,16 @@
 
 namespace moldlight {
 
+/// Figures that a row has room for; the last may be a long one.
+inline constexpr std::size_t k_sphere_columns = 4;
+
 /// A listed direction; texts are ready to be shown.
 struct SphereRow {
   SphereMark mark;
   double undercut = 0.0;  // for its colour
   std::string number = {}, tie = {};
   std::array<std::string, 3> direction = {};
-  std::string area = {}, error = {}, share = {}, tilt = {};
+  std::array<std::string, k_sphere_columns> figures = {};
   std::vector<std::string> reasons = {};  // the same in ever fewer words; the first that fits is shown
 };
 
@@ -27,8 +30,9 @@ struct SphereContent {
   std::vector<std::string> lines = {};  // below the title
   std::string unit = {};                // of areas
   double total_area = 0.0;              // of the part, for the per cents on the colour bar
-  std::vector<SphereRow> rows = {};     // best first
-  std::string note = {};                // where there are no rows
+  std::array<std::string, k_sphere_columns> headings = {};
+  std::vector<SphereRow> rows = {};  // best first
+  std::string note = {};             // where there are no rows
 };
 
 /// Opaque, of `size` pixels; drawn for 1600 by 1000 and scaled to others. `palette` of the style is not used:

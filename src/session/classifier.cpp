@@ -30,7 +30,7 @@ MapSettings map_settings(const MethodSettings& settings, double diagonal) {
   map.lateral = lateral_tolerance(settings, diagonal) / diagonal;
   map.kernel_radius = static_cast<int>(std::lround(map.lateral * settings.resolution));
   // The paper's kernel is 3 x 3 where nobody says otherwise, however coarse the maps.
-  if (!settings.kernel && !settings.tolerance) map.kernel_radius = std::max(1, map.kernel_radius);
+  if (settings.kernel == 0 && settings.tolerance <= 0.0) map.kernel_radius = std::max(1, map.kernel_radius);
   return map;
 }
 

@@ -17,9 +17,6 @@ using Json = nlohmann::ordered_json;
 
 Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
-/// What part of `whole` a value is; 0 for a part without area.
-double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
-
 Json settings_json(const Classification& result) {
   Json settings = options_json(method_options(), result.settings);
   settings.erase("direction");
@@ -70,16 +67,16 @@ std::string comparison_table(const MapComparison& comparison, const FigureColumn
                              const std::string& area_unit) {
   const double total = comparison.total();
   std::string text =
-      fmt::format("{}\nmeasured by {} samples, ± {:.2g} % of the area\n\n", comparison_text(comparison),
-                  comparison.samples, 100.0 * share(comparison.error, total));
+      fmt::format("{}\nmeasured by {} samples, ± {} % of the area\n\n", comparison_text(comparison),
+                  comparison.samples, error_text(100.0 * share(comparison.error, total)));
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{:<9}{:<9}{:>17}{:>10}\n", "exact", "by maps", "area " + area_unit, "share");
   for (const Region exact : k_regions) {
     for (const Region shown : k_regions) {
       const double area = comparison.areas[static_cast<std::size_t>(exact)][shown];
       if (area > 0.0) {
-        fmt::format_to(out, "{:<9}{:<9}{:>16}{:>8.2f} %\n", region_name(exact), region_name(shown),
-                       column.text(area), 100.0 * share(area, total));
+        fmt::format_to(out, "{:<9}{:<9}{:>16}{:>10}\n", region_name(exact), region_name(shown),
+                       column.text(area), share_text(area, total));
       }
     }
   }
@@ -90,9 +87,9 @@ std::string comparison_table(const MapComparison& comparison, const FigureColumn
 constexpr std::string_view k_plain = "\033[0m";
 
 std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
-  std::string text = fmt::format("± {:.2g}", uncertainty.total());
+  std::string text = "± " + error_text(uncertainty.total());
   if (uncertainty.readout > 0.0)
-    return text + fmt::format(", {:.2g} of it off exact regions", uncertainty.readout);
+    return text + fmt::format(", {} of it off exact regions", error_text(uncertainty.readout));
   if (uncertainty.mesh > uncertainty.rounding) return text + ", for what is wrong with the mesh";
   return text;
 }
@@ -178,20 +175,21 @@ std::string classify_table(const PartModel& model, const Classification& result,
   fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
   for (const Region region : k_regions) {
     const std::string name = fmt::format("{:<9}", region_name(region));
-    fmt::format_to(out, "{}{:>16}{:>8.2f} %{}\n",
+    fmt::format_to(out, "{}{:>16}{:>10}{}\n",
                    colour ? fmt::format("{}{}{}", facts(region).terminal_colour, name, k_plain) : name,
-                   areas.text(result.areas[region]), 100.0 * share(result.areas[region], result.total_area),
+                   areas.text(result.areas[region]), share_text(result.areas[region], result.total_area),
                    region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
   }
-  fmt::format_to(out, "{:<9}{:>16}{:>8.2f} %\n\n", "total", areas.text(result.total_area),
-                 result.total_area > 0.0 ? 100.0 : 0.0);
+  fmt::format_to(out, "{:<9}{:>16}{:>10}\n\n", "total", areas.text(result.total_area),
+                 share_text(result.total_area, result.total_area));
   const ShadowIdentity& identity = result.identity;
   fmt::format_to(
       out,
-      "check {}  the part's shadow: {} {} by what +d sees, {} by what -d sees; they are {:.2g} apart,\n"
-      "         {} rounding, {:.2g}\n",
+      "check {}  the part's shadow: {} {} by what +d sees, {} by what -d sees; they are {} apart,\n"
+      "         {} rounding, {}\n",
       identity.agrees() ? "✓" : "✗", areas.text(identity.core), area_unit, areas.text(identity.cavity),
-      std::abs(identity.gap), identity.agrees() ? "within" : "more than", identity.gap_limit);
+      error_text(std::abs(identity.gap)), identity.agrees() ? "within" : "more than",
+      error_text(identity.gap_limit));
   if (result.maps) text += "\n" + comparison_table(*result.maps, areas, area_unit);
   return text;
 }

@@ -27,6 +27,14 @@ std::string FigureColumn::text(double value) const {
   return scientific_ ? fmt::format("{:.{}e}", value, decimals_) : fmt::format("{:.{}f}", value, decimals_);
 }
 
+double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
+
+std::string share_text(double value, double whole) {
+  return fmt::format("{:.2f} %", 100.0 * share(value, whole));
+}
+
+std::string error_text(double error) { return fmt::format("{:.2g}", error); }
+
 std::string figure(double value) { return fmt::format("{:.6g}", value); }
 
 std::string figures(const glm::dvec3& values, double scale) {

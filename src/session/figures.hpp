@@ -20,6 +20,13 @@ class FigureColumn {
   bool scientific_ = false;  // for what would need a screen's width of zeros
 };
 
+/// What part of `whole` a value is; 0 of nothing.
+[[nodiscard]] double share(double value, double whole);
+/// The same as "2.03 %".
+[[nodiscard]] std::string share_text(double value, double whole);
+/// How far a figure may be off, in two digits: rounding alone shows, too.
+[[nodiscard]] std::string error_text(double error);
+
 /// One figure on its own, six digits.
 [[nodiscard]] std::string figure(double value);
 /// "x, y, z"; what is rounding error beside a length of `scale` is written as 0.

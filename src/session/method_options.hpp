@@ -1,13 +1,17 @@
-// The options of the method: the one table behind the flags of every command, the settings JSON and the
-// window.
+// The options of the method and of how a part is read: the tables behind the flags of every command, the
+// settings JSON and the window.
 #pragma once
 
+#include "io/read_options.hpp"
 #include "session/option_table.hpp"
 #include "session/settings.hpp"
 
 namespace moldlight {
 
 [[nodiscard]] std::span<const Option<MethodSettings>> method_options();
+
+/// Limits, unit, body, repair, CAD tessellation.
+[[nodiscard]] std::span<const Option<ReadOptions>> reading_options();
 
 /// Checks what no single option can: throws UsageError for settings that contradict each other.
 void validate(const MethodSettings& settings);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,41 +17,78 @@
 
 namespace moldlight {
 
-/// Kinds of settings of a struct S. Ranges are inclusive; values out of range are refused, never clamped.
+using Words = std::vector<std::string_view>;
+
+/// A setting as text, as the command line takes it, and what a UsageError calls it.
+struct GivenText {
+  std::string_view text, what;
+};
+/// Parsers that the option tables share. They throw UsageError for what they refuse. Ranges are inclusive;
+/// values out of range are refused, never clamped.
+[[nodiscard]] double parse_real(const GivenText& given);
+[[nodiscard]] double parse_real(const GivenText& given, double min, double max);
+[[nodiscard]] double parse_positive(const GivenText& given, double max);
+[[nodiscard]] int parse_integer(const GivenText& given, int min, int max, bool odd);
+[[nodiscard]] bool parse_switch(const GivenText& given);
+[[nodiscard]] glm::dvec3 parse_direction(const GivenText& given);
+[[nodiscard]] std::vector<glm::dvec3> parse_directions(const GivenText& given);
+[[nodiscard]] int parse_word(const GivenText& given, const Words& words);
+/// Of "a,b", "all" or "none".
+[[nodiscard]] Words parse_words(const GivenText& given, const Words& words);
+/// Shortest text that reads back as the same number.
+[[nodiscard]] std::string real_text(double value);
+
+/// Kinds of settings of a struct S. Each gives the setting's value, unset ones as none, and sets it from
+/// text.
 template <typename S>
 struct RealKind {
   double S::*member;
   double min, max, step;  // step: of a slider or an arrow key
+
+  double value(const S& s) const { return s.*member; }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_real(given, min, max); }
 };
-/// A positive length that may be left unset.
+/// A number greater than 0; 0 while it is unset.
 template <typename S>
-struct OptionalRealKind {
-  std::optional<double> S::*member;
+struct PositiveKind {
+  double& (*member)(S&);
+  double max = std::numeric_limits<double>::infinity();
+
+  std::optional<double> value(S s) const { return member(s) > 0.0 ? std::optional(member(s)) : std::nullopt; }
+  void parse(S& s, const GivenText& given) const {
+    member(s) = given.text.empty() ? 0.0 : parse_positive(given, max);
+  }
 };
 template <typename S>
 struct IntegerKind {
   int S::*member;
   int min, max;
   bool odd = false;  // only odd values
-};
-/// The same, which may be left unset; a slider then stands at `standard`.
-template <typename S>
-struct OptionalIntegerKind {
-  std::optional<int> S::*member;
-  int min, max;
-  bool odd;
-  int standard;
+  int standard = 0;  // where not 0: the setting may be left unset, which is 0; a slider then stands here
+
+  std::optional<int> value(const S& s) const {
+    return standard != 0 && s.*member == 0 ? std::nullopt : std::optional(s.*member);
+  }
+  void parse(S& s, const GivenText& given) const {
+    s.*member = standard != 0 && given.text.empty() ? 0 : parse_integer(given, min, max, odd);
+  }
 };
 template <typename S>
 struct SwitchKind {
   bool S::*member;
+
+  bool value(const S& s) const { return s.*member; }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_switch(given); }
 };
 /// One of a few words; index k of `words` is enumerator k.
 template <typename S>
 struct ChoiceKind {
-  std::vector<std::string_view> words;
+  Words words;
   int (*get)(const S&);
   void (*set)(S&, int);
+
+  std::string_view value(const S& s) const { return words[static_cast<std::size_t>(get(s))]; }
+  void parse(S& s, const GivenText& given) const { set(s, parse_word(given, words)); }
 };
 
 namespace detail {
@@ -65,7 +103,7 @@ struct MemberPointer<T S::*> {
 
 /// The choice of an enumeration member, choice<&S::member>({"word of enumerator 0", …}).
 template <auto k_member>
-[[nodiscard]] auto choice(std::vector<std::string_view> words) {
+[[nodiscard]] auto choice(Words words) {
   using Struct = typename detail::MemberPointer<decltype(k_member)>::Struct;
   using Enum = typename detail::MemberPointer<decltype(k_member)>::Type;
   return ChoiceKind<Struct>{
@@ -78,6 +116,38 @@ template <auto k_member>
 template <typename S>
 struct DirectionKind {
   glm::dvec3 S::*member;
+
+  glm::dvec3 value(const S& s) const { return s.*member; }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_direction(given); }
+};
+/// Any number of them, a line each; the window has no control for it.
+template <typename S>
+struct DirectionsKind {
+  std::vector<glm::dvec3> S::*member;
+
+  std::vector<glm::dvec3> value(const S& s) const { return s.*member; }
+  void parse(S& s, const GivenText& given) const { s.*member = parse_directions(given); }
+};
+/// Some of a few words, "a,b", in the order given; "all" or "none".
+template <typename S>
+struct SetKind {
+  Words words;
+  Words (*get)(const S&);
+  void (*set)(S&, const Words& chosen);
+
+  Words value(const S& s) const { return get(s); }
+  void parse(S& s, const GivenText& given) const { set(s, parse_words(given, words)); }
+};
+/// Text that the setting's own parser reads. The window offers the words.
+template <typename S>
+struct TextKind {
+  std::string_view name;  // stands for it in the help
+  std::string (*get)(const S&);
+  void (*set)(S&, std::string_view text);  // throws UsageError
+  Words words = {};
+
+  std::string value(const S& s) const { return get(s); }
+  void parse(S& s, const GivenText& given) const { set(s, given.text); }
 };
 
 template <typename S>
@@ -87,8 +157,8 @@ struct Option {
   std::string_view label;  // in the window
   std::string_view unit;   // "deg", "texel", "part's unit"; empty where there is none
   std::string_view help;   // one or two sentences
-  std::variant<RealKind<S>, OptionalRealKind<S>, IntegerKind<S>, OptionalIntegerKind<S>, SwitchKind<S>,
-               ChoiceKind<S>, DirectionKind<S>>
+  std::variant<RealKind<S>, PositiveKind<S>, IntegerKind<S>, SwitchKind<S>, ChoiceKind<S>, DirectionKind<S>,
+               DirectionsKind<S>, SetKind<S>, TextKind<S>>
       kind;
 };
 
@@ -99,12 +169,5 @@ template <typename S>
   CHECK(found != options.end());
   return *found;
 }
-
-/// Parsers that the option tables share; `what` names the option in the UsageError that they throw.
-[[nodiscard]] double parse_real(std::string_view text, std::string_view what);
-[[nodiscard]] int parse_integer(std::string_view text, std::string_view what);
-[[nodiscard]] glm::dvec3 parse_direction(std::string_view text, std::string_view what);
-/// Shortest text that reads back as the same number.
-[[nodiscard]] std::string real_text(double value);
 
 }  // namespace moldlight

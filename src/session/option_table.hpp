@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,19 +12,58 @@
 namespace moldlight {
 
 namespace detail {
+
+using Json = nlohmann::ordered_json;
+
 template <typename... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
-/// Throws UsageError for what `kind` refuses.
-template <typename Kind>
-[[nodiscard]] int integer_in_range(const Kind& kind, std::string_view text, std::string_view what) {
-  const int value = parse_integer(text, what);
-  if (value < kind.min || value > kind.max || (kind.odd && value % 2 == 0)) {
-    throw UsageError(fmt::format("{}: {} is out of range, {} to {}{}", what, text, kind.min, kind.max,
-                                 kind.odd ? ", odd" : ""));
-  }
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+inline std::string value_text(double value) { return real_text(value); }
+inline std::string value_text(int value) { return fmt::format("{}", value); }
+inline std::string value_text(bool value) { return value ? "on" : "off"; }
+inline std::string value_text(std::string_view text) { return std::string(text); }
+inline std::string value_text(const glm::dvec3& d) { return fmt::format("{},{},{}", d.x, d.y, d.z); }
+inline std::string value_text(const std::vector<glm::dvec3>& directions) {
+  std::string text;
+  for (const glm::dvec3& d : directions) text += (text.empty() ? "" : "\n") + value_text(d);
+  return text;
+}
+inline std::string value_text(const Words& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ","));
+}
+template <typename T>
+std::string value_text(const std::optional<T>& value) {
+  return value ? value_text(*value) : std::string();
+}
+
+inline Json value_json(const glm::dvec3& d) { return {d.x, d.y, d.z}; }
+inline Json value_json(const std::vector<glm::dvec3>& directions) {
+  Json list = Json::array();
+  for (const glm::dvec3& d : directions) list.push_back(value_json(d));
+  return list;
+}
+template <typename T>
+Json value_json(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+template <typename T>
+Json value_json(const T& value) {
   return value;
+}
+
+/// As the command line takes it.
+inline std::string json_text(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value_text(value.get<bool>());
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& item : value) text += (text.empty() ? "" : item.is_array() ? "\n" : ",") + json_text(item);
+  return text;
 }
 
 }  // namespace detail
@@ -33,77 +71,14 @@ template <typename Kind>
 /// The setting's value as the command line takes it; empty for an unset one.
 template <typename S>
 [[nodiscard]] std::string option_text(const Option<S>& option, const S& settings) {
-  return std::visit(
-      detail::Overloaded{
-          [&](const RealKind<S>& kind) { return real_text(settings.*kind.member); },
-          [&](const OptionalRealKind<S>& kind) {
-            return settings.*kind.member ? real_text(*(settings.*kind.member)) : std::string();
-          },
-          [&](const IntegerKind<S>& kind) { return fmt::format("{}", settings.*kind.member); },
-          [&](const OptionalIntegerKind<S>& kind) {
-            return settings.*kind.member ? fmt::format("{}", *(settings.*kind.member)) : std::string();
-          },
-          [&](const SwitchKind<S>& kind) { return std::string(settings.*kind.member ? "on" : "off"); },
-          [&](const ChoiceKind<S>& kind) {
-            return std::string(kind.words[static_cast<std::size_t>(kind.get(settings))]);
-          },
-          [&](const DirectionKind<S>& kind) {
-            const glm::dvec3& d = settings.*kind.member;
-            return fmt::format("{},{},{}", d.x, d.y, d.z);
-          },
-      },
-      option.kind);
+  return std::visit([&](const auto& kind) { return detail::value_text(kind.value(settings)); }, option.kind);
 }
 
-/// Sets from text as the command line takes it; throws UsageError that names the option, the value and the
-/// range.
+/// Sets from text as the command line takes it, or unsets by an empty one; throws UsageError that names the
+/// option, the value and the range.
 template <typename S>
 void set_option(const Option<S>& option, S& settings, std::string_view text) {
-  const std::string_view what = option.flag;
-  std::visit(detail::Overloaded{
-                 [&](const RealKind<S>& kind) {
-                   const double value = parse_real(text, what);
-                   if (value < kind.min || value > kind.max) {
-                     throw UsageError(
-                         fmt::format("{}: {} is out of range, {} to {}", what, text, kind.min, kind.max));
-                   }
-                   settings.*kind.member = value;
-                 },
-                 [&](const OptionalRealKind<S>& kind) {
-                   if (text.empty()) {
-                     settings.*kind.member = std::nullopt;
-                     return;
-                   }
-                   const double value = parse_real(text, what);
-                   if (value <= 0.0)
-                     throw UsageError(fmt::format("{}: {} must be greater than 0", what, text));
-                   settings.*kind.member = value;
-                 },
-                 [&](const IntegerKind<S>& kind) {
-                   settings.*kind.member = detail::integer_in_range(kind, text, what);
-                 },
-                 [&](const OptionalIntegerKind<S>& kind) {
-                   settings.*kind.member = text.empty()
-                                               ? std::nullopt
-                                               : std::optional(detail::integer_in_range(kind, text, what));
-                 },
-                 [&](const SwitchKind<S>& kind) {
-                   if (text != "on" && text != "off") {
-                     throw UsageError(fmt::format("{}: '{}' is neither on nor off", what, text));
-                   }
-                   settings.*kind.member = text == "on";
-                 },
-                 [&](const ChoiceKind<S>& kind) {
-                   const auto word = std::find(kind.words.begin(), kind.words.end(), text);
-                   if (word == kind.words.end()) {
-                     throw UsageError(
-                         fmt::format("{}: '{}' is none of {}", what, text, fmt::join(kind.words, ", ")));
-                   }
-                   kind.set(settings, static_cast<int>(word - kind.words.begin()));
-                 },
-                 [&](const DirectionKind<S>& kind) { settings.*kind.member = parse_direction(text, what); },
-             },
-             option.kind);
+  std::visit([&](const auto& kind) { kind.parse(settings, {text, option.flag}); }, option.kind);
 }
 
 /// A JSON object with every option under its key; null for an unset one.
@@ -111,24 +86,8 @@ template <typename S>
 [[nodiscard]] nlohmann::ordered_json options_json(std::span<const Option<S>> options, const S& settings) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const Option<S>& option : options) {
-    auto& value = json[std::string(option.key)];
-    std::visit(detail::Overloaded{
-                   [&](const RealKind<S>& kind) { value = settings.*kind.member; },
-                   [&](const OptionalRealKind<S>& kind) {
-                     if (settings.*kind.member) value = *(settings.*kind.member);
-                   },
-                   [&](const IntegerKind<S>& kind) { value = settings.*kind.member; },
-                   [&](const OptionalIntegerKind<S>& kind) {
-                     if (settings.*kind.member) value = *(settings.*kind.member);
-                   },
-                   [&](const SwitchKind<S>& kind) { value = settings.*kind.member; },
-                   [&](const ChoiceKind<S>&) { value = option_text(option, settings); },
-                   [&](const DirectionKind<S>& kind) {
-                     const glm::dvec3& d = settings.*kind.member;
-                     value = {d.x, d.y, d.z};
-                   },
-               },
-               option.kind);
+    json[std::string(option.key)] =
+        std::visit([&](const auto& kind) { return detail::value_json(kind.value(settings)); }, option.kind);
   }
   return json;
 }
@@ -137,21 +96,12 @@ template <typename S>
 template <typename S>
 void set_options(std::span<const Option<S>> options, S& settings, const nlohmann::ordered_json& json) {
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& item : json.items()) {
     const auto option =
-        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == key; });
-    if (option == options.end()) throw UsageError(fmt::format("settings: there is no setting '{}'", key));
-    std::string text;
-    if (value.is_string()) {
-      text = value.template get<std::string>();
-    } else if (value.is_boolean()) {
-      text = value.template get<bool>() ? "on" : "off";
-    } else if (value.is_array()) {
-      for (const auto& item : value) text += (text.empty() ? "" : ",") + item.dump();
-    } else if (!value.is_null()) {
-      text = value.dump();
-    }
-    set_option(*option, settings, text);
+        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == item.key(); });
+    if (option == options.end())
+      throw UsageError(fmt::format("settings: there is no setting '{}'", item.key()));
+    set_option(*option, settings, detail::json_text(item.value()));
   }
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -25,8 +24,8 @@ using Backend = gl::HeadlessBackend;
 struct MethodSettings {
   glm::dvec3 direction{0.0, 0.0, 1.0};  // any length but zero
   double tau_deg = 1.0;                 // [0, 10]
-  std::optional<int> kernel;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance
-  std::optional<double> tolerance;  // lateral tolerance in model units, > 0; replaces the kernel width
+  int kernel = 0;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance; 0: unset
+  double tolerance = 0.0;  // lateral tolerance in model units; replaces the kernel width; 0: unset
   KernelShape kernel_shape = KernelShape::one_sided;
   double edge_thickness = 2.0;  // width of the thick concave contour edges in texels, [0, 8]
   int resolution = 2048;        // shadow maps are resolution x resolution texels, [64, 8192]

@@ -165,12 +165,12 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
   const FigureColumn areas(result.total_area);
   for (const Region region : k_regions) {
     const auto index = static_cast<std::size_t>(region);
-    content.shares[index] = result.total_area > 0.0 ? result.areas[region] / result.total_area : 0.0;
+    content.shares[index] = share(result.areas[region], result.total_area);
     content.percents[index] = fmt::format("{:.2f}", 100.0 * content.shares[index]);
     content.areas[index] = areas.text(result.areas[region]);
   }
   content.unit = powered_unit(model.part, 2);
-  content.note = fmt::format("undercut ± {:.2g} {}  ·  two checks {}", result.uncertainty.total(),
+  content.note = fmt::format("undercut ± {} {}  ·  two checks {}", error_text(result.uncertainty.total()),
                              content.unit, result.identity.agrees() ? "agree" : "disagree");
   return content;
 }

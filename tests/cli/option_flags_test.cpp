@@ -22,7 +22,6 @@ std::string other_value(const Option<S>& option) {
   if (const auto* integer = std::get_if<IntegerKind<S>>(&option.kind)) {
     return real_text(differs(real_text(integer->min)) ? integer->min : integer->max);
   }
-  if (const auto* integer = std::get_if<OptionalIntegerKind<S>>(&option.kind)) return real_text(integer->max);
   if (const auto* choice = std::get_if<ChoiceKind<S>>(&option.kind)) return std::string(choice->words.back());
   if (std::holds_alternative<SwitchKind<S>>(option.kind)) return differs("on") ? "on" : "off";
   if (std::holds_alternative<DirectionKind<S>>(option.kind)) return "-0.6,0,0.8";

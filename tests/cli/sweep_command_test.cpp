@@ -63,7 +63,7 @@ TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   for (const char* word :
-       {"cup.obj: ", "undercut unit²", "± unit²", "may lean", "Pareto", "z-axis of the file"}) {
+       {"cup.obj: ", "undercut unit²", "± unit²", "tilt", "Pareto", "z-axis of the file"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
   }
   EXPECT_NE(run.out.find("e-"), std::string::npos) << "rounding is more than 0.0 in\n" << run.out;

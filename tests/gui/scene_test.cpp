@@ -25,16 +25,16 @@ void change(const Option<MethodSettings>& option, MethodSettings& settings) {
   using S = MethodSettings;
   std::visit(moldlight::detail::Overloaded{
                  [&](const RealKind<S>& kind) { settings.*kind.member = kind.max; },
-                 [&](const OptionalRealKind<S>& kind) { settings.*kind.member = 2.0; },
+                 [&](const PositiveKind<S>& kind) { kind.member(settings) = 2.0; },
                  [&](const IntegerKind<S>& kind) {
                    settings.*kind.member = option.key == "resolution" ? 100 : kind.max;
                  },
-                 [&](const OptionalIntegerKind<S>& kind) { settings.*kind.member = kind.max; },
                  [&](const SwitchKind<S>& kind) { settings.*kind.member = !(settings.*kind.member); },
                  [&](const ChoiceKind<S>& kind) { kind.set(settings, kind.get(settings) == 0 ? 1 : 0); },
                  [&](const DirectionKind<S>& kind) {
                    settings.*kind.member = {0.3, 0.1, 1.0};
                  },
+                 [](const auto&) { FAIL() << "no option of the method"; },
              },
              option.kind);
 }

@@ -6,14 +6,14 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <glm/geometric.hpp>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "gui/offscreen.hpp"
-#include "gui/panels/sweep_columns.hpp"
 #include "gui/store/files.hpp"
 #include "io/mesh_writer.hpp"
 #include "session/headless.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
@@ -54,11 +54,16 @@ SweepSettings long_sweep() {
 
 class SweepWindow : public testing::Test {
  protected:
-  SweepWindow()
-      : window_({.size = k_size, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}}) {
+  explicit SweepWindow(const SweepSettings& sweep = quick_sweep()) : window_(options(sweep)) {
     window_.app().set_notes({.method = quick_method(), .look = {}, .bookmarks = {}});
-    window_.app().set_sweep_options(quick_sweep());
     open(test::snap_hook({}).mesh, "hook.stl");
+  }
+
+  static OffscreenOptions options(const SweepSettings& sweep) {
+    OffscreenOptions options;
+    options.size = k_size;
+    options.user.sweep = sweep;
+    return options;
   }
 
   void open(const TriangleMesh& mesh, const std::string& name) {
@@ -99,6 +104,11 @@ class SweepWindow : public testing::Test {
   OffscreenWindow window_;
 };
 
+class LongSweepWindow : public SweepWindow {
+ protected:
+  LongSweepWindow() : SweepWindow(long_sweep()) {}
+};
+
 TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
   sweep();
   ASSERT_TRUE(state().result) << state().error;
@@ -116,7 +126,7 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
     const SweepCandidate &a = shown.candidates[k], &b = expected.candidates[k];
     EXPECT_EQ(a.candidate.direction, b.candidate.direction);
     EXPECT_EQ(a.tie_group, b.tie_group);
-    EXPECT_EQ(a.patches, b.patches);
+    EXPECT_EQ(a.figures, b.figures);
     MethodSettings method = settings.method;
     method.direction = a.candidate.direction;
     const Classification classified = classify_exact(*window_.state().model, method, Progress{});
@@ -150,33 +160,31 @@ TEST_F(SweepWindow, TurnsToTheRowThatIsClicked) {
   sweep();
   ASSERT_GE(state().result->candidates.size(), 3U);
   const auto direction = [&] { return window_.state().settings.method.direction; };
-  // Rows lie one below the other above the lower edge.
-  std::vector<bool> reached(state().result->candidates.size(), false);
-  for (int y = k_size.y - 16; y > k_size.y / 2; y -= 12) {
-    window_.move_mouse({460, y});
+  const auto click = [&](const std::string& control) {
+    window_.move_mouse(window_.control(control).centre());
     window_.frames(2);
     window_.set_button(0, true);
     window_.frame();
     window_.set_button(0, false);
-    window_.frame();
+    window_.frames(2);
     window_.settle();
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-      if (direction() == candidate(k).candidate.direction) reached[k] = true;
-    }
+  };
+  click("sort by undercut");
+  click("sort by undercut");
+  EXPECT_LT(window_.control("direction 3").centre().y, window_.control("direction 1").centre().y);
+  for (std::size_t k = 0; k < state().result->candidates.size(); ++k) {
+    click(fmt::format("direction {}", k + 1));
+    EXPECT_EQ(direction(), candidate(k).candidate.direction) << k;
   }
-  EXPECT_EQ(std::count(reached.begin(), reached.end(), true), static_cast<std::ptrdiff_t>(reached.size()));
   window_.wait_until_measured();
   // The legend's figures are the table's.
-  for (std::size_t k = 0; k < reached.size(); ++k) {
-    if (direction() != candidate(k).candidate.direction) continue;
-    for (const Region region : k_regions) {
-      EXPECT_EQ(window_.state().figures.shown->areas[region], candidate(k).classification.areas[region]);
-    }
+  for (const Region region : k_regions) {
+    EXPECT_EQ(window_.state().figures.shown->areas[region],
+              state().result->candidates.back().classification.areas[region]);
   }
 }
 
-TEST_F(SweepWindow, EndsWhenItIsCancelled) {
-  window_.app().set_sweep_options(long_sweep());
+TEST_F(LongSweepWindow, EndsWhenItIsCancelled) {
   press(GLFW_KEY_W);
   for (int k = 0; k < 10'000 && state().map->evaluated.size() < 5; ++k) {
     window_.frame();
@@ -193,12 +201,11 @@ TEST_F(SweepWindow, EndsWhenItIsCancelled) {
   EXPECT_LT(state().result->evaluated.size(), static_cast<std::size_t>(k_many));
   ASSERT_FALSE(state().result->candidates.empty());
   EXPECT_FALSE(candidate(0).measured);
-  const auto undercut = std::ranges::find(sweep_columns(), std::string_view("undercut"), &SweepColumn::name);
-  EXPECT_TRUE(undercut->text(window_.state(), candidate(0)).starts_with("≈"));
+  EXPECT_TRUE(
+      figure_text(direction_figure("undercut"), *window_.state().model, candidate(0)).starts_with("≈"));
 }
 
-TEST_F(SweepWindow, IsGivenUpWhenThePartGoes) {
-  window_.app().set_sweep_options(long_sweep());
+TEST_F(LongSweepWindow, IsGivenUpWhenThePartGoes) {
   press(GLFW_KEY_W);
   window_.frames(3);
   ASSERT_TRUE(state().running);

@@ -67,7 +67,7 @@ TEST(ClassificationProperties, ScalingByAFactorScalesAreasByItsSquare) {
     for (const double factor : {1e-3, 25.4, 1e4}) {
       MethodSettings settings = settings_for(shape);
       const Classification before = test::classify_mesh(shape.mesh, settings);
-      settings.tolerance = *settings.tolerance * factor;
+      settings.tolerance = settings.tolerance * factor;
       Classification after = test::classify_mesh(test::scaled(shape.mesh, factor), settings);
       for (double& area : after.areas.values) area /= factor * factor;
       expect_same_areas(before, after, shape.name);

@@ -153,7 +153,7 @@ class FacetsNear {
   std::map<std::array<int, 3>, std::vector<FacetIndex>> cells_;
 };
 
-MethodSettings along(const glm::dvec3& direction, std::optional<double> tolerance = {}) {
+MethodSettings along(const glm::dvec3& direction, double tolerance = 0.0) {
   MethodSettings settings;
   settings.direction = direction;
   settings.tolerance = tolerance;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mold/candidates/candidate.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep.hpp"
 #include "session/sweep/sweep_report.hpp"
 #include "session/sweep/sweep_stages.hpp"
@@ -60,8 +61,8 @@ TEST_F(SweepEndedEarly, WhileItScoresTheScoresAreListed) {
     ASSERT_NE(same, result.evaluated.end());
     EXPECT_EQ(candidate.classification.areas[Region::undercut], same->undercut);
     EXPECT_EQ(candidate.classification.uncertainty.total(), same->undercut_error);
-    EXPECT_GT(candidate.draw_depth, 0.0);
-    EXPECT_GT(candidate.projected_area, 0.0);
+    for (const char* key : {"draw_depth", "projected_area"})
+      EXPECT_GT(figure_value(direction_figure(key), candidate).value_or(0.0), 0.0) << key;
   }
   EXPECT_TRUE(std::ranges::is_sorted(result.candidates, {}, &SweepCandidate::tie_group));
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mold/candidates/candidate.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
@@ -132,7 +133,7 @@ TEST(SweepKnownAnswers, TheBestMayLeaveAnUndercutOfKnownArea) {
   EXPECT_LT(angle_deg(best, shape.direction), 0.05);
   EXPECT_NEAR(undercut(best), shape.expected[Region::undercut],
               uncertainty(best) + 1e-4 * best.classification.total_area);
-  EXPECT_EQ(best.patches, 1U);
+  EXPECT_EQ(figure_value(direction_figure("patches"), best), 1.0);
 }
 
 /// A cube with the same deep pocket in its top and in its +x side.
@@ -163,7 +164,7 @@ TEST(SweepKnownAnswers, TwoEqualDirectionsTie) {
   for (const SweepCandidate* candidate : {&first, &second}) {
     EXPECT_NEAR(undercut(*candidate), pocket,
                 uncertainty(*candidate) + 1e-4 * candidate->classification.total_area);
-    EXPECT_DOUBLE_EQ(candidate->draw_depth, 30.0);
+    EXPECT_DOUBLE_EQ(figure_value(direction_figure("draw_depth"), *candidate).value_or(0.0), 30.0);
   }
 }
 

@@ -108,7 +108,7 @@ bool typed_row(const Ui& ui, ImGuiID id, float width, double& value, double min,
   const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return false;
   try {
-    const double typed = std::clamp(parse_real(memory.typed.data(), "value"), min, max);
+    const double typed = std::clamp(parse_real({memory.typed.data(), "value"}), min, max);
     return std::exchange(value, typed) != typed;
   } catch (const UsageError&) {
     return false;
@@ -268,6 +268,24 @@ bool chip(const Ui& ui, std::string_view label, bool on, float width) {
   if (!on) list.AddRect(im(row.min), im(row.max), ui.colours->line, rounding);
   draw_row_text(ui.fonts.body, row.min.x + ui.px(9), row, on ? ui.colours->text : ui.colours->muted, label);
   return row.clicked;
+}
+
+bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<std::string_view>& chosen) {
+  const auto is_chosen = [&](std::string_view word) {
+    return std::find(chosen.begin(), chosen.end(), word) != chosen.end();
+  };
+  std::vector<std::string_view> after;
+  ImGui::BeginGroup();
+  for (const std::string_view word : words) {
+    if (word != words.front()) ImGui::SameLine(0.0F, ui.px(4));
+    const bool on = is_chosen(word);
+    const bool clicked = chip(ui, word, on, text_size(ui.fonts.body, word).x + ui.px(18));
+    if (on != clicked) after.push_back(word);
+  }
+  ImGui::EndGroup();
+  if (after.size() == chosen.size()) return false;
+  chosen = std::move(after);
+  return true;
 }
 
 bool disclosure(const Ui& ui, std::string_view label, bool open) {

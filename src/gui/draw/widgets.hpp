@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gui/draw/icons.hpp"
 #include "gui/draw/ui.hpp"
@@ -49,6 +50,8 @@ bool icon_button(const Ui& ui, const char* id, Icon icon, std::string_view tip, 
 
 /// A switch as a small rounded word.
 bool chip(const Ui& ui, std::string_view label, bool on, float width);
+/// Some of a few words, in their order.
+bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<std::string_view>& chosen);
 /// A quiet row that shows or hides more rows.
 bool disclosure(const Ui& ui, std::string_view label, bool open);
 

@@ -6,7 +6,6 @@
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/sweep_columns.hpp"
 #include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 
@@ -82,9 +81,10 @@ void draw_comparison(const PanelContext& context) {
              ui.colours->text, &region, palette);
   }
   rows.add("Undercut ±",
-           {known ? uncertainty_text(*state.figures.shown) : "…", uncertainty_text(other.classification),
-            known ? fmt::format("{:.2g}", std::hypot(state.figures.shown->uncertainty.total(),
-                                                     other.classification.uncertainty.total()))
+           {known ? error_text(state.figures.shown->uncertainty.total()) : "…",
+            error_text(other.classification.uncertainty.total()),
+            known ? error_text(std::hypot(state.figures.shown->uncertainty.total(),
+                                          other.classification.uncertainty.total()))
                   : "…"},
            ui.colours->muted, nullptr, palette);
   rows.finish();

@@ -15,6 +15,7 @@
 #include "gui/view/direction.hpp"
 #include "mold/sweep/direction_field.hpp"
 #include "session/figures.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -38,11 +39,6 @@ ImU32 map_colour(const SweepMap* map, const glm::dvec3& direction, float lit, co
 std::string area_text(const AppState& state, double area) {
   return fmt::format("{} {}", grouped(FigureColumn(state.model->geometry.total_area).text(area)),
                      powered_unit(state.model->part, 2));
-}
-
-std::string share_text(const AppState& state, double area) {
-  const double total = state.model->geometry.total_area;
-  return total > 0.0 ? fmt::format("{:.2f} %", 100.0 * area / total) : std::string();
 }
 
 }  // namespace
@@ -126,19 +122,20 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   const AppState& state = context.state;
   const Ui& ui = context.ui;
   const SweepMap& map = *state.sweep.map;
+  const double total = state.model->geometry.total_area;
   std::string title, text, source;
   if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
     title =
-        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
-    text = fmt::format("undercut {} ± {}", area_text(state, found->undercut),
-                       FigureColumn(state.model->geometry.total_area).text(found->undercut_error));
-    source = fmt::format("{}  ·  {}", share_text(state, found->undercut), candidate_kind_name(found->kind));
+        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction, 3);
+    text =
+        fmt::format("undercut {} ± {}", area_text(state, found->undercut), error_text(found->undercut_error));
+    source = fmt::format("{}  ·  {}", share_text(found->undercut, total), candidate_kind_name(found->kind));
   } else {
     const DirectionField::Reading reading = map.field.at(direction);
-    title = direction_text(direction);
+    title = direction_text(direction, 3);
     if (reading.cover > 0.2) {
       text = fmt::format("undercut about {}", area_text(state, reading.value));
-      source = fmt::format("{}  ·  between scored directions", share_text(state, reading.value));
+      source = fmt::format("{}  ·  between scored directions", share_text(reading.value, total));
     } else {
       text = "not looked at yet";
     }

@@ -7,6 +7,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "session/figures.hpp"
 #include "session/method_options.hpp"
 
 namespace moldlight::gui {
@@ -55,7 +56,7 @@ void draw_map_comparison(const PanelContext& context) {
   hint(ui, comparison_text(maps));
   ui.memory->controls["map comparison"] = {from_im(ImGui::GetItemRectMin()),
                                            from_im(ImGui::GetItemRectMax())};
-  const double error = maps.total() > 0.0 ? 100.0 * maps.error / maps.total() : 0.0;
+  const double error = 100.0 * share(maps.error, maps.total());
   tooltip(ui, "Shadow maps and exact regions",
           fmt::format(
               "How much of the area the maps, with the kernel, edge thickness and resolution that are set, "

@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "session/option_table.hpp"
@@ -49,89 +50,82 @@ struct TypedNumbers {
   std::function<void(const std::string& why)> refused;  // told of a value out of range
 };
 
+/// Whether the window has a control for it.
+template <typename S>
+[[nodiscard]] bool has_control(const Option<S>& option) {
+  return !std::holds_alternative<DirectionsKind<S>>(option.kind);
+}
+/// Whether its control takes the panel's width.
+template <typename S>
+[[nodiscard]] bool is_wide(const Option<S>& option) {
+  return std::holds_alternative<SetKind<S>>(option.kind) || std::holds_alternative<TextKind<S>>(option.kind);
+}
+
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>
 bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedNumbers& typed = {}) {
-  const S defaults{};
-  const std::string before = option_text(option, settings), standard = option_text(option, defaults);
+  const std::string before = option_text(option, settings), standard = option_text(option, S{});
   const bool modified = before != standard;
-  S edited = settings;
-  std::string after;
-  bool as_text = false;  // `after` tells the value, not `edited`
-  const auto field = [&](double number, int decimals) {
-    if (!number_field(ui, option.key.data(), number,
-                      {option.label, decimals, ImGui::GetContentRegionAvail().x}))
-      return false;
-    after = real_text(number);
-    return as_text = true;
+  std::optional<std::string> after;  // what was entered
+  const auto number_row = [&](double number, int decimals, SliderSpec spec) {
+    spec.text = [&](double v) { return value_text(v, decimals, option.unit); };
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (typed.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
+                      : slider(ui, option.label, number, spec, modified))
+      after = real_text(number);
   };
-  const auto integer_row = [&](const auto& kind, double number, const auto& set) {
-    if (typed.refused) return field(number, 0);
-    const bool wide = kind.max > 100 * kind.min;
-    const bool moved = slider(ui, option.label, number,
+  const auto words_row = [&](const Words& words) {
+    const auto word = std::find(words.begin(), words.end(), before);
+    int index = word == words.end() ? -1 : static_cast<int>(word - words.begin());
+    if (choice(ui, option.label, words, index, modified)) after = words[static_cast<std::size_t>(index)];
+  };
+  std::visit(moldlight::detail::Overloaded{
+                 [&](const RealKind<S>& kind) {
+                   number_row(kind.value(settings), detail::decimals_of(kind.step),
+                              {.min = kind.min, .max = kind.max, .step = kind.step});
+                 },
+                 [&](const PositiveKind<S>& kind) {
+                   double number = kind.value(settings).value_or(0.0);
+                   const float width = ImGui::GetContentRegionAvail().x;
+                   if (number_field(ui, option.key.data(), number, {option.label, 3, width}))
+                     after = number > 0.0 ? real_text(number) : std::string();  // none
+                 },
+                 [&](const IntegerKind<S>& kind) {
+                   const bool wide = kind.max > 100 * kind.min;
+                   number_row(kind.value(settings).value_or(kind.standard), 0,
                               {.min = static_cast<double>(kind.min),
                                .max = static_cast<double>(kind.max),
                                .step = 1.0,
                                .logarithmic = wide,
                                .snap = !wide                    ? std::function<double(double)>()
                                        : option.unit == "texel" ? near_power_of_two
-                                                                : near_round_number,
-                               .text = [&](double v) { return value_text(v, 0, option.unit); }},
-                              modified);
-    if (!moved) return false;
-    int whole = static_cast<int>(std::lround(number));
-    if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
-    set(whole);
-    return true;
-  };
-  bool changed = std::visit(
-      moldlight::detail::Overloaded{
-          [&](const RealKind<S>& kind) {
-            double& value = edited.*kind.member;
-            const int decimals = detail::decimals_of(kind.step);
-            if (typed.refused) return field(value, decimals);
-            return slider(ui, option.label, value,
-                          {.min = kind.min,
-                           .max = kind.max,
-                           .step = kind.step,
-                           .text = [&](double v) { return value_text(v, decimals, option.unit); }},
-                          modified);
-          },
-          [&](const OptionalRealKind<S>& kind) {
-            if (!field((edited.*kind.member).value_or(0.0), 3)) return false;
-            if (after == "0" || after.starts_with('-')) after.clear();  // none
-            return true;
-          },
-          [&](const IntegerKind<S>& kind) {
-            return integer_row(kind, edited.*kind.member, [&](int value) { edited.*kind.member = value; });
-          },
-          [&](const OptionalIntegerKind<S>& kind) {
-            return integer_row(kind, (edited.*kind.member).value_or(kind.standard),
-                               [&](int value) { edited.*kind.member = value; });
-          },
-          [&](const SwitchKind<S>& kind) { return toggle(ui, option.label, edited.*kind.member, modified); },
-          [&](const ChoiceKind<S>& kind) {
-            int index = kind.get(edited);
-            if (!choice(ui, option.label, kind.words, index, modified)) return false;
-            kind.set(edited, index);
-            return true;
-          },
-          [&](const DirectionKind<S>&) { return false; },
-      },
-      option.kind);
-  if (option_menu(ui, {option.label, option.help, before, standard})) {
-    after = standard;
-    changed = as_text = true;
-  }
-  if (!changed) return false;
-  if (!as_text) after = option_text(option, edited);
+                                                                : near_round_number});
+                   if (!after || typed.refused) return;
+                   int whole = static_cast<int>(std::lround(*number_from<double>(*after)));
+                   if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
+                   after = fmt::format("{}", whole);
+                 },
+                 [&](const SwitchKind<S>& kind) {
+                   bool on = kind.value(settings);
+                   if (toggle(ui, option.label, on, modified)) after = on ? "on" : "off";
+                 },
+                 [&](const ChoiceKind<S>& kind) { words_row(kind.words); },
+                 [&](const SetKind<S>& kind) {
+                   Words chosen = kind.value(settings);
+                   if (chips(ui, kind.words, chosen)) after = moldlight::detail::value_text(chosen);
+                 },
+                 [&](const TextKind<S>& kind) { words_row(kind.words); }, [](const auto&) {},  // directions
+             },
+             option.kind);
+  if (option_menu(ui, {option.label, option.help, before, standard})) after = standard;
+  if (!after) return false;
   try {
-    set_option(option, settings, after);
+    set_option(option, settings, *after);
   } catch (const UsageError& error) {
     if (typed.refused) typed.refused(error.what());
     return false;  // a value typed out of range
   }
-  return after != before;
+  return option_text(option, settings) != before;
 }
 
 }  // namespace moldlight::gui

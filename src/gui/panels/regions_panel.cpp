@@ -63,12 +63,12 @@ Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colou
 void draw_region(const PanelContext& context, const Legend& legend, Region region) {
   const Ui& ui = context.ui;
   const double area = legend.result.areas[region];
-  const double share = legend.result.total_area > 0.0 ? area / legend.result.total_area : 0.0;
   const std::string name(region_name(region));
   const Line line = begin_line(ui, name.c_str(), facts(region).title, ui.colours->text);
   draw_swatch(ui, region, context.state.settings.look, line.min + glm::vec2(ui.px(6), ui.px(6)));
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
-  draw_text_to(ui.fonts.strong, line.right, line.top, strong, fmt::format("{:.1f} %", 100.0 * share));
+  draw_text_to(ui.fonts.strong, line.right, line.top, strong,
+               fmt::format("{:.1f} %", 100.0 * share(area, legend.result.total_area)));
   draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, quiet, grouped(legend.column.text(area)));
   tooltip(ui, facts(region).title,
           fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));

@@ -26,8 +26,8 @@ std::string face_line(const AppState& state) {
   const double area = face.figures->areas.total();
   line += fmt::format("  ·  {} {}", grouped(fmt::format("{:.5g}", area)), powered_unit(state.model->part, 2));
   for (const Region region : k_regions) {
-    const double share = area > 0.0 ? 100.0 * face.figures->areas[region] / area : 0.0;
-    if (share >= 0.05) line += fmt::format("  ·  {} {:.1f} %", region_name(region), share);
+    const double percent = 100.0 * share(face.figures->areas[region], area);
+    if (percent >= 0.05) line += fmt::format("  ·  {} {:.1f} %", region_name(region), percent);
   }
   return line;
 }

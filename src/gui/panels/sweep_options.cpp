@@ -1,67 +1,27 @@
 // The options of the sweep, unfolded in its panel.
-#include <algorithm>
-#include <array>
-
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "mold/sweep/ranking.hpp"
 
 namespace moldlight::gui {
 
-namespace {
-
-constexpr int k_columns = 3;
-
-void draw_kinds(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  std::vector<CandidateKind>& kinds = context.edits.sweep_choices.options.kinds;
-  const std::vector<CandidateKind> all = all_candidate_kinds();
-  for (const CandidateKind kind : all) {
-    const std::string name(candidate_kind_name(kind));
-    const float width = text_size(ui.fonts.body, name).x + ui.px(18);
-    if (kind != all.front()) ImGui::SameLine(0.0F, ui.px(4));
-    const auto found = std::find(kinds.begin(), kinds.end(), kind);
-    const bool clicked = chip(ui, name, found != kinds.end(), width);
-    tooltip(ui, {}, "A source of candidate directions.");
-    if (!clicked) continue;
-    if (found != kinds.end()) {
-      kinds.erase(found);
-    } else {
-      kinds.push_back(kind);
-      std::sort(kinds.begin(), kinds.end());
-    }
-  }
-}
-
-void draw_objective(const PanelContext& context) {
-  std::string& objective = context.edits.sweep_choices.options.objective;
-  std::array<std::string_view, k_criterion_count> words{};
-  int index = -1;
-  for (std::size_t k = 0; k < k_criterion_count; ++k) {
-    words[k] = criterion_name(static_cast<Criterion>(k));
-    if (objective == words[k]) index = static_cast<int>(k);
-  }
-  if (choice(context.ui, "Best is the least", words, index, objective != SweepSettings{}.objective)) {
-    objective = words[static_cast<std::size_t>(index)];
-  }
-}
-
-}  // namespace
-
 void draw_sweep_options(const PanelContext& context) {
+  constexpr int k_columns = 3;
   // Most of them range over many powers of ten, some from 0 on.
   const TypedNumbers numbers{[&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+  SweepSettings& settings = context.edits.sweep_choices.options;
   if (ImGui::BeginTable("options", k_columns,
                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
     for (const Option<SweepSettings>& option : sweep_options()) {
+      if (!has_control(option) || is_wide(option)) continue;
       ImGui::TableNextColumn();
-      option_row(context.ui, option, context.edits.sweep_choices.options, numbers);
+      option_row(context.ui, option, settings, numbers);
     }
     ImGui::EndTable();
   }
-  draw_objective(context);
-  draw_kinds(context);
+  for (const Option<SweepSettings>& option : sweep_options()) {
+    if (is_wide(option)) option_row(context.ui, option, settings, numbers);
+  }
 }
 
 }  // namespace moldlight::gui

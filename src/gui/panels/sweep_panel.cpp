@@ -1,6 +1,8 @@
 // The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,6 +13,7 @@
 #include "gui/view/direction.hpp"
 #include "session/figures.hpp"
 #include "session/sweep/sweep_stages.hpp"
+#include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -21,6 +24,10 @@ constexpr float k_picture_width = 48.0F, k_picture_height = 30.0F;
 /// Share of the window's height that the table takes unless it is expanded.
 constexpr float k_share = 0.25F;
 constexpr float k_bar_width = 132.0F;
+/// Columns before those of figures: picture, rank, direction.
+constexpr std::size_t k_before_figures = 3;
+/// Widths of figures by their kind, layout units.
+constexpr std::array<float, 7> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F};
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -69,6 +76,58 @@ bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
   list.AddRectFilled(ImVec2(centre.x, centre.y - half.y), im(centre + half), colour, ui.px(2));
   tooltip(ui, {}, chosen ? "Back to one picture" : "See it beside the present direction");
   return clicked;
+}
+
+std::string fitting_reason(const Ui& ui, const Candidate& candidate, float width) {
+  for (const std::string& text : shorter_reasons(candidate)) {
+    if (text_size(ui.fonts.small, text).x <= width) return text;
+  }
+  return fitted(ui.fonts.small, candidate_kind_name(candidate.kind()), width);
+}
+
+void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
+  struct Heading {
+    std::string_view name, help;
+    float width;
+    ImGuiTableColumnFlags flags;
+    bool is_figure = false;
+  };
+  constexpr ImGuiTableColumnFlags k_fixed = ImGuiTableColumnFlags_WidthFixed,
+                                  k_not = ImGuiTableColumnFlags_NoSort;
+  std::vector<Heading> headings = {{"", "", k_picture_width, k_fixed | k_not},
+                                   {"#", "Rank; directions with the same letter tie within the uncertainty.",
+                                    30.0F, k_fixed | ImGuiTableColumnFlags_DefaultSort},
+                                   {"direction", "", 108.0F, k_fixed | k_not}};
+  for (const DirectionFigure* figure : figures)
+    headings.push_back(
+        {figure->label, figure->help, k_widths[static_cast<std::size_t>(figure->kind)], k_fixed, true});
+  headings.push_back({"why", "", 0.0F, ImGuiTableColumnFlags_WidthStretch | k_not});
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const Heading& heading : headings) {
+    // With room for the mark of the column that is sorted by.
+    const float width = std::max(ui.px(heading.width), text_size(ui.fonts.small, heading.name).x + ui.px(8));
+    ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width > 0.0F ? width : 0.0F);
+  }
+  const FontScope small(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 0.0F));
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers, ui.px(k_heading));
+  for (const Heading& heading : headings) {
+    ImGui::TableNextColumn();
+    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
+    const glm::vec2 cell = from_im(ImGui::GetCursorScreenPos());
+    const float room =
+        ImGui::GetContentRegionAvail().x - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
+    // ImGui would set the text of a column of figures to the left.
+    ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
+    if (heading.name.empty()) continue;
+    const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
+    draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, cell + glm::vec2(inset, ui.px(3)),
+              sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted, heading.name);
+    ui.memory->controls[fmt::format("sort by {}", heading.name)] = {from_im(ImGui::GetItemRectMin()),
+                                                                    from_im(ImGui::GetItemRectMax())};
+    if (!heading.help.empty()) tooltip(ui, {}, heading.help);
+  }
+  ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -152,116 +211,122 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   ImGui::Dummy(ImVec2(width, 0.0F));
 }
 
+std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
+                                           bool descending) {
+  const auto key = [&](std::size_t k) {
+    const SweepCandidate& candidate = result.candidates[k];
+    // What is not known comes before all.
+    return by == nullptr ? static_cast<double>(candidate.rank) : figure_value(*by, candidate).value_or(-1.0);
+  };
+  std::vector<std::size_t> rows(result.candidates.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+    return descending ? key(a) > key(b) : key(a) < key(b);
+  });
+  return rows;
+}
+
 void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
-  const std::span<const SweepColumn> columns = sweep_columns();
-  if (order_.follow(context.state.sweep.result)) first_ = 0;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x;
-  float left = start.x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const SweepColumn& column = columns[k];
-    const float column_width = column.width > 0.0F ? ui.px(column.width) : start.x + width - left;
-    ImGui::SetCursorScreenPos(ImVec2(left, start.y));
-    ImGui::PushID(static_cast<int>(k));
-    const bool clicked =
-        ImGui::InvisibleButton("heading", ImVec2(std::max(column_width, 1.0F), ui.px(k_heading)));
-    ImGui::PopID();
-    if (!column.help.empty()) tooltip(ui, {}, column.help);
-    if (clicked && column.key != nullptr) order_.sort_by(k);
-    const bool sorted = k == order_.column(), hovered = ImGui::IsItemHovered() && column.key != nullptr;
-    const std::string name = sorted ? fmt::format("{} {}", column.name, order_.descending() ? "↓" : "↑")
-                                    : std::string(column.name);
-    const float inset = ui.px(column.right ? 8 : k == columns.size() - 1 ? 10 : 0);
-    const float x = column.right ? left + column_width - inset - text_size(ui.fonts.small, name).x + ui.px(2)
-                                 : left + inset;
-    draw_text(list, ui.fonts.small, {x, start.y + ui.px(3)},
-              hovered || sorted ? ui.colours->text : ui.colours->muted, name);
-    left += column_width;
-  }
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + ui.px(k_heading)));
-
+  const std::shared_ptr<const SweepResult>& result = context.state.sweep.result;
+  const bool fresh = result_ != result;
+  const std::size_t count = result->candidates.size();
   const float window_height = ImGui::GetIO().DisplaySize.y;
   const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
-  const auto fits = static_cast<std::size_t>(std::max(room / ui.px(k_row), 2.0F));
-  const std::vector<std::size_t>& rows = order_.rows();
-  const std::size_t shown = std::min(fits, rows.size());
-  if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0F) {
-    first_ = ImGui::GetIO().MouseWheel < 0.0F ? first_ + 1 : first_ - std::min<std::size_t>(first_, 1);
+  const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F), all = static_cast<float>(count);
+  const Figures figures = figure_columns(*result);
+  constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), 0.0F));
+  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, 0U);
+  if (ImGui::BeginTable("directions", static_cast<int>(k_before_figures + figures.size()) + 1, k_flags,
+                        ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_row)))) {
+    if (fresh) ImGui::SetScrollY(0.0F);
+    draw_headings(ui, figures);
+    ImGuiTableSortSpecs* sorting = ImGui::TableGetSortSpecs();
+    if (sorting->SpecsDirty || fresh) {
+      result_ = result;
+      const auto column = static_cast<std::size_t>(sorting->Specs->ColumnIndex);
+      rows_ =
+          sorted_candidates(*result, column < k_before_figures ? nullptr : figures[column - k_before_figures],
+                            sorting->Specs->SortDirection == ImGuiSortDirection_Descending);
+      sorting->SpecsDirty = false;
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), ui.px(k_row));
+    while (clipper.Step()) {
+      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+        const std::size_t index = rows_[static_cast<std::size_t>(k)];
+        draw_row(context, figures, index, index < pictures.size() ? pictures[index] : 0);
+      }
+    }
+    ImGui::EndTable();
   }
-  first_ = std::min(first_, rows.size() - shown);
-  for (std::size_t k = first_; k < first_ + shown; ++k) {
-    draw_row(context, rows[k], rows[k] < pictures.size() ? pictures[rows[k]] : 0);
-  }
-  draw_footer(context, shown);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  draw_footer(context, fits < all || expanded_);
 }
 
-void SweepPanel::draw_row(const PanelContext& context, std::size_t index, unsigned picture) {
+void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t index,
+                          unsigned picture) {
   const Ui& ui = context.ui;
-  const SweepCandidate& candidate = context.state.sweep.result->candidates[index];
-  const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
-  const glm::vec2 size(ImGui::GetContentRegionAvail().x, ui.px(k_row));
-  const glm::vec2 max = min + size;
+  const SweepCandidate& candidate = result_->candidates[index];
+  const glm::dvec3& direction = candidate.candidate.direction;
+  const bool here = std::abs(glm::dot(context.state.settings.direction(), direction)) > 1.0 - 1e-10;
+  ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_row));
+  ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
-  const bool clicked = ImGui::InvisibleButton("row", im(size));
-  ImGui::SetItemAllowOverlap();
-  const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
-                       ImGui::IsMouseHoveringRect(im(min), im(max));
-  const glm::dvec3 present = context.state.settings.direction();
-  const bool here = std::abs(glm::dot(present, candidate.candidate.direction)) > 1.0 - 1e-10;
-  std::string tip = all_reasons(candidate);
+  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
+  const bool clicked = ImGui::Selectable(
+      "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
+      ImVec2(0.0F, ui.px(k_row)));
+  const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
+  const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
+                                            ImGuiHoveredFlags_AllowWhenOverlapped);
+  std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
   if (candidate.pareto) tip += "\nNo other listed direction beats it in undercut, patches and depth alike.";
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
-    tip += fmt::format("\nLeans {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward));
+    tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }
-  tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(candidate.candidate.direction)), tip);
+  tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)), tip);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (hovered || here) {
-    list.AddRectFilled(im(min), im(max), here ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
-  }
   const glm::vec2 pixels(candidate_picture_size(ui.scale));
-  const glm::vec2 at(min.x + ui.px(3), std::round(min.y + 0.5F * (size.y - pixels.y)));
+  const glm::vec2 at(corner.x, std::round(0.5F * (min.y + max.y - pixels.y)));
   draw_picture(list, picture, at, at + pixels, ui.px(4));
-  float left = min.x;
-  const std::span<const SweepColumn> columns = sweep_columns();
-  for (const SweepColumn& column : columns) {
-    const float width = column.width > 0.0F ? ui.px(column.width) : max.x - ui.px(k_row_height + 6) - left;
-    if (column.text != nullptr) {
-      const bool strong = column.name == "undercut" || column.name == "#";
-      const bool quiet = column.name == "why" || column.name == "±";
-      const SizedFont& font = strong                 ? ui.fonts.strong
-                              : column.name == "why" ? ui.fonts.small
-                                                     : ui.fonts.body;
-      std::string text = column.text(context.state, candidate);
-      const float inset = ui.px(column.width > 0.0F ? 8 : 10);
-      if (column.width <= 0.0F && text_size(font, text).x > width - inset)
-        text = candidate_kind_name(candidate.candidate.sources.front().kind);
-      if (!column.right) text = fitted(font, text, width - (column.width > 0.0F ? 0.0F : inset));
-      const float x = column.right ? left + width - inset - text_size(font, text).x
-                                   : left + (column.width > 0.0F ? 0.0F : inset);
-      draw_text(list, font, {x, std::round(0.5F * (min.y + max.y - font.size))},
-                quiet ? ui.colours->muted : ui.colours->text, text);
-    }
-    left += width;
+
+  const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
+    const float inset = to_the_right ? ImGui::GetContentRegionAvail().x - text_size(font, text).x : 0.0F;
+    draw_text(list, font, {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, colour,
+              text);
+  };
+  const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
+  ImGui::TableNextColumn();
+  cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
+  ImGui::TableNextColumn();
+  cell(ui.fonts.body, normal, with_minus(short_direction_text(direction)), false);
+  for (const DirectionFigure* figure : figures) {
+    ImGui::TableNextColumn();
+    cell(figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body,
+         figure->kind == FigureKind::error ? quiet : normal,
+         grouped(with_minus(figure_text(*figure, *context.state.model, candidate))), true);
   }
   auto& compared = context.edits.sweep_choices.compared;
-  const bool chosen = compared == index;
-  bool compare = false;
-  if (hovered || chosen) compare = compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen);
-  if (compare) {
+  const bool chosen = compared == index, comparable = hovered || chosen;
+  ImGui::TableNextColumn();
+  const float room = ImGui::GetContentRegionAvail().x - ui.px(comparable ? k_row_height + 6 : 0.0F);
+  cell(ui.fonts.small, quiet, fitting_reason(ui, candidate.candidate, room), false);
+  if (comparable && compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
   } else if (clicked) {
-    context.edits.ask(&Commands::fly_to_direction, candidate.candidate.direction);
+    context.edits.ask(&Commands::fly_to_direction, direction);
   }
   ImGui::PopID();
-  ImGui::SetCursorScreenPos(ImVec2(min.x, max.y));
 }
 
-void SweepPanel::draw_footer(const PanelContext& context, std::size_t shown) {
+void SweepPanel::draw_footer(const PanelContext& context, bool more) {
   const Ui& ui = context.ui;
   const SweepResult& result = *context.state.sweep.result;
-  const bool more = shown < order_.rows().size() || expanded_;
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x;
   if (!more && result.remarks.empty()) {
@@ -270,8 +335,7 @@ void SweepPanel::draw_footer(const PanelContext& context, std::size_t shown) {
   }
   float used = 0.0F;
   if (more) {
-    const std::string label =
-        expanded_ ? "Less" : fmt::format("{} to {} of {}", first_ + 1, first_ + shown, order_.rows().size());
+    const std::string label = expanded_ ? "Less" : fmt::format("All {}", result.candidates.size());
     used = text_size(ui.fonts.small, label).x + ui.px(34);
     if (disclosure(ui, label, expanded_)) expanded_ = !expanded_;
   } else {

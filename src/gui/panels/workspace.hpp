@@ -8,12 +8,16 @@
 #include <vector>
 
 #include "gui/panels/panels.hpp"
-#include "gui/panels/sweep_columns.hpp"
+#include "session/sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
 
 /// Size of a candidate's small picture, pixels; `scale`: pixels per layout unit.
 [[nodiscard]] glm::ivec2 candidate_picture_size(float scale);
+
+/// The order of the table's rows: by a figure, or by rank.
+[[nodiscard]] std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
+                                                         bool descending);
 
 /// The sweep along the bottom: its options, how far it is, and the best directions as a table to sort and
 /// click.
@@ -25,11 +29,12 @@ class SweepPanel {
  private:
   void draw_header(const PanelContext& context, bool open);
   void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
-  void draw_row(const PanelContext& context, std::size_t index, unsigned picture);
-  void draw_footer(const PanelContext& context, std::size_t shown);
+  using Figures = std::vector<const DirectionFigure*>;
+  void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
+  void draw_footer(const PanelContext& context, bool more);
 
-  SweepOrder order_;
-  std::size_t first_ = 0;  // row on top
+  std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
+  std::vector<std::size_t> rows_;              // candidates in the order of the table
   bool options_ = false, expanded_ = false;
 };
 

@@ -37,9 +37,8 @@ Bookmark parse_bookmark(const Json& json) {
     throw UsageError("settings: a bookmark has no direction of three numbers");
   }
   Bookmark bookmark;
-  std::string text;
-  for (const Json& item : json["direction"]) text += (text.empty() ? "" : ",") + item.dump();
-  bookmark.direction = tidy(parse_direction(text, "settings: a bookmark's direction"));
+  const std::string text = moldlight::detail::json_text(json["direction"]);
+  bookmark.direction = tidy(parse_direction({text, "settings: a bookmark's direction"}));
   if (json.contains("note") && json["note"].is_string()) bookmark.note = json["note"].get<std::string>();
   return bookmark;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
@@ -38,12 +37,6 @@ glm::dvec3 tidy(const glm::dvec3& direction) {
     }
   }
   return unit;
-}
-
-std::string direction_text(const glm::dvec3& direction) {
-  // "-0.00" would be a puzzle.
-  const auto plain = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };
-  return fmt::format("{:.3f}, {:.3f}, {:.3f}", plain(direction.x), plain(direction.y), plain(direction.z));
 }
 
 BallPoint ball_point(const Camera& camera, const glm::dvec3& direction) {

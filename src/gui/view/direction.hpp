@@ -2,8 +2,6 @@
 // seen as the camera sees the part.
 #pragma once
 
-#include <string>
-
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -26,9 +24,6 @@ struct Angles {
 
 /// Unit length; components that are within 1e-12 of 0 or of +-1 become just that, so that "straight up" is.
 [[nodiscard]] glm::dvec3 tidy(const glm::dvec3& direction);
-
-/// "0.36, 0.48, 0.80".
-[[nodiscard]] std::string direction_text(const glm::dvec3& direction);
 
 /// A direction on the ball: `at` in the unit disc, x to the right, y up; `front`: on the viewer's side.
 struct BallPoint {

@@ -27,6 +27,11 @@ std::string_view candidate_kind_name(CandidateKind kind) {
   return k_names[static_cast<std::size_t>(kind)];
 }
 
+std::vector<CandidateKind> all_candidate_kinds() {
+  return {CandidateKind::axis, CandidateKind::revolution, CandidateKind::plane,  CandidateKind::perpendicular,
+          CandidateKind::hull, CandidateKind::principal,  CandidateKind::uniform};
+}
+
 glm::dvec3 half_sphere(const glm::dvec3& direction) {
   for (const int axis : {2, 1, 0}) {
     if (std::abs(direction[axis]) > k_on_equator)
@@ -45,9 +50,7 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
     CHECK(!candidate.sources.empty());
     std::stable_sort(candidate.sources.begin(), candidate.sources.end(),
                      [](const CandidateSource& a, const CandidateSource& b) { return a.kind < b.kind; });
-    if (candidate.sources.front().kind != CandidateKind::user) {
-      candidate.direction = half_sphere(candidate.direction);
-    }
+    if (!candidate.from_user()) candidate.direction = half_sphere(candidate.direction);
   }
   std::stable_sort(candidates.begin(), candidates.end(), more_exact);
 
@@ -63,7 +66,7 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
       same->sources.insert(same->sources.end(), candidate.sources.begin(), candidate.sources.end());
       continue;
     }
-    const bool is_uniform = candidate.sources.front().kind == CandidateKind::uniform;
+    const bool is_uniform = candidate.kind() == CandidateKind::uniform;
     merged.push_back(std::move(candidate));
     if (!is_uniform) others = merged.size();
   }

@@ -28,6 +28,9 @@ inline constexpr std::size_t k_candidate_kind_count = 9;
 /// "user", "axis", "revolution", "plane", "perpendicular", "hull", "principal", "refined", "uniform".
 [[nodiscard]] std::string_view candidate_kind_name(CandidateKind kind);
 
+/// Every source of candidates but the user and what was found from others.
+[[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
+
 struct CandidateSource {
   CandidateKind kind = CandidateKind::uniform;
   std::string reason;  // for the user: "axis of 4 cylinders or cones, 3.1 % of the surface"
@@ -39,6 +42,11 @@ struct Candidate {
   /// in.
   glm::dvec3 direction{0, 0, 1};
   std::vector<CandidateSource> sources;  // at least one, by kind
+
+  [[nodiscard]] CandidateKind kind() const { return sources.front().kind; }
+  [[nodiscard]] bool from_user() const { return kind() == CandidateKind::user; }
+  /// Given by the user or by a feature of the part, not by search.
+  [[nodiscard]] bool exact() const { return kind() < CandidateKind::refined; }
 };
 
 /// The direction or its opposite, whichever has z > 0; on the equator y > 0; on the x-axis x > 0. A component

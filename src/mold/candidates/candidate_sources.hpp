@@ -41,8 +41,7 @@ struct NormalCell {
 struct CurvedPatch {
   glm::dvec3 axis{0, 0, 1};  // unit, least-variance direction of the normals
   double area = 0.0;
-  double sine_to_axis = 0.0;  // mean of n . axis: 0 for a cylinder
-  bool full_turn = false;     // the normals go most of the way round
+  bool full_turn = false;  // the normals go most of the way round
 };
 
 /// Patches that turn by 60 degrees at least, each facet in one patch at most. Facets that lie in one plane

@@ -15,9 +15,7 @@ namespace moldlight {
 
 struct CandidateOptions {
   /// The sources that are asked. Directions of the user count whether `user` is listed or not.
-  std::vector<CandidateKind> kinds = {
-      CandidateKind::axis, CandidateKind::revolution, CandidateKind::plane,  CandidateKind::perpendicular,
-      CandidateKind::hull, CandidateKind::principal,  CandidateKind::uniform};
+  std::vector<CandidateKind> kinds = all_candidate_kinds();
   std::size_t uniform_count = 500;
   std::size_t most_per_kind = 40;     // of revolution, plane, perpendicular and hull each
   std::vector<glm::dvec3> user = {};  // any length but zero

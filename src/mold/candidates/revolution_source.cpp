@@ -170,7 +170,7 @@ class PatchGrower {
       cone = fit.cone;
     }
     for (const Strip strip : members_) taken_[strip] = true;
-    return CurvedPatch{fit.cone.axis, fit.area, fit.cone.sine, fit.full_turn};
+    return CurvedPatch{fit.cone.axis, fit.area, fit.full_turn};
   }
 
   /// members_ = free strips on the cone that smooth links connect to the seed.

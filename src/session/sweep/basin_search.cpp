@@ -83,7 +83,7 @@ bool adds_nothing(const BasinSearch& search, const Basin& basin, std::span<const
     const double noise =
         other.figures.exact ? basin.score.undercut_error + other.figures.undercut_uncertainty : 0.0;
     return line_angle_deg(basin.best, other.candidate.direction) < k_same_basin_deg &&
-           search.judge.value(other.figures) <= basin.value + search.judge.value_of_undercut(noise);
+           other.figures.value <= basin.value + search.judge.value_of_undercut(noise);
   });
 }
 
@@ -99,8 +99,7 @@ std::vector<Contender> refine_basins(const BasinSearch& search, std::span<const 
   for (std::size_t b = 0; b < basins.size(); ++b) {
     if (!own[b]) return {};
     basins[b].score = *own[b];
-    basins[b].value =
-        search.judge.value(search.judge.scored(contenders[basins[b].origin].candidate, *own[b]));
+    basins[b].value = search.judge.scored(contenders[basins[b].origin].candidate, *own[b]).value;
   }
   for (int round = 0; round < k_most_rounds && !stopped(); ++round) {
     const Probes probes = probes_of_round(search, basins, round);
@@ -114,7 +113,7 @@ std::vector<Contender> refine_basins(const BasinSearch& search, std::span<const 
                             .sources = {{CandidateKind::refined, {}, 0.0}}};
       search.evaluated(evaluated_direction(probe.direction, CandidateKind::refined, *scores[i]));
       Basin& basin = basins[probes.basin[i]];
-      const double value = search.judge.value(search.judge.scored(probe, *scores[i]));
+      const double value = search.judge.scored(probe, *scores[i]).value;
       if (value >= basin.value) continue;
       basin.value = value;
       basin.best = probe.direction;
@@ -135,7 +134,7 @@ std::vector<Contender> refine_basins(const BasinSearch& search, std::span<const 
                                fmt::format("downhill from {}, {:.2f}° away", origin.sources.front().reason,
                                            line_angle_deg(basin.best, origin.direction)),
                                0.0});
-    const DirectionFigures figures = search.judge.scored(refined, basin.score);
+    const RankedFigures figures = search.judge.scored(refined, basin.score);
     found.push_back({std::move(refined), basin.score, figures, {}});
   }
   return found;

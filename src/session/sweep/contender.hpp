@@ -14,10 +14,8 @@ namespace moldlight {
 struct Contender {
   Candidate candidate;
   DirectionScore score;
-  DirectionFigures figures;                           // as measured, or by the score before
+  RankedFigures figures;                              // as measured, or by the score before
   std::shared_ptr<const MeasuredDirection> measured;  // none before
-
-  [[nodiscard]] bool from_user() const { return candidate.sources.front().kind == CandidateKind::user; }
 };
 
 /// What is told of a scored direction.

@@ -5,20 +5,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "mold/draft.hpp"
-
 namespace moldlight {
-
-namespace {
-
-bool is_exact(const Candidate& candidate) { return candidate.sources.front().kind < CandidateKind::refined; }
-
-}  // namespace
 
 DirectionJudge::DirectionJudge(const PartModel& model, const SweepSettings& settings)
     : model_(model),
-      tau_deg_(settings.method.tau_deg),
-      objective_(parse_objective(settings.objective)),
+      settings_(settings),
       measure_{std::max(model.geometry.total_area, std::numeric_limits<double>::min()),
                model.frame.diagonal} {
   // Files may hold vertices that no facet uses.
@@ -31,63 +22,66 @@ DirectionJudge::DirectionJudge(const PartModel& model, const SweepSettings& sett
       corners_.push_back(mesh.vertices[vertex] - model.frame.center);
     }
   }
+  for (const Objective::Term& term : settings.objective.terms) {
+    if (term.figure == &direction_figure("undercut")) {
+      undercut_weight_ += term.weight;
+    } else {
+      by_undercut_alone_ = false;
+    }
+  }
 }
 
-double DirectionJudge::value_of_undercut(double area) const {
-  return objective_.weights[static_cast<std::size_t>(Criterion::undercut)] * area / measure_.area;
+Classification DirectionJudge::classification(const glm::dvec3& direction,
+                                              const DirectionScore& score) const {
+  Classification told;
+  told.settings = settings_.method;
+  told.settings.direction = told.direction = direction;
+  told.areas = score.areas;
+  told.total_area = model_.geometry.total_area;
+  told.shadow_area = score.shadow_area;
+  told.uncertainty.readout = score.undercut_error;
+  return told;
 }
 
-bool DirectionJudge::by_undercut_alone() const {
-  return std::all_of(objective_.weights.begin() + 1, objective_.weights.end(),
-                     [](double weight) { return weight == 0.0; });
-}
-
-double DirectionJudge::draw_depth(const glm::dvec3& direction) const {
+DirectionFacts DirectionJudge::facts(const Classification& classification,
+                                     const MeasuredDirection* measured) const {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const glm::dvec3& corner : corners_) {
-    const double height = glm::dot(corner, direction);
+    const double height = glm::dot(corner, classification.direction);
     low = std::min(low, height);
     high = std::max(high, height);
   }
-  return high >= low ? high - low : 0.0;
+  return {.model = model_,
+          .settings = settings_,
+          .classification = classification,
+          .draw_depth = high >= low ? high - low : 0.0,
+          .measured = measured != nullptr,
+          .patches = measured != nullptr ? std::optional(measured->patches) : std::nullopt};
 }
 
-double DirectionJudge::near_vertical_area(const glm::dvec3& direction) const {
-  double area = 0.0;
-  for (std::size_t facet = 0; facet < model_.geometry.areas.size(); ++facet) {
-    if (facet_class(model_.geometry.normals[facet], direction, tau_deg_) == FacetClass::near_vertical) {
-      area += model_.geometry.areas[facet];
-    }
-  }
-  return area;
+RankedFigures DirectionJudge::ranked(const Candidate& candidate, const DirectionFacts& facts,
+                                     double undercut_uncertainty) const {
+  return {.value = objective_value(settings_.objective, facts),
+          .value_uncertainty = value_of_undercut(undercut_uncertainty),
+          .undercut = facts.classification.areas[Region::undercut],
+          .undercut_uncertainty = undercut_uncertainty,
+          .patches = static_cast<double>(facts.patches.value_or(0)),
+          .draw_depth = facts.draw_depth,
+          .projected_area = facts.classification.shadow_area,
+          .exact = candidate.exact()};
 }
 
-DirectionFigures DirectionJudge::scored(const Candidate& candidate, const DirectionScore& score) const {
-  DirectionFigures figures;
-  figures[Criterion::undercut] = score.undercut();
-  figures[Criterion::draw_depth] = draw_depth(candidate.direction);
-  figures[Criterion::projected_area] = score.shadow_area;
-  if (objective_.weights[static_cast<std::size_t>(Criterion::undraughted_area)] > 0.0) {
-    figures[Criterion::undraughted_area] = near_vertical_area(candidate.direction);
-  }
+RankedFigures DirectionJudge::scored(const Candidate& candidate, const DirectionScore& score) const {
+  const Classification told = classification(candidate.direction, score);
   // What is known of a direction given up is that it is worse: it ties with nothing.
-  figures.undercut_uncertainty = score.given_up ? 0.0 : score.undercut_error;
-  figures.exact = is_exact(candidate);
-  return figures;
+  return ranked(candidate, facts(told, nullptr), score.given_up ? 0.0 : score.undercut_error);
 }
 
-DirectionFigures DirectionJudge::measured(const Candidate& candidate,
-                                          const MeasuredDirection& measured) const {
-  const Classification& classification = measured.classification;
-  DirectionFigures figures;
-  figures[Criterion::undercut] = classification.areas[Region::undercut];
-  figures[Criterion::patches] = static_cast<double>(measured.patches);
-  figures[Criterion::draw_depth] = draw_depth(classification.direction);
-  figures[Criterion::projected_area] = classification.shadow_area;
-  figures[Criterion::undraughted_area] = classification.near_vertical_area;
-  figures.undercut_uncertainty = classification.uncertainty.rounding;
-  figures.exact = is_exact(candidate);
-  return figures;
+RankedFigures DirectionJudge::measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                       bool with_patches) const {
+  DirectionFacts found = facts(measured.classification, &measured);
+  if (!with_patches) found.patches.reset();
+  return ranked(candidate, found, measured.classification.uncertainty.rounding);
 }
 
 }  // namespace moldlight

@@ -19,7 +19,7 @@ Relation relation(const DirectionJudge& judge, const Contender& contender, const
   if (angle_deg > rules.apart_deg) return Relation::apart;
   const double noise =
       judge.value_of_undercut(contender.figures.undercut_uncertainty + better.figures.undercut_uncertainty);
-  if (judge.value(contender.figures) > judge.value(better.figures) + noise) return Relation::hidden;
+  if (contender.figures.value > better.figures.value + noise) return Relation::hidden;
   if (rules.tentative) return Relation::apart;
   if (!contender.figures.exact) return Relation::hidden;
   return angle_deg <= k_same_direction_deg ? Relation::same : Relation::apart;
@@ -72,9 +72,9 @@ std::vector<Contender> contenders_to_list(const DirectionJudge& judge, std::span
       better = &other;
       if (here == Relation::hidden) break;
     }
-    if (!contender.from_user() && found == Relation::same) add_sources(contender, *better);
+    if (!contender.candidate.from_user() && found == Relation::same) add_sources(contender, *better);
     const bool free = found == Relation::apart && listed.size() < most;
-    if (free || contender.from_user()) listed.push_back(contender);
+    if (free || contender.candidate.from_user()) listed.push_back(contender);
   }
   return listed;
 }

@@ -61,7 +61,7 @@ class Descent {
 
  private:
   [[nodiscard]] bool is_free() const {
-    return polishing_.judge.by_undercut_alone() && best_.figures[Criterion::undercut] <= 0.0;
+    return polishing_.judge.by_undercut_alone() && best_.figures.undercut <= 0.0;
   }
 
   bool try_ring(double angle_deg, int probes, bool turned) {
@@ -74,8 +74,7 @@ class Descent {
     if (is_free() || polishing_.watch.stopped()) return false;
     std::vector<Probe> probes = not_surely_worse(directions);
     std::vector<ScoringTask> tasks;
-    const double limit =
-        polishing_.judge.by_undercut_alone() ? best_.figures[Criterion::undercut] : k_no_limit;
+    const double limit = polishing_.judge.by_undercut_alone() ? best_.figures.undercut : k_no_limit;
     for (const Probe& probe : probes) tasks.push_back({probe.direction, limit});
     const auto measured = measure(tasks);
     bool moved = false;
@@ -89,7 +88,7 @@ class Descent {
       exact.areas = measured[k]->classification.areas;
       exact.undercut_error = measured[k]->classification.uncertainty.rounding;
       tell(found.candidate.direction, exact);
-      if (polishing_.judge.value(found.figures) >= polishing_.judge.value(best_.figures) - k_gain) continue;
+      if (found.figures.value >= best_.figures.value - k_gain) continue;
       found.measured = std::make_shared<const MeasuredDirection>(*measured[k]);
       best_ = std::move(found);
       moved = true;
@@ -162,13 +161,13 @@ std::optional<Contender> polish(const Polishing& polishing, const Contender& sta
   if (angle_deg == 0.0) return std::nullopt;
   CandidateSource& source = best.candidate.sources.front();
   const bool left_feature = angle_deg > k_same_direction_deg && source.kind != CandidateKind::refined;
-  const double gain = polishing.judge.value(start.figures) - polishing.judge.value(best.figures);
+  const double gain = start.figures.value - best.figures.value;
   if (left_feature &&
       gain < polishing.judge.value_of_undercut(k_feature_share * polishing.model.geometry.total_area)) {
     return std::nullopt;
   }
-  if (start.from_user() || left_feature) {
-    const std::string origin = start.from_user() ? "the direction given" : source.reason;
+  if (start.candidate.from_user() || left_feature) {
+    const std::string origin = start.candidate.from_user() ? "the direction given" : source.reason;
     best.candidate.sources = {
         {CandidateKind::refined, fmt::format("downhill from {}, {:.2f}° away", origin, angle_deg), 0.0}};
     best.figures.exact = false;

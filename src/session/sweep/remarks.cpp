@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "session/figures.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight {
@@ -14,9 +15,8 @@ namespace {
 
 /// "12.3 mm² (0.41 %)"
 std::string area_text(const PartModel& model, double area) {
-  const double total = model.geometry.total_area;
-  return fmt::format("{} {} ({:.2f} %)", figure(area), powered_unit(model.part, 2),
-                     total > 0.0 ? 100.0 * area / total : 0.0);
+  return fmt::format("{} {} ({})", figure(area), powered_unit(model.part, 2),
+                     share_text(area, model.geometry.total_area));
 }
 
 /// "12.3 mm² (0.41 %) more"; with another objective the one that ranks behind may have less.
@@ -26,18 +26,15 @@ std::string difference_text(const PartModel& model, const SweepCandidate& than,
   return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
 }
 
-bool from_user(const SweepCandidate& candidate) {
-  return candidate.candidate.sources.front().kind == CandidateKind::user;
-}
-
 std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
   const double error = best.classification.uncertainty.total();
   if (undercut_area(best) <= error) {
     return fmt::format("The best direction has no undercut that could be told from none (± {}).",
                        area_text(model, error));
   }
+  const auto count = figure_value(direction_figure("patches"), best);
   const std::string patches =
-      best.measured ? fmt::format(" in {} {}", best.patches, best.patches == 1 ? "patch" : "patches") : "";
+      count ? fmt::format(" in {} {}", *count, *count == 1.0 ? "patch" : "patches") : "";
   return fmt::format("No direction that was tried is free of undercut; the best leaves {}{}.",
                      area_text(model, undercut_area(best)), patches);
 }
@@ -52,7 +49,7 @@ const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
 void remark_on_user(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
   const SweepCandidate& best = result.candidates.front();
   for (const SweepCandidate& given : result.candidates) {
-    if (!from_user(given)) continue;
+    if (!given.candidate.from_user()) continue;
     const std::string name = fmt::format("The direction given, {},", figures(given.candidate.direction, 1.0));
     if (given.tie_group == 1) {
       const SweepCandidate* next = runner_up(result.candidates);
@@ -88,7 +85,8 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   }
   remark_on_user(model, result, remarks);
   const SweepCandidate* next = runner_up(result.candidates);
-  if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(), from_user)) {
+  if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(),
+                                      [](const auto& c) { return c.candidate.from_user(); })) {
     remarks.push_back(fmt::format("The next, number {}, has {} undercut.", next->rank,
                                   difference_text(model, best, *next)));
   }

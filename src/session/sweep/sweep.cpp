@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "mold/candidates/find_candidates.hpp"
+#include "mold/measure.hpp"
 #include "session/method_options.hpp"
 #include "session/sweep/basin_search.hpp"
 #include "session/sweep/contender.hpp"
@@ -23,6 +24,7 @@
 #include "session/sweep/remarks.hpp"
 #include "session/sweep/scoring_pools.hpp"
 #include "session/sweep/sweep_stages.hpp"
+#include "session/sweep/sweep_texts.hpp"
 #include "session/sweep/sweep_watch.hpp"
 #include "session/sweep/tilt_margin.hpp"
 
@@ -88,7 +90,8 @@ class SweepRun {
   [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
   void list();
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
-  [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender);
+  [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
+                                                const std::optional<TiltMargin>& tilt);
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
@@ -138,11 +141,10 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
   const double limit = settings_.thorough ? k_no_limit : listing_limit();
   std::vector<ScoringTask> tasks;
   for (const Candidate& candidate : batch) {
-    const bool from_user = candidate.sources.front().kind == CandidateKind::user;
-    tasks.push_back({candidate.direction, from_user ? k_no_limit : limit});
+    tasks.push_back({candidate.direction, candidate.from_user() ? k_no_limit : limit});
   }
   const auto evaluated = [&](std::size_t i, const DirectionScore& score) {
-    return evaluated_direction(batch[i].direction, batch[i].sources.front().kind, score);
+    return evaluated_direction(batch[i].direction, batch[i].kind(), score);
   };
   std::size_t done = before;
   const auto listener = [&](std::size_t i, const DirectionScore& score) {
@@ -156,14 +158,14 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!scores[i]) continue;
     result_.evaluated.push_back(evaluated(i, *scores[i]));
-    const DirectionFigures figures = judge_.scored(batch[i], *scores[i]);
+    const RankedFigures figures = judge_.scored(batch[i], *scores[i]);
     limit_.add(batch[i].direction, scores[i]->pessimistic());
     contenders_.push_back({std::move(batch[i]), *scores[i], figures, {}});
   }
 }
 
 std::vector<std::size_t> SweepRun::contender_order() const {
-  std::vector<DirectionFigures> figures;
+  std::vector<RankedFigures> figures;
   for (const Contender& contender : contenders_) figures.push_back(contender.figures);
   return judge_.rank(figures).order;
 }
@@ -198,7 +200,8 @@ void SweepRun::keep_contenders() {
   const std::size_t before = contenders_.size(), most = k_contenders_per_listed * top();
   std::vector<std::size_t> possible;
   for (const std::size_t i : contender_order()) {
-    if (contenders_[i].from_user() || contenders_[i].score.optimistic() <= limit) possible.push_back(i);
+    if (contenders_[i].candidate.from_user() || contenders_[i].score.optimistic() <= limit)
+      possible.push_back(i);
   }
   const ListingRules rules{.apart_deg = settings_.apart_deg, .tentative = true};
   contenders_ = contenders_to_list(judge_, contenders_, possible, most, rules);
@@ -215,7 +218,7 @@ void SweepRun::measure_contenders() {
     const double limit = listing_limit();
     std::vector<Contender> batch;
     for (; first < open.size() && batch.size() < k_measured_together; ++first) {
-      if (!open[first].from_user() &&
+      if (!open[first].candidate.from_user() &&
           (open[first].score.optimistic() > limit || surely_hidden(open[first]))) {
         ++result_.skipped;
       } else {
@@ -234,7 +237,7 @@ void SweepRun::measure_contenders() {
 /// Beside a better one that is measured.
 bool SweepRun::surely_hidden(const Contender& contender) const {
   return judge_.by_undercut_alone() && std::ranges::any_of(contenders_, [&](const Contender& other) {
-           return other.measured && contender.score.optimistic() > other.figures[Criterion::undercut] &&
+           return other.measured && contender.score.optimistic() > other.figures.undercut &&
                   line_angle_deg(contender.candidate.direction, other.candidate.direction) <=
                       settings_.apart_deg;
          });
@@ -245,7 +248,7 @@ void SweepRun::measure_batch(std::span<Contender> batch, const std::function<boo
   const double limit = listing_limit();
   std::vector<ScoringTask> tasks;
   for (const Contender& contender : batch)
-    tasks.push_back({contender.candidate.direction, contender.from_user() ? k_no_limit : limit});
+    tasks.push_back({contender.candidate.direction, contender.candidate.from_user() ? k_no_limit : limit});
   auto measured = measurer_.measure(tasks, {}, watch_.until_cancelled(), stop);
   const bool stopped = stop();
   for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -254,7 +257,7 @@ void SweepRun::measure_batch(std::span<Contender> batch, const std::function<boo
       contender.figures = judge_.measured(contender.candidate, *measured[i]);
       contender.measured = std::make_shared<const MeasuredDirection>(std::move(*measured[i]));
       limit_.add(contender.candidate.direction,
-                 contender.figures[Criterion::undercut] + contender.figures.undercut_uncertainty);
+                 contender.figures.undercut + contender.figures.undercut_uncertainty);
     } else if (!stopped) {
       ++result_.skipped;
       continue;
@@ -271,15 +274,15 @@ std::vector<std::size_t> SweepRun::contenders_to_polish() const {
   for (const std::size_t i : contender_order()) {
     if (chosen.size() == most) break;
     const Contender& contender = contenders_[i];
-    if (!contender.measured || judge_.value(contender.figures) > limit) continue;
+    if (!contender.measured || contender.figures.value > limit) continue;
     const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
       return line_angle_deg(contenders_[other].candidate.direction, contender.candidate.direction) >
              settings_.apart_deg;
     });
     if (!apart) continue;
     if (chosen.empty())
-      limit = judge_.value(contender.figures) +
-              judge_.value_of_undercut(k_polished_share * model_.geometry.total_area);
+      limit =
+          contender.figures.value + judge_.value_of_undercut(k_polished_share * model_.geometry.total_area);
     chosen.push_back(i);
   }
   return chosen;
@@ -299,7 +302,7 @@ void SweepRun::polish_best() {
     std::optional<Contender> better = polish(polishing, start);
     if (!better) continue;
     // A direction with other sources stands beside the one that it was found from.
-    if (better->candidate.sources.front().kind == start.candidate.sources.front().kind) {
+    if (better->candidate.kind() == start.candidate.kind()) {
       start = std::move(*better);
     } else {
       contenders_.push_back(std::move(*better));
@@ -307,28 +310,23 @@ void SweepRun::polish_best() {
   }
 }
 
-SweepCandidate SweepRun::listed_candidate(const Contender& contender) {
+SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt) {
   SweepCandidate listed;
   listed.candidate = contender.candidate;
   listed.measured = contender.measured != nullptr;
+  listed.tilt = tilt;
   Classification& classification = listed.classification;
   if (listed.measured) {
     classification = contender.measured->classification;
-    listed.patches = contender.measured->patches;
   } else {
-    classification.settings = settings_.method;
-    classification.settings.direction = classification.direction = contender.candidate.direction;
-    classification.areas = contender.score.areas;
-    classification.total_area = model_.geometry.total_area;
-    classification.near_vertical_area = judge_.near_vertical_area(classification.direction);
-    classification.shadow_area = contender.score.shadow_area;
-    classification.uncertainty.readout = contender.score.undercut_error;
+    classification = judge_.classification(contender.candidate.direction, contender.score);
+    classification.near_vertical_area =
+        near_vertical_area(model_.geometry, classification.direction, settings_.method.tau_deg);
     classification.warnings = model_.warnings;
   }
-  listed.projected_area = classification.shadow_area;
-  listed.clamp_force = settings_.pressure * listed.projected_area;
-  listed.draw_depth = contender.figures[Criterion::draw_depth];
-  listed.undraughted_area = classification.near_vertical_area;
+  DirectionFacts facts = judge_.facts(classification, contender.measured.get());
+  facts.tilt = tilt;
+  listed.figures = find_figures(facts);
   return listed;
 }
 
@@ -339,21 +337,22 @@ void SweepRun::list() {
     std::erase_if(listed, [](const Contender& contender) { return !contender.measured; });
   const bool all_measured =
       std::ranges::all_of(listed, [](const Contender& c) { return c.measured != nullptr; });
-  std::vector<DirectionFigures> figures;
+  std::vector<RankedFigures> figures;
   for (const Contender& contender : listed) {
-    figures.push_back(contender.figures);
-    if (!all_measured) figures.back()[Criterion::patches] = 0.0;
+    figures.push_back(all_measured || !contender.measured
+                          ? contender.figures
+                          : judge_.measured(contender.candidate, *contender.measured, false));
   }
   const Ranking ranking = judge_.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
   for (const std::size_t i : ranking.order) {
-    SweepCandidate candidate = listed_candidate(listed[i]);
+    SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
     candidate.rank = result_.candidates.size() + 1;
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
-    candidate.tilt = tilts[i];
     result_.candidates.push_back(std::move(candidate));
   }
+  mark_ties(result_.candidates);
 }
 
 /// Of every contender, each on one thread: one after the other they would leave threads idle.

@@ -1,38 +1,26 @@
-#include <algorithm>
-
-#include <fmt/format.h>
-
-#include "base/error.hpp"
-#include "mold/sweep/ranking.hpp"
-#include "session/sweep/sweep_settings.hpp"
+#include "session/sweep/direction_figures.hpp"
 
 namespace moldlight {
 
-std::vector<CandidateKind> all_candidate_kinds() {
-  return {CandidateKind::axis, CandidateKind::revolution, CandidateKind::plane,  CandidateKind::perpendicular,
-          CandidateKind::hull, CandidateKind::principal,  CandidateKind::uniform};
+namespace {
+
+Words names_of(const std::vector<CandidateKind>& kinds) {
+  Words names;
+  for (const CandidateKind kind : kinds) names.push_back(candidate_kind_name(kind));
+  return names;
 }
 
-std::vector<CandidateKind> parse_candidate_kinds(std::string_view text) {
-  const std::vector<CandidateKind> all = all_candidate_kinds();
-  if (text == "all") return all;
-  if (text == "none") return {};
+std::vector<CandidateKind> kinds_named(const Words& names) {
   std::vector<CandidateKind> kinds;
-  for (std::string_view rest = text;;) {
-    const std::size_t comma = rest.find(',');
-    const std::string_view name = rest.substr(0, comma);
-    const auto kind =
-        std::find_if(all.begin(), all.end(), [&](auto k) { return candidate_kind_name(k) == name; });
-    if (kind == all.end()) {
-      std::string names = "all, none";
-      for (const CandidateKind k : all) names += fmt::format(", {}", candidate_kind_name(k));
-      throw UsageError(fmt::format("--candidates: '{}' is none of {}", name, names));
+  for (const std::string_view name : names) {
+    for (const CandidateKind kind : all_candidate_kinds()) {
+      if (candidate_kind_name(kind) == name) kinds.push_back(kind);
     }
-    if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
-    if (comma == std::string_view::npos) return kinds;
-    rest.remove_prefix(comma + 1);
   }
+  return kinds;
 }
+
+}  // namespace
 
 std::span<const Option<SweepSettings>> sweep_options() {
   using S = SweepSettings;
@@ -75,6 +63,19 @@ std::span<const Option<SweepSettings>> sweep_options() {
       {"time_limit_s", "--time-limit", "Time limit", "s",
        "End after so many seconds with what is done; 0 for none.",
        RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
+      {"objective", "--objective", "Best is the least", "",
+       "What to rank by, smallest first: one of these, or a weighted sum of shares of the part, as "
+       "undercut:1,draw-depth:0.1.",
+       TextKind<S>{"LIST", [](const S& s) { return s.objective.text; },
+                   [](S& s, std::string_view text) { s.objective = parse_objective(text); },
+                   objective_names()}},
+      {"candidates", "--candidates", "Candidates", "",
+       "Sources of candidate directions, separated by commas, or all or none.",
+       SetKind<S>{names_of(all_candidate_kinds()), [](const S& s) { return names_of(s.kinds); },
+                  [](S& s, const Words& names) { s.kinds = kinds_named(names); }}},
+      {"user_directions", "--direction", "Directions given", "",
+       "A direction to look at and list beside the others; may be given several times.",
+       DirectionsKind<S>{&S::user_directions}},
   };
   return k_options;
 }

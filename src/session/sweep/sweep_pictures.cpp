@@ -1,6 +1,7 @@
 #include "session/sweep/sweep_pictures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "picture/contact_sheet.hpp"
 #include "picture/direction_sphere.hpp"
 #include "session/figures.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight {
@@ -20,6 +22,11 @@ namespace {
 constexpr std::size_t k_most_tiles = 12;
 /// More labels would hide the map.
 constexpr std::size_t k_most_labels = 30;
+/// What the pictures have room for.
+constexpr std::array<std::string_view, k_sphere_columns> k_sphere_figures = {
+    "undercut", "undercut_uncertainty", "undercut_share", "tilt_margin_deg"};
+constexpr std::array<std::string_view, k_tile_columns> k_tile_figures = {
+    "undercut", "undercut_share", "patches", "draw_depth", "tilt_margin_deg"};
 constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
 
 // The map's field: as fine as a picture shows it, but the work of it is bounded.
@@ -38,19 +45,12 @@ UndercutField undercut_field(const SweepResult& result) {
   return field;
 }
 
-double share_pct(const PartModel& model, double area) {
-  return model.geometry.total_area > 0.0 ? 100.0 * area / model.geometry.total_area : 0.0;
-}
-
-/// What speaks for a candidate, in ever fewer words.
-std::vector<std::string> reasons(const Candidate& candidate) {
-  return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
-}
-
-/// An area in a column of a picture, which has no room for six digits and an exponent.
-std::string area_text(const FigureColumn& column, double area) {
-  const std::string text = column.text(area);
-  return text.find('e') == std::string::npos ? text : with_minus(fmt::format("{:.3g}", area));
+/// A figure on a picture, which has no room for six digits and an exponent.
+std::string picture_text(std::string_view key, const PartModel& model, const SweepCandidate& candidate) {
+  const DirectionFigure& row = direction_figure(key);
+  const std::string text = figure_text(row, model, candidate) + figure_aside(row, candidate);
+  if (row.kind != FigureKind::area || text.find('e') == std::string::npos) return with_minus(text);
+  return with_minus(fmt::format("{:.3g}", *figure_value(row, candidate)));
 }
 
 std::string counted(std::size_t count, std::string_view thing) {
@@ -69,47 +69,40 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
   content.unit = powered_unit(model.part, 2);
   content.total_area = model.geometry.total_area;
   content.note = "No direction was measured to the end.";
-  const FigureColumn areas(model.geometry.total_area);
-  const std::vector<std::string> ties = tie_marks(result.candidates);
-  for (std::size_t k = 0; k < result.candidates.size(); ++k) {
-    const SweepCandidate& candidate = result.candidates[k];
+  for (std::size_t k = 0; k < k_sphere_figures.size(); ++k)
+    content.headings[k] = direction_figure(k_sphere_figures[k]).label;
+  for (const SweepCandidate& candidate : result.candidates) {
+    const glm::dvec3& direction = candidate.classification.direction;
+    const bool best = candidate.rank == 1, labelled = candidate.rank <= k_most_labels;
     SphereRow row;
-    row.mark = {.direction = candidate.classification.direction,
-                .label = k < k_most_labels ? fmt::format("{}{}", candidate.rank, ties[k]) : std::string(),
-                .best = candidate.rank == 1,
-                .tilt_deg = k == 0 && candidate.tilt ? candidate.tilt->deg : 0.0};
+    row.mark = {.direction = direction,
+                .label = labelled ? fmt::format("{}{}", candidate.rank, candidate.tie) : std::string(),
+                .best = best,
+                .tilt_deg = best && candidate.tilt ? candidate.tilt->deg : 0.0};
     row.number = fmt::format("{}", candidate.rank);
-    row.tie = ties[k];
+    row.tie = candidate.tie;
     row.undercut = undercut_area(candidate);
-    for (int axis = 0; axis < 3; ++axis) {
-      row.direction[static_cast<std::size_t>(axis)] =
-          with_minus(component_text(candidate.classification.direction[axis], 3));
-    }
-    row.area = area_text(areas, row.undercut);
-    row.error = area_text(areas, candidate.classification.uncertainty.total());
-    row.share = fmt::format("{:.2f}", share_pct(model, row.undercut));
-    row.tilt = with_minus(tilt_text(candidate));
-    row.reasons = reasons(candidate.candidate);
+    for (int axis = 0; axis < 3; ++axis)
+      row.direction[static_cast<std::size_t>(axis)] = with_minus(component_text(direction[axis], 3));
+    for (std::size_t k = 0; k < k_sphere_figures.size(); ++k)
+      row.figures[k] = picture_text(k_sphere_figures[k], model, candidate);
+    row.reasons = shorter_reasons(candidate.candidate);
     content.rows.push_back(std::move(row));
   }
   return content;
 }
 
-ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate, const std::string& tie) {
-  const std::string length = length_unit(model.part), area = powered_unit(model.part, 2);
-  const FigureColumn areas(model.geometry.total_area);
-  const double undercut = undercut_area(candidate);
+ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate) {
   ContactTile tile;
   tile.number = fmt::format("{}", candidate.rank);
   tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
-  if (!tie.empty()) tile.remark = fmt::format("tie {}", tie);
-  tile.figures = {{"undercut " + area, fmt::format("{} ± {:.2g}", area_text(areas, undercut),
-                                                   candidate.classification.uncertainty.total())},
-                  {"share", fmt::format("{:.2f} %", share_pct(model, undercut))},
-                  {"patches", fmt::format("{}", candidate.patches)},
-                  {"depth " + length, fmt::format("{:.4g}", candidate.draw_depth)},
-                  {"may lean", with_minus(tilt_text(candidate))}};
-  tile.reasons = reasons(candidate.candidate);
+  if (!candidate.tie.empty()) tile.remark = fmt::format("tie {}", candidate.tie);
+  for (const std::string_view key : k_tile_figures) {
+    tile.figures.push_back(
+        {figure_heading(direction_figure(key), model.part), picture_text(key, model, candidate)});
+  }
+  tile.figures.front().value += " ± " + picture_text("undercut_uncertainty", model, candidate);
+  tile.reasons = shorter_reasons(candidate.candidate);
   return tile;
 }
 
@@ -140,11 +133,10 @@ Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const Part
                    : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",
                                  counted(shown, "parting direction"), result.evaluated.size(),
                                  result.complete ? "" : ", not complete");
-  const std::vector<std::string> ties = tie_marks(result.candidates);
   StillPainter painter(context, model);
   for (std::size_t k = 0; k < shown; ++k) {
     const SweepCandidate& candidate = result.candidates[k];
-    ContactTile tile = contact_tile(*model, candidate, ties[k]);
+    ContactTile tile = contact_tile(*model, candidate);
     tile.picture = painter.draw(candidate.classification, still, silent(progress));
     sheet.tiles.push_back(std::move(tile));
   }

@@ -1,17 +1,15 @@
 #include "session/sweep/sweep_report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "io/atomic_file.hpp"
 #include "session/classify_report.hpp"
 #include "session/figures.hpp"
 #include "session/method_options.hpp"
+#include "session/sweep/direction_figures.hpp"
 #include "session/sweep/sweep_texts.hpp"
 
 namespace moldlight {
@@ -29,15 +27,6 @@ Json settings_json(const SweepResult& result) {
   settings.update(options_json(sweep_options(), result.settings));
   // The report is the same whatever the number of threads.
   settings.erase("jobs");
-  settings["objective"] = result.settings.objective;
-  settings["candidates"] = Json::array();
-  for (const CandidateKind kind : result.settings.kinds) {
-    settings["candidates"].push_back(candidate_kind_name(kind));
-  }
-  settings["user_directions"] = Json::array();
-  for (const glm::dvec3& direction : result.settings.user_directions) {
-    settings["user_directions"].push_back(vector_json(direction));
-  }
   settings["engine_used"] = result.engine;
   return settings;
 }
@@ -52,25 +41,29 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
     sources.push_back(
         {{"kind", candidate_kind_name(source.kind)}, {"reason", source.reason}, {"share", source.share}});
   }
-  return {{"rank", candidate.rank},
-          {"tie_group", candidate.tie_group},
-          {"direction", classified["direction"]},
-          {"sources", sources},
-          {"measured", candidate.measured},
-          {"areas", classified["areas"]},
-          {"fractions", classified["fractions"]},
-          {"undercut_uncertainty", classified["undercut_uncertainty"]},
-          {"uncertainty_parts", if_measured(classified["uncertainty_parts"])},
-          {"projected_undercut", if_measured(classified["projected_undercut"])},
-          {"identity", if_measured(classified["identity"])},
-          {"projected_area", candidate.projected_area},
-          {"clamp_force", candidate.clamp_force > 0.0 ? Json(candidate.clamp_force) : Json()},
-          {"draw_depth", candidate.draw_depth},
-          {"undraughted_area", candidate.undraughted_area},
-          {"patches", if_measured(candidate.patches)},
-          {"tilt_margin_deg", candidate.tilt ? Json(candidate.tilt->deg) : Json()},
-          {"tilt_toward", leans_somewhere ? vector_json(candidate.tilt->toward) : Json()},
-          {"pareto", candidate.pareto}};
+  Json json = {{"rank", candidate.rank},
+               {"tie_group", candidate.tie_group},
+               {"direction", classified["direction"]},
+               {"sources", sources},
+               {"measured", candidate.measured},
+               {"areas", classified["areas"]},
+               {"fractions", classified["fractions"]},
+               {"undercut_uncertainty", classified["undercut_uncertainty"]},
+               {"uncertainty_parts", if_measured(classified["uncertainty_parts"])},
+               {"projected_undercut", if_measured(classified["projected_undercut"])},
+               {"identity", if_measured(classified["identity"])}};
+  for (const DirectionFigure& row : direction_figures()) {
+    if (row.use.classified) continue;
+    Json& value = json[std::string(row.key)];
+    const auto known = figure_value(row, candidate);
+    if (known && row.kind == FigureKind::count)
+      value = static_cast<std::size_t>(*known);
+    else if (known)
+      value = *known;
+  }
+  json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
+  json["pareto"] = candidate.pareto;
+  return json;
 }
 
 /// Rows of cells, each column as wide as its widest cell, all but the first `left` and the last set to the
@@ -108,48 +101,24 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-double greatest(const std::vector<SweepCandidate>& candidates, double (*value)(const SweepCandidate&)) {
-  double most = 0.0;
-  for (const SweepCandidate& candidate : candidates) most = std::max(most, value(candidate));
-  return most;
-}
-
-TextTable candidate_rows(const PartModel& model, const SweepResult& result) {
-  const std::vector<SweepCandidate>& candidates = result.candidates;
-  const std::string length = length_unit(model.part), area = powered_unit(model.part, 2);
-  const FigureColumn undercuts(model.geometry.total_area);
-  const FigureColumn depths(greatest(candidates, [](const auto& c) { return c.draw_depth; }));
-  const FigureColumn shadows(greatest(candidates, [](const auto& c) { return c.projected_area; }));
-  const FigureColumn forces(greatest(candidates, [](const auto& c) { return c.clamp_force; }));
-  const bool with_force = result.settings.pressure > 0.0;
-  const double share = model.geometry.total_area > 0.0 ? 100.0 / model.geometry.total_area : 0.0;
-
+std::string candidate_table(const PartModel& model, const SweepResult& result) {
+  const std::vector<const DirectionFigure*> columns = figure_columns(result);
   TextTable table;
-  std::vector<std::string> head = {"#", "tie",       "direction",       "undercut " + area,
-                                   "%", "± " + area, "depth " + length, "projected " + area};
-  if (with_force) head.emplace_back("clamp force");
-  for (const char* name : {"patches", "may lean", "Pareto", "why"}) head.emplace_back(name);
+  std::vector<std::string> head = {"#", "tie", "direction"};
+  for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
+  head.insert(head.end(), {"Pareto", "why"});
+  std::vector<bool> left(head.size(), false);
+  left[1] = left.back() = true;
   table.add(std::move(head));
-  const std::vector<std::string> marks = tie_marks(candidates);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const SweepCandidate& candidate = candidates[i];
-    const glm::dvec3& d = candidate.classification.direction;
-    std::vector<std::string> row = {fmt::format("{}", candidate.rank),
-                                    marks[i],
-                                    direction_text(d),
-                                    undercuts.text(undercut_area(candidate)),
-                                    fmt::format("{:.2f}", share * undercut_area(candidate)),
-                                    fmt::format("{:.2g}", candidate.classification.uncertainty.total()),
-                                    depths.text(candidate.draw_depth),
-                                    shadows.text(candidate.projected_area)};
-    if (with_force) row.push_back(forces.text(candidate.clamp_force));
-    row.push_back(candidate.measured ? fmt::format("{}", candidate.patches) : "-");
-    row.push_back(tilt_text(candidate));
-    row.emplace_back(candidate.pareto ? "*" : "");
-    row.push_back(reasons_text(candidate.candidate));
+  for (const SweepCandidate& candidate : result.candidates) {
+    std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,
+                                    direction_text(candidate.classification.direction)};
+    for (const DirectionFigure* column : columns)
+      row.push_back(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
+    row.insert(row.end(), {candidate.pareto ? "*" : "", reasons_text(candidate.candidate)});
     table.add(std::move(row));
   }
-  return table;
+  return table.text(left);
 }
 
 }  // namespace
@@ -177,12 +146,7 @@ std::string sweep_table(const PartModel& model, const SweepResult& result) {
   fmt::format_to(out, "{} directions scored by {}, {} of them dropped for what was sure to be worse{}\n\n",
                  result.evaluated.size(), result.engine, result.skipped,
                  result.complete ? "" : "; not complete");
-  if (!result.candidates.empty()) {
-    std::vector<bool> left(result.settings.pressure > 0.0 ? 13 : 12, false);
-    left[1] = left.back() = true;
-    text += candidate_rows(model, result).text(left);
-    text += '\n';
-  }
+  if (!result.candidates.empty()) text += candidate_table(model, result) + '\n';
   for (const std::string& remark : result.remarks) text += remark + '\n';
   return text;
 }

@@ -34,17 +34,14 @@ struct TiltMargin {
 struct SweepCandidate {
   std::size_t rank = 0;       // 1 is best
   std::size_t tie_group = 0;  // 1 is the best direction's
+  std::string tie;            // a letter for every group of more than one direction
   Candidate candidate;
   /// False where the sweep was cancelled before: areas and their uncertainty are the scoring's, and patches,
   /// the projected undercut and the parts of the uncertainty are not known.
   bool measured = true;
-  Classification classification;  // exactly what classify gives; facet fractions are dropped
-  double projected_area = 0.0;
-  double draw_depth = 0.0;         // the part's extent along the direction
-  double undraughted_area = 0.0;   // near-vertical area
-  std::size_t patches = 0;         // connected undercut patches
-  std::optional<TiltMargin> tilt;  // empty where the sweep ended before
-  double clamp_force = 0.0;        // projected area times the pressure; 0 without a pressure
+  Classification classification;               // exactly what classify gives; facet fractions are dropped
+  std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
+  std::optional<TiltMargin> tilt;              // empty where the sweep ended before
   bool pareto = false;
 };
 

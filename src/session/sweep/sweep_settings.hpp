@@ -18,8 +18,20 @@ namespace moldlight {
 /// processor, or by shadow maps on the GL, in batches.
 enum class SweepEngine : std::uint8_t { rays, gl };
 
-/// Every source of candidates but the user.
-[[nodiscard]] std::vector<CandidateKind> all_candidate_kinds();
+struct DirectionFigure;
+
+/// What directions are ranked by, smallest first: a weighted sum of figures, each divided by the part's own
+/// measure of it (area for areas, diagonal for lengths).
+struct Objective {
+  struct Term {
+    const DirectionFigure* figure;
+    double weight;  // greater than 0
+  };
+  std::string text;  // as it was written
+  std::vector<Term> terms;
+};
+/// Parses "undercut", "draw-depth" or "undercut:1,draw-depth:0.1"; throws UsageError.
+[[nodiscard]] Objective parse_objective(std::string_view text);
 
 struct SweepSettings {
   MethodSettings method;  // of the final figures; its direction is not used
@@ -36,15 +48,12 @@ struct SweepSettings {
   double tilt_growth_pct =
       0.1;  // growth of the undercut that ends a tilt margin, per cent of the part's area, (0, 100]
   double pressure = 0.0;  // cavity pressure for the clamp force, force per area unit of the part; 0: none
-  std::string objective = "undercut";
+  Objective objective = parse_objective("undercut");
   int jobs = 0;               // threads, 0: all cores, [0, 256]
   double time_limit_s = 0.0;  // 0: none
 };
 
 /// The options of a sweep that are not options of the method.
 [[nodiscard]] std::span<const Option<SweepSettings>> sweep_options();
-
-/// Parses "axis,plane,uniform", "all" or "none"; throws UsageError.
-[[nodiscard]] std::vector<CandidateKind> parse_candidate_kinds(std::string_view text);
 
 }  // namespace moldlight

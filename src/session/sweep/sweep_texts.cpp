@@ -8,29 +8,14 @@
 
 namespace moldlight {
 
-namespace {
-
-std::string components_text(const glm::dvec3& direction, int decimals) {
-  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
-                     component_text(direction.y, decimals), component_text(direction.z, decimals));
-}
-
-}  // namespace
-
-std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates) {
-  std::vector<std::string> marks;
-  std::size_t ties = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto same = [&](const SweepCandidate& other) { return other.tie_group == candidates[i].tie_group; };
-    const bool first = i == 0 || !same(candidates[i - 1]);
-    if (std::count_if(candidates.begin(), candidates.end(), same) < 2) {
-      marks.emplace_back();
-    } else {
-      if (first) ++ties;
-      marks.emplace_back(1, static_cast<char>('a' + (ties - 1) % 26));
-    }
+void mark_ties(std::vector<SweepCandidate>& candidates) {
+  char letter = 'a';
+  for (std::size_t first = 0, end = 0; first < candidates.size(); first = end) {
+    while (end < candidates.size() && candidates[end].tie_group == candidates[first].tie_group) ++end;
+    if (end - first < 2) continue;
+    for (std::size_t k = first; k < end; ++k) candidates[k].tie = letter;
+    letter = letter == 'z' ? 'a' : static_cast<char>(letter + 1);
   }
-  return marks;
 }
 
 std::string reasons_text(const Candidate& candidate, std::size_t most) {
@@ -46,13 +31,8 @@ std::string reasons_text(const Candidate& candidate, std::size_t most) {
   return text;
 }
 
-std::string tilt_text(const SweepCandidate& candidate) {
-  if (!candidate.tilt) return "-";
-  if (candidate.tilt->at_least()) return fmt::format("> {:g}°", candidate.tilt->deg);
-  constexpr double k_least_told_deg = 0.01;
-  const std::string side = lean_text(candidate.classification.direction, candidate.tilt->toward);
-  if (candidate.tilt->deg < k_least_told_deg) return fmt::format("< {:g}° to {}", k_least_told_deg, side);
-  return fmt::format("{:.2g}° to {}", candidate.tilt->deg, side);
+std::vector<std::string> shorter_reasons(const Candidate& candidate) {
+  return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
 }
 
 std::string component_text(double value, int decimals) {
@@ -60,14 +40,17 @@ std::string component_text(double value, int decimals) {
   return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
 }
 
-std::string direction_text(const glm::dvec3& direction) { return components_text(direction, 5); }
+std::string direction_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
 
 std::string short_direction_text(const glm::dvec3& direction) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) == 1.0)
       return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
   }
-  return components_text(direction, 2);
+  return direction_text(direction, 2);
 }
 
 double undercut_area(const SweepCandidate& candidate) {

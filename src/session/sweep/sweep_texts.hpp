@@ -10,17 +10,16 @@
 
 namespace moldlight {
 
-/// A letter for every tie group of more than one direction, in order; nothing for the others.
-[[nodiscard]] std::vector<std::string> tie_marks(const std::vector<SweepCandidate>& candidates);
+/// Gives every tie group of more than one direction its letter, in order.
+void mark_ties(std::vector<SweepCandidate>& candidates);
 
 /// What speaks for a candidate, the strongest of each kind, so many at most, and how many more there are.
 [[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
-
-/// "2.5° to +x", "< 0.01° to -y", "> 30°"; "-" where it is not known.
-[[nodiscard]] std::string tilt_text(const SweepCandidate& candidate);
+/// The same in ever fewer words, for where there is little room.
+[[nodiscard]] std::vector<std::string> shorter_reasons(const Candidate& candidate);
 
 /// "0.00000, 0.60000, 0.80000".
-[[nodiscard]] std::string direction_text(const glm::dvec3& direction);
+[[nodiscard]] std::string direction_text(const glm::dvec3& direction, int decimals = 5);
 /// "+Z" for an axis, else "0.00, 0.60, 0.80".
 [[nodiscard]] std::string short_direction_text(const glm::dvec3& direction);
 /// A component of a direction with so many decimals; no sign where they all are 0.

@@ -1,56 +1,26 @@
-// The order of the sweep's table follows the result that is shown.
-#include <algorithm>
-
+// The order of the sweep's table: by rank, or by a figure.
 #include <gtest/gtest.h>
 
-#include "gui/panels/sweep_columns.hpp"
+#include "gui/panels/workspace.hpp"
 
 namespace moldlight::gui {
 namespace {
 
-std::shared_ptr<const SweepResult> result_of(const std::vector<double>& depths) {
-  auto result = std::make_shared<SweepResult>();
-  for (const double depth : depths) {
-    SweepCandidate& candidate = result->candidates.emplace_back();
-    candidate.rank = result->candidates.size();
-    candidate.draw_depth = depth;
-  }
-  return result;
-}
-
-std::size_t column_of(std::string_view name) {
-  const auto found = std::ranges::find(sweep_columns(), name, &SweepColumn::name);
-  return static_cast<std::size_t>(found - sweep_columns().begin());
-}
-
 using Rows = std::vector<std::size_t>;
 
-TEST(SweepOrder, IsByRankUntilAColumnIsChosen) {
-  SweepOrder order;
-  EXPECT_TRUE(order.follow(result_of({2, 3, 1})));
-  EXPECT_EQ(order.rows(), (Rows{0, 1, 2}));
-  order.sort_by(column_of("depth"));
-  EXPECT_EQ(order.rows(), (Rows{2, 0, 1}));
-  order.sort_by(column_of("depth"));
-  EXPECT_EQ(order.rows(), (Rows{1, 0, 2}));
-}
-
-TEST(SweepOrder, StaysWhileTheResultStays) {
-  SweepOrder order;
-  const auto result = result_of({2, 1});
-  EXPECT_TRUE(order.follow(result));
-  EXPECT_FALSE(order.follow(result));
-}
-
-/// The store hands out the memory of what went: a result must not be known by its address alone.
-TEST(SweepOrder, IsOfAShorterResultThatComesAfterOneThatWent) {
-  SweepOrder order;
-  for (int turn = 0; turn < 20; ++turn) {
-    order.follow(result_of({1, 2, 3, 4, 5}));
-    EXPECT_EQ(order.rows().size(), 5U);
-    order.follow(result_of({2, 1}));
-    ASSERT_EQ(order.rows(), (Rows{0, 1})) << turn;
+TEST(SweepOrder, IsByRankOrByAFigure) {
+  SweepResult result;
+  for (const std::optional<double> depth : {std::optional(2.0), std::optional(3.0), {}, std::optional(2.0)}) {
+    SweepCandidate& candidate = result.candidates.emplace_back();
+    candidate.rank = result.candidates.size();
+    for (const DirectionFigure& row : direction_figures())
+      candidate.figures.push_back(row.key == "draw_depth" ? depth : 0.0);
   }
+  const DirectionFigure& depth = direction_figure("draw_depth");
+  EXPECT_EQ(sorted_candidates(result, nullptr, false), (Rows{0, 1, 2, 3}));
+  EXPECT_EQ(sorted_candidates(result, nullptr, true), (Rows{3, 2, 1, 0}));
+  EXPECT_EQ(sorted_candidates(result, &depth, false), (Rows{2, 0, 3, 1})) << "what is not known is first";
+  EXPECT_EQ(sorted_candidates(result, &depth, true), (Rows{1, 0, 3, 2}));
 }
 
 }  // namespace

@@ -12,13 +12,22 @@ struct Given {
   bool exact = false;
 };
 
-Ranking ranked(const std::vector<Given>& given, const Objective& objective = {}) {
-  std::vector<DirectionFigures> figures;
+/// By the undercut, or by another value.
+Ranking ranked(
+    const std::vector<Given>& given,
+    double (*value)(const Given&) = [](const Given& one) { return one.undercut / k_part.area; }) {
+  std::vector<RankedFigures> figures;
   for (const Given& one : given) {
-    figures.push_back(
-        {{one.undercut, one.patches, one.depth, one.projected, 0.0}, one.uncertainty, one.exact});
+    figures.push_back({.value = value(one),
+                       .value_uncertainty = one.uncertainty / k_part.area,
+                       .undercut = one.undercut,
+                       .undercut_uncertainty = one.uncertainty,
+                       .patches = one.patches,
+                       .draw_depth = one.depth,
+                       .projected_area = one.projected,
+                       .exact = one.exact});
   }
-  return rank_directions(figures, objective, k_part);
+  return rank_directions(figures, k_part);
 }
 
 using Numbers = std::vector<std::size_t>;
@@ -58,12 +67,9 @@ TEST(Ranking, OrdersATieByFeaturesThenDepthThenShadow) {
 }
 
 TEST(Ranking, FollowsTheObjective) {
-  // Undercut counts as a share of the area, depth as one of the diagonal.
   const std::vector<Given> given = {{.undercut = 10.0, .depth = 2.0}, {.undercut = 0.0, .depth = 5.0}};
   EXPECT_EQ(ranked(given).order, (Numbers{1, 0}));
-  EXPECT_EQ(ranked(given, parse_objective("draw-depth")).order, (Numbers{0, 1}));
-  EXPECT_EQ(ranked(given, parse_objective("undercut:1,draw-depth:0.3")).order, (Numbers{1, 0}));
-  EXPECT_EQ(ranked(given, parse_objective("undercut:1,draw-depth:0.4")).order, (Numbers{0, 1}));
+  EXPECT_EQ(ranked(given, [](const Given& one) { return one.depth; }).order, (Numbers{0, 1}));
 }
 
 TEST(Ranking, TheParetoFrontIsWhatNothingBeatsInAllThree) {

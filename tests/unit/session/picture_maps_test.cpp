@@ -23,13 +23,13 @@ TEST(MovingMethod, KeepTheLengthsOfTheFullOnes) {
 
 TEST(MovingMethod, LookBesideWallsByTheirOwnTexelsAtLeast) {
   MethodSettings full;
-  EXPECT_DOUBLE_EQ(*moving_method(full, 10.0).tolerance, 0.71 * 10.0 / 1024.0);
+  EXPECT_DOUBLE_EQ(moving_method(full, 10.0).tolerance, 0.71 * 10.0 / 1024.0);
   full.tolerance = 0.25;
   EXPECT_EQ(moving_method(full, 10.0).tolerance, 0.25);
-  full.tolerance.reset();
+  full.tolerance = 0.0;
   full.kernel_shape = KernelShape::symmetric;
   EXPECT_EQ(moving_method(full, 10.0).kernel, full.kernel);
-  EXPECT_FALSE(moving_method(full, 10.0).tolerance) << "a symmetric kernel is made of texels";
+  EXPECT_EQ(moving_method(full, 10.0).tolerance, 0.0) << "a symmetric kernel is made of texels";
 }
 
 }  // namespace
