@@ -1,14 +1,14 @@
 // moldlight classify: the mold-piece regions of a part for one parting direction.
 #include <memory>
 
+#include "classify/classifier.hpp"
+#include "classify/classify_report.hpp"
+#include "classify/headless.hpp"
+#include "classify/still_picture.hpp"
+#include "classify/write_outputs.hpp"
 #include "cli/flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
-#include "session/classifier.hpp"
-#include "session/classify_report.hpp"
-#include "session/headless.hpp"
-#include "session/still_picture.hpp"
-#include "session/write_outputs.hpp"
 
 namespace moldlight::cli {
 

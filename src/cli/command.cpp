@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "classify/classify_report.hpp"
 #include "io/atomic_file.hpp"
-#include "session/classify_report.hpp"
 
 namespace moldlight::cli {
 

@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 #include "base/threads.hpp"
+#include "classify/headless.hpp"
 #include "cli/flags.hpp"
 #include "gui/draw/fonts.hpp"
 #include "io/readers.hpp"
-#include "session/headless.hpp"
 
 namespace moldlight::cli {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "classify/still_picture.hpp"
 #include "io/part_formats.hpp"
-#include "session/still_picture.hpp"
 
 namespace moldlight::cli {
 

@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "classify/method_options.hpp"
+#include "classify/still_picture.hpp"
 #include "cli/command.hpp"
-#include "session/method_options.hpp"
-#include "session/still_picture.hpp"
 
 namespace moldlight::cli {
 

@@ -1,8 +1,8 @@
 // moldlight info: the health report of a part.
 #include <memory>
 
+#include "classify/info_report.hpp"
 #include "cli/flags.hpp"
-#include "session/info_report.hpp"
 
 namespace moldlight::cli {
 

@@ -6,15 +6,15 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "classify/figures.hpp"
+#include "classify/headless.hpp"
+#include "classify/still_picture.hpp"
 #include "cli/flags.hpp"
 #include "io/direction_list.hpp"
-#include "session/figures.hpp"
-#include "session/headless.hpp"
-#include "session/still_picture.hpp"
-#include "session/sweep/sweep.hpp"
-#include "session/sweep/sweep_pictures.hpp"
-#include "session/sweep/sweep_report.hpp"
-#include "session/sweep/sweep_stages.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep/sweep_pictures.hpp"
+#include "sweep/sweep_report.hpp"
+#include "sweep/sweep_stages.hpp"
 
 namespace moldlight::cli {
 

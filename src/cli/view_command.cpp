@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "classify/frame_benchmark.hpp"
+#include "classify/headless.hpp"
+#include "classify/option_table.hpp"
 #include "cli/flags.hpp"
 #include "gui/screenshot.hpp"
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
-#include "session/frame_benchmark.hpp"
-#include "session/headless.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight::cli {
 

@@ -11,7 +11,7 @@
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/round_wall.hpp"
-#include "session/sweep/sweep_texts.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 

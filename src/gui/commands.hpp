@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "classify/write_outputs.hpp"
 #include "gui/app_state.hpp"
-#include "session/write_outputs.hpp"
 
 namespace moldlight::gui {
 

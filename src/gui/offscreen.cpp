@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "session/headless.hpp"
+#include "classify/headless.hpp"
 
 namespace moldlight::gui {
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "classify/option.hpp"
 #include "gui/store/files.hpp"
-#include "session/option.hpp"
 
 namespace moldlight::gui {
 

@@ -14,12 +14,12 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "classify/headless.hpp"
+#include "classify/option_table.hpp"
 #include "gl/colour_target.hpp"
 #include "gl/headless_backends.hpp"
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
-#include "session/headless.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight::gui {
 

@@ -8,7 +8,7 @@
 
 #include "mesh/defect_edges.hpp"
 #include "mold/draft.hpp"
-#include "mold/sweep/patches.hpp"
+#include "mold/patches.hpp"
 
 namespace moldlight {
 

@@ -1,30 +1,16 @@
 #include "mold/map_frame.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/error.hpp"
-
 namespace moldlight {
 
 namespace {
 constexpr double k_twist_rad = 0.3217;
-/// Of the squared length of a unit vector, after rounding.
-constexpr double k_unit_rounding = 4e-15;
 }  // namespace
-
-glm::dvec3 unit_direction(const glm::dvec3& direction) {
-  if (std::abs(glm::dot(direction, direction) - 1.0) <= k_unit_rounding) return direction;
-  const double longest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-  if (!std::isfinite(longest) || longest <= 0.0) {
-    throw UsageError("the parting direction must be three finite numbers, not all zero");
-  }
-  return glm::normalize(direction / longest);
-}
 
 MapFrame map_frame(const glm::dvec3& direction) {
   MapFrame frame;

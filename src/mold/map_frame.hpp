@@ -1,16 +1,13 @@
-// Parting directions and the frames about them.
+// The frames about parting directions.
 #pragma once
 
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-namespace moldlight {
+#include "mold/direction.hpp"
 
-/// The direction at length one; one that has it already comes back to the bit, so that a direction that was
-/// printed in full means the same when it is read again. Throws UsageError for a zero or non-finite
-/// direction.
-[[nodiscard]] glm::dvec3 unit_direction(const glm::dvec3& direction);
+namespace moldlight {
 
 /// Right-handed orthonormal axes; z is the parting direction.
 struct MapFrame {

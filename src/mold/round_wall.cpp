@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "mold/candidates/candidate.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight {
 

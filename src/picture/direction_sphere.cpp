@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "mold/sweep/direction_field.hpp"
+#include "mold/direction_field.hpp"
 #include "picture/design_space.hpp"
 
 namespace moldlight {

@@ -10,8 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
-#include "mold/sweep/direction_field.hpp"
 
 namespace moldlight {
 

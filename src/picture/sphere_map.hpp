@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "mold/sweep/direction_field.hpp"
+#include "mold/direction_field.hpp"
 #include "picture/canvas.hpp"
 #include "picture/legend.hpp"
 

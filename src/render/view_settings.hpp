@@ -19,7 +19,7 @@ enum class Backdrop : std::uint8_t { gradient, flat, none };
 /// subject has but one of them, it is that.
 enum class RegionsBy : std::uint8_t { exact, maps };
 
-/// What a user chooses to see of a part; session/look_options.hpp has its table.
+/// What a user chooses to see of a part; classify/look_options.hpp has its table.
 struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;

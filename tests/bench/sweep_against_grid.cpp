@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "mold/candidates/candidate.hpp"
-#include "session/sweep/sweep.hpp"
 #include "support/grid_search.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/candidates/candidate.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 namespace {

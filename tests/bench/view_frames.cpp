@@ -1,11 +1,11 @@
 // Frame times of the live view on parts of about 5 k, 50 k and 500 k facets, or on those given: see
-// session/frame_benchmark.hpp. `moldlight view PART --benchmark` prints the same for one part.
+// classify/frame_benchmark.hpp. `moldlight view PART --benchmark` prints the same for one part.
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "classify/frame_benchmark.hpp"
 #include "gl/context.hpp"
-#include "session/frame_benchmark.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"
 

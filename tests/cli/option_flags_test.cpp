@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
 #include "cli/small_part.hpp"
-#include "session/method_options.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight {
 namespace {

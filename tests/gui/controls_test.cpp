@@ -1,11 +1,11 @@
 // Every option of every table has a control that changes it, shows the change, and is undone.
 #include <algorithm>
 
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/window_with_part.hpp"
-#include "session/method_options.hpp"
-#include "session/option_table.hpp"
-#include "session/sweep/direction_figures.hpp"
+#include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui::test {
 namespace {

@@ -1,6 +1,6 @@
 // The window's export writes what `classify` writes.
+#include "classify/write_outputs.hpp"
 #include "gui/window_with_part.hpp"
-#include "session/write_outputs.hpp"
 
 namespace moldlight::gui::test {
 namespace {

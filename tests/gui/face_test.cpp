@@ -1,8 +1,8 @@
 // CAD faces: a click chooses the whole face; its figures are those of the table of faces.
 #include <glm/geometric.hpp>
 
+#include "classify/classify_report.hpp"
 #include "gui/window_with_part.hpp"
-#include "session/classify_report.hpp"
 
 namespace moldlight::gui::test {
 namespace {

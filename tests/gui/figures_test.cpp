@@ -3,10 +3,10 @@
 #include <chrono>
 #include <thread>
 
+#include "classify/classifier.hpp"
+#include "classify/classify_report.hpp"
+#include "classify/headless.hpp"
 #include "gui/window_with_part.hpp"
-#include "session/classifier.hpp"
-#include "session/classify_report.hpp"
-#include "session/headless.hpp"
 
 namespace moldlight::gui::test {
 namespace {

@@ -1,6 +1,6 @@
 // What the regions are told by: exactly, or by the shadow maps, whose controls are seen to act.
+#include "classify/classifier.hpp"
 #include "gui/window_with_part.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight::gui::test {
 namespace {

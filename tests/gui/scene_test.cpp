@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "session/method_options.hpp"
-#include "session/option_table.hpp"
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/shapes.hpp"
 

@@ -9,14 +9,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "classify/headless.hpp"
 #include "gui/offscreen.hpp"
 #include "gui/store/files.hpp"
 #include "io/mesh_writer.hpp"
-#include "session/headless.hpp"
-#include "session/sweep/direction_figures.hpp"
-#include "session/sweep/sweep.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight::gui {
 namespace {

@@ -1,5 +1,5 @@
 // Scores by batches of maps on the GL against exact rays, and alone against together.
-#include "session/sweep/batch_scorer.hpp"
+#include "sweep/batch_scorer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/ray_scorer.hpp"
-#include "session/classifier.hpp"
+#include "classify/classifier.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/ray_scorer.hpp"
 
 namespace moldlight {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "session/part_model.hpp"
+#include "classify/part_model.hpp"
 #include "support/exact_model.hpp"
 #include "support/reference_areas.hpp"
 #include "support/shared_parts.hpp"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "classify/part_model.hpp"
 #include "mesh/health.hpp"
-#include "session/part_model.hpp"
 #include "support/box_pile.hpp"
 #include "support/exact_model.hpp"
 #include "support/manifest.hpp"

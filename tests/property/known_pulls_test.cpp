@@ -6,11 +6,11 @@
 
 #include "io/part_reader.hpp"
 #include "mesh/adjacency.hpp"
-#include "mold/candidates/find_candidates.hpp"
-#include "session/sweep/sweep.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/candidates/find_candidates.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 namespace {

@@ -1,6 +1,6 @@
 // A score that ends early must be on the side that the whole score is on, and beside another direction a
 // score to the end is what it is alone.
-#include "mold/sweep/ray_scorer.hpp"
+#include "sweep/ray_scorer.hpp"
 
 #include <cmath>
 #include <memory>

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "session/write_outputs.hpp"
+#include "classify/write_outputs.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/exact_model.hpp"
 #include "support/manifest.hpp"

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "mold/map_frame.hpp"
-#include "session/sweep/direction_measurer.hpp"
-#include "session/sweep/scoring.hpp"
-#include "session/sweep/sweep.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/grid_search.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/scoring.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 namespace {

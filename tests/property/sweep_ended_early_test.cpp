@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "mold/candidates/candidate.hpp"
-#include "session/sweep/direction_figures.hpp"
-#include "session/sweep/sweep.hpp"
-#include "session/sweep/sweep_report.hpp"
-#include "session/sweep/sweep_stages.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
+#include "sweep/candidates/candidate.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep/sweep_report.hpp"
+#include "sweep/sweep_stages.hpp"
 
 namespace moldlight {
 namespace {

@@ -6,13 +6,13 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/candidates/candidate.hpp"
-#include "session/sweep/direction_figures.hpp"
-#include "session/sweep/sweep.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
+#include "sweep/candidates/candidate.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 namespace {

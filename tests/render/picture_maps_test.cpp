@@ -1,5 +1,5 @@
 // Maps of a moving direction, whoever draws them, show the regions of the GL's own.
-#include "session/picture_maps.hpp"
+#include "classify/picture_maps.hpp"
 
 #include <cmath>
 #include <filesystem>

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/ray_scorer.hpp"
 #include "render/sample_counting.hpp"
 #include "render/sample_pass.hpp"
 #include "support/classify_mesh.hpp"
@@ -16,6 +15,7 @@
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/ray_scorer.hpp"
 
 namespace moldlight {
 namespace {

@@ -1,12 +1,12 @@
 // Still pictures: the undercuts are in view, the legend is there, and the same input gives the same picture.
-#include "session/still_picture.hpp"
+#include "classify/still_picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "classify/still_picture.hpp"
+#include "classify/view_choice.hpp"
 #include "render/camera.hpp"
-#include "session/still_picture.hpp"
-#include "session/view_choice.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "classify/classifier.hpp"
 #include "gl/context.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight::test {
 

@@ -4,11 +4,11 @@
 #include <limits>
 #include <vector>
 
-#include "mold/candidates/candidate_sources.hpp"
-#include "mold/sweep/ray_scorer.hpp"
-#include "session/classification.hpp"
-#include "session/sweep/direction_measurer.hpp"
-#include "session/sweep/scoring.hpp"
+#include "classify/classification.hpp"
+#include "sweep/candidates/candidate_sources.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/ray_scorer.hpp"
+#include "sweep/scoring.hpp"
 
 namespace moldlight::test {
 

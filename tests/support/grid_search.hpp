@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "session/part_model.hpp"
+#include "classify/part_model.hpp"
 
 namespace moldlight::test {
 

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "classify/classifier.hpp"
 #include "mold/measure.hpp"
 #include "mold/second_depth.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight::test {
 

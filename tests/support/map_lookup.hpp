@@ -9,11 +9,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "classify/part_model.hpp"
+#include "classify/settings.hpp"
 #include "mold/draft.hpp"
 #include "mold/map_frame.hpp"
 #include "render/shadow_maps.hpp"
-#include "session/part_model.hpp"
-#include "session/settings.hpp"
 
 namespace moldlight::test {
 

@@ -1,7 +1,7 @@
 #include "support/shape_picture.hpp"
 
+#include "classify/classifier.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "session/classifier.hpp"
 #include "support/classify_mesh.hpp"
 
 namespace moldlight::test {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "base/image.hpp"
+#include "classify/picture_maps.hpp"
 #include "gl/colour_target.hpp"
 #include "render/part_view.hpp"
-#include "session/picture_maps.hpp"
 #include "support/shapes.hpp"
 
 namespace moldlight::test {

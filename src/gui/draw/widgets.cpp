@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "session/option.hpp"
+#include "classify/option.hpp"
 
 namespace moldlight::gui {
 

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mold/candidates/find_candidates.hpp"
+#include "sweep/candidates/find_candidates.hpp"
 
 namespace moldlight::gui {
 

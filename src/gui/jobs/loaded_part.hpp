@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "classify/part_model.hpp"
 #include "render/view_geometry.hpp"
-#include "session/part_model.hpp"
 
 namespace moldlight::gui {
 

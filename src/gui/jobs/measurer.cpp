@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "classify/classifier.hpp"
+#include "classify/figure_pace.hpp"
 #include "mold/map_frame.hpp"
-#include "session/classifier.hpp"
-#include "session/figure_pace.hpp"
 
 namespace moldlight::gui {
 

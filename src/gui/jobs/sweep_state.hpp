@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mold/sweep/direction_field.hpp"
-#include "session/sweep/sweep_result.hpp"
+#include "mold/direction_field.hpp"
+#include "sweep/sweep_result.hpp"
 
 namespace moldlight::gui {
 

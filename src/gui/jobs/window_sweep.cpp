@@ -9,8 +9,8 @@
 #include <glm/trigonometric.hpp>
 #include <sys/resource.h>
 
-#include "session/sweep/sweep.hpp"
-#include "session/sweep/sweep_stages.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep/sweep_stages.hpp"
 
 namespace moldlight::gui {
 

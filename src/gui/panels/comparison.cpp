@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
-#include "session/figures.hpp"
 
 namespace moldlight::gui {
 

@@ -10,12 +10,12 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
-#include "mold/sweep/direction_field.hpp"
-#include "session/figures.hpp"
-#include "session/sweep/sweep_texts.hpp"
+#include "mold/direction_field.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 

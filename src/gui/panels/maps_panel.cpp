@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "session/figures.hpp"
-#include "session/method_options.hpp"
 
 namespace moldlight::gui {
 

@@ -1,7 +1,7 @@
 // The method's settings, straight from the option table; those of the shadow maps have a panel of their own.
+#include "classify/method_options.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "session/method_options.hpp"
 
 namespace moldlight::gui {
 

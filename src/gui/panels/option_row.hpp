@@ -11,9 +11,9 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "classify/option_table.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight::gui {
 

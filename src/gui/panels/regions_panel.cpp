@@ -1,11 +1,11 @@
 // The legend: the four regions with their measured areas, how sure they are, and whether two ways agree.
 #include <fmt/format.h>
 
+#include "classify/figures.hpp"
+#include "classify/option.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "session/figures.hpp"
-#include "session/option.hpp"
 
 namespace moldlight::gui {
 

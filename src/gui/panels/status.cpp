@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "session/figures.hpp"
 
 namespace moldlight::gui {
 

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/view/direction.hpp"
-#include "session/figures.hpp"
-#include "session/sweep/sweep_stages.hpp"
-#include "session/sweep/sweep_texts.hpp"
+#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 

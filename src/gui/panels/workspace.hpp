@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gui/panels/panels.hpp"
-#include "session/sweep/direction_figures.hpp"
+#include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
 

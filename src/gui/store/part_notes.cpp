@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
-#include "session/method_options.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight::gui {
 

@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "classify/settings.hpp"
 #include "gui/store/settings.hpp"
-#include "session/settings.hpp"
 
 namespace moldlight::gui {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "classify/look_options.hpp"
 #include "render/view_settings.hpp"
-#include "session/look_options.hpp"
 
 namespace moldlight::gui {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "classify/option_table.hpp"
 #include "gui/store/files.hpp"
-#include "session/option_table.hpp"
 
 namespace moldlight::gui {
 

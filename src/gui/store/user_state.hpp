@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/store/settings.hpp"
-#include "session/sweep/sweep_settings.hpp"
+#include "sweep/sweep_settings.hpp"
 
 namespace moldlight::gui {
 

@@ -7,8 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.hpp"
+#include "classify/classification.hpp"
 #include "mold/map_frame.hpp"
-#include "session/classification.hpp"
 
 namespace moldlight::gui {
 

@@ -10,7 +10,7 @@
 #include "gl/colour_target.hpp"
 #include "gui/draw/ui.hpp"
 #include "gui/view/scene.hpp"
-#include "session/sweep/sweep_result.hpp"
+#include "sweep/sweep_result.hpp"
 
 namespace moldlight::gui {
 

@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "classify/classifier.hpp"
 #include "mold/map_frame.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight::gui {
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "classify/map_comparison.hpp"
+#include "classify/picture_maps.hpp"
 #include "gl/colour_target.hpp"
 #include "gl/context.hpp"
 #include "gui/app_state.hpp"
@@ -13,8 +15,6 @@
 #include "render/sample_pass.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_passes.hpp"
-#include "session/map_comparison.hpp"
-#include "session/picture_maps.hpp"
 
 namespace moldlight::gui {
 

@@ -4,10 +4,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "classify/classifier.hpp"
+#include "classify/classify_report.hpp"
 #include "mold/exact_rays.hpp"
 #include "mold/map_frame.hpp"
-#include "session/classifier.hpp"
-#include "session/classify_report.hpp"
 
 namespace moldlight::gui {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
 #include "mold/draft.hpp"
 #include "mold/measure.hpp"
 #include "render/part_view.hpp"
 #include "render/view_geometry.hpp"
-#include "session/classification.hpp"
-#include "session/part_model.hpp"
 
 namespace moldlight::gui {
 

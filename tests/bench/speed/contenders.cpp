@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "mold/exact/exact_regions.hpp"
-#include "mold/sweep/ray_scorer.hpp"
-#include "session/sweep/batch_scorer.hpp"
+#include "sweep/batch_scorer.hpp"
+#include "sweep/ray_scorer.hpp"
 
 namespace moldlight::bench {
 

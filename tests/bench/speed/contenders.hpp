@@ -8,9 +8,9 @@
 
 #include "bench/speed/bench_settings.hpp"
 #include "bench/speed/truth.hpp"
+#include "classify/part_model.hpp"
 #include "mold/surface_samples.hpp"
-#include "session/part_model.hpp"
-#include "session/sweep/scoring.hpp"
+#include "sweep/scoring.hpp"
 
 namespace moldlight::bench {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "bench/speed/contest.hpp"
+#include "classify/classifier.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "session/classifier.hpp"
 #include "support/exact_model.hpp"
 
 namespace moldlight::bench {

@@ -14,7 +14,7 @@
 #include "bench/speed/parts.hpp"
 #include "bench/speed/process_rows.hpp"
 #include "bench/speed/sweep_rows.hpp"
-#include "session/headless.hpp"
+#include "classify/headless.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 

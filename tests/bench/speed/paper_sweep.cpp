@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "classify/classifier.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/measure.hpp"
-#include "session/classifier.hpp"
 
 namespace moldlight::bench {
 

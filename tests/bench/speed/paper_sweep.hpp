@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "classify/part_model.hpp"
 #include "gl/context.hpp"
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "render/facet_id_pass.hpp"
 #include "render/part_buffers.hpp"
-#include "session/part_model.hpp"
 
 namespace moldlight::bench {
 

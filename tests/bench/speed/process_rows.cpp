@@ -14,7 +14,7 @@
 #include "base/error.hpp"
 #include "base/median.hpp"
 #include "bench/speed/contest.hpp"
-#include "session/part_model.hpp"
+#include "classify/part_model.hpp"
 #include "support/process.hpp"
 
 namespace moldlight::bench {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "mold/candidates/candidate_sources.hpp"
+#include "sweep/candidates/candidate_sources.hpp"
 
 namespace moldlight::bench {
 

@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "mold/sweep/direction_scorer.hpp"
-#include "session/sweep/scoring.hpp"
+#include "sweep/direction_scorer.hpp"
+#include "sweep/scoring.hpp"
 
 namespace moldlight::bench {
 

@@ -1,12 +1,12 @@
 // The interpolated map of directions and its colours.
-#include "mold/sweep/direction_field.hpp"
+#include "mold/direction_field.hpp"
 
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/direction_field.hpp"
+#include "mold/direction_field.hpp"
 
 namespace moldlight {
 namespace {

@@ -1,5 +1,5 @@
 // Undercut patches: what counts as part of one, what connects and what is too small.
-#include "mold/sweep/patches.hpp"
+#include "mold/patches.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/sweep/direction_field.hpp"
+#include "mold/direction_field.hpp"
 #include "picture/contact_sheet.hpp"
 #include "picture/design_space.hpp"
 #include "picture/direction_sphere.hpp"

@@ -1,0 +1,93 @@
+#include "classify/classification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "base/stopwatch.hpp"
+#include "classify/method_options.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "mold/map_frame.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Of a part whose shadow has two areas, or whose facets cross: what the figures mean then.
+void add_warnings(const PartModel& model, const ExactPart& part, Classification& result) {
+  std::size_t crossed = 0;
+  for (FacetIndex facet = 0; facet < part.mesh().facets.size(); ++facet) {
+    crossed += part.crossings(facet).empty() ? 0 : 1;
+  }
+  if (crossed > 0) {
+    result.warnings.push_back(fmt::format(
+        "{} facets cross others: bodies of the part overlap, and surface inside the material counts "
+        "as undercut.",
+        crossed));
+  }
+  if (model.health.closed && !result.identity.agrees()) {
+    result.warnings.emplace_back(
+        "The part's shadow has another area from the other side: a body of the part is inside out.");
+  }
+}
+
+Classification classification_of(const PartModel& model, const MethodSettings& settings,
+                                 const ExactPart& part, ExactAreas found, const Stopwatch& stopwatch) {
+  const ExactQuery query = exact_query(model, settings);
+  Classification result;
+  result.settings = settings;
+  result.direction = query.direction;
+  result.texel = model.frame.diagonal / settings.resolution;
+  result.lateral_tolerance = lateral_tolerance(settings, model.frame.diagonal);
+  result.total_area = model.geometry.total_area;
+  result.warnings = model.warnings;
+  result.areas = found.areas;
+  result.near_vertical_area = found.near_vertical_area;
+  result.identity = {.core = found.projected_core,
+                     .cavity = found.projected_cavity,
+                     .gap = found.projected_core - found.projected_cavity,
+                     .gap_limit = model.errors.shadow_gap + found.projected_doubt};
+  result.shadow_area = std::max(found.projected_core, found.projected_cavity);
+  result.projected_undercut = std::max(
+      0.0, projected_area(model.geometry, result.direction) - found.projected_core - found.projected_cavity);
+  result.uncertainty.rounding = rounding_bound(part, query, found, model.errors);
+  result.uncertainty.mesh = mesh_doubt(part, found, model.adjacency, model.errors);
+  result.facet_fractions = std::move(found.facet_fractions);
+  add_warnings(model, part, result);
+  result.timings.load_ms = model.load_ms;
+  result.timings.regions_ms = stopwatch.elapsed_ms();
+  result.timings.total_ms = result.timings.load_ms + result.timings.regions_ms;
+  return result;
+}
+
+}  // namespace
+
+ExactQuery exact_query(const PartModel& model, const MethodSettings& settings) {
+  return {.direction = unit_direction(settings.direction),
+          .tau_deg = settings.tau_deg,
+          .lateral = lateral_tolerance(settings, model.frame.diagonal) / model.frame.diagonal};
+}
+
+Classification classify_exact(const PartModel& model, const MethodSettings& settings,
+                              const Progress& progress, bool with_split) {
+  if (!with_split) return *classify_exact_within(model, settings, {}, progress);
+  const Stopwatch stopwatch;
+  const ExactPart& part = model.exact(progress);
+  ExactSplit split = exact_split(part, exact_query(model, settings), progress);
+  Classification result = classification_of(model, settings, part, std::move(split.areas), stopwatch);
+  result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
+  return result;
+}
+
+std::optional<Classification> classify_exact_within(const PartModel& model, const MethodSettings& settings,
+                                                    const UndercutLimit& limit, const Progress& progress) {
+  const Stopwatch stopwatch;
+  const ExactPart& part = model.exact(progress);
+  std::optional<ExactAreas> found = exact_areas_within(part, exact_query(model, settings), limit, progress);
+  if (!found) return std::nullopt;
+  return classification_of(model, settings, part, std::move(*found), stopwatch);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,201 @@
+#include "classify/classify_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
+
+Json settings_json(const Classification& result) {
+  Json settings = options_json(method_options(), result.settings);
+  settings.erase("direction");
+  const auto if_used = [](const std::string& name) { return name.empty() ? Json() : Json(name); };
+  settings["backend"] = if_used(result.backend);
+  settings["renderer"] = if_used(result.renderer);
+  return settings;
+}
+
+/// As shares of `whole`.
+Json values_json(const RegionValues& values, double whole = 1.0) {
+  Json json;
+  for (const Region region : k_regions) json[std::string(region_name(region))] = share(values[region], whole);
+  return json;
+}
+
+Json faces_json(const std::vector<SourceAreas>& faces) {
+  Json list = Json::array();
+  for (const SourceAreas& face : faces) {
+    Json entry = {{"face", face.source}, {"area", face.areas.total()}};
+    entry.update(values_json(face.areas));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json comparison_json(const MapComparison& comparison) {
+  const double total = comparison.total();
+  Json areas, shares, excess;
+  for (const Region exact : k_regions) {
+    const std::string name(region_name(exact));
+    const RegionValues& row = comparison.areas[static_cast<std::size_t>(exact)];
+    areas[name] = values_json(row);
+    shares[name] = values_json(row, total);
+    excess[name] = comparison.excess(exact);
+  }
+  return {{"differing_area", comparison.differing()},
+          {"differing_share", share(comparison.differing(), total)},
+          {"error", comparison.error},
+          {"samples", comparison.samples},
+          {"excess", excess},
+          {"areas", areas},
+          {"shares", shares}};
+}
+
+/// A line for every pair of regions that surface has, the exact one first.
+std::string comparison_table(const MapComparison& comparison, const FigureColumn& column,
+                             const std::string& area_unit) {
+  const double total = comparison.total();
+  std::string text =
+      fmt::format("{}\nmeasured by {} samples, ± {} % of the area\n\n", comparison_text(comparison),
+                  comparison.samples, error_text(100.0 * share(comparison.error, total)));
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{:<9}{:<9}{:>17}{:>10}\n", "exact", "by maps", "area " + area_unit, "share");
+  for (const Region exact : k_regions) {
+    for (const Region shown : k_regions) {
+      const double area = comparison.areas[static_cast<std::size_t>(exact)][shown];
+      if (area > 0.0) {
+        fmt::format_to(out, "{:<9}{:<9}{:>16}{:>10}\n", region_name(exact), region_name(shown),
+                       column.text(area), share_text(area, total));
+      }
+    }
+  }
+  return text;
+}
+
+/// SGR code of no colour.
+constexpr std::string_view k_plain = "\033[0m";
+
+std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
+  std::string text = "± " + error_text(uncertainty.total());
+  if (uncertainty.readout > 0.0)
+    return text + fmt::format(", {} of it off exact regions", error_text(uncertainty.readout));
+  if (uncertainty.mesh > uncertainty.rounding) return text + ", for what is wrong with the mesh";
+  return text;
+}
+
+}  // namespace
+
+Json bounds_json(const Bounds& bounds) {
+  return {{"min", point_json(bounds.min)}, {"max", point_json(bounds.max)}};
+}
+
+Json part_json(const PartModel& model, const std::vector<std::string>& warnings) {
+  const HealthReport& health = model.health;
+  return {{"file", model.part.file},
+          {"format", model.part.format},
+          {"unit", model.part.unit.empty() ? Json() : Json(model.part.unit)},
+          {"facets", health.facets},
+          {"vertices", health.vertices},
+          {"components", health.components},
+          {"closed", health.closed},
+          {"area", health.area},
+          {"volume", health.volume},
+          {"bounds", bounds_json(health.bounds)},
+          {"warnings", warnings},
+          {"repairs", model.part.repairs}};
+}
+
+std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result) {
+  if (model.part.facet_source.empty()) return {};
+  return region_areas_by_source(model.part.facet_source, model.geometry.areas, result.facet_fractions);
+}
+
+Json classify_json(const PartModel& model, const Classification& result) {
+  Json areas = values_json(result.areas);
+  areas["total"] = result.total_area;
+  areas["near_vertical"] = result.near_vertical_area;
+  const UndercutUncertainty& uncertainty = result.uncertainty;
+  const ShadowIdentity& identity = result.identity;
+  Json json = {
+      {"schema", "moldlight.classify/2"},
+      {"part", part_json(model, result.warnings)},
+      {"direction", point_json(result.direction)},
+      {"settings", settings_json(result)},
+      {"texel", result.texel},
+      {"lateral_tolerance", result.lateral_tolerance},
+      {"areas", areas},
+      {"fractions", values_json(result.areas, result.total_area)},
+      {"undercut_uncertainty", uncertainty.total()},
+      {"uncertainty_parts",
+       {{"rounding", uncertainty.rounding}, {"mesh", uncertainty.mesh}, {"readout", uncertainty.readout}}},
+      {"projected_area", result.shadow_area},
+      {"projected_undercut", result.projected_undercut},
+      {"identity",
+       {{"core", identity.core},
+        {"cavity", identity.cavity},
+        {"gap", identity.gap},
+        {"gap_limit", identity.gap_limit},
+        {"agrees", identity.agrees()}}},
+      {"timings_ms",
+       {{"load", result.timings.load_ms},
+        {"regions", result.timings.regions_ms},
+        {"readout", result.timings.readout_ms},
+        {"total", result.timings.total_ms}}}};
+  if (model.part.has_cad_faces) json["faces"] = faces_json(face_areas(model, result));
+  if (result.maps) json["compare_maps"] = comparison_json(*result.maps);
+  return json;
+}
+
+std::string classify_table(const PartModel& model, const Classification& result, bool colour) {
+  const std::string area_unit = powered_unit(model.part, 2);
+  const FigureColumn areas(result.total_area);
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {} facets, {}; box {} {}\n", part_name(model.part), model.health.facets,
+                 model.health.closed ? "closed" : "not closed",
+                 figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
+                 length_unit(model.part));
+  fmt::format_to(out, "direction {}; draft tolerance {}°, lateral tolerance {} {}\n\n",
+                 figures(result.direction, 1.0), figure(result.settings.tau_deg),
+                 figure(result.lateral_tolerance), length_unit(model.part));
+
+  const std::string heading = "area " + area_unit;
+  // The superscript takes two bytes and one column.
+  fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
+  for (const Region region : k_regions) {
+    const std::string name = fmt::format("{:<9}", region_name(region));
+    fmt::format_to(out, "{}{:>16}{:>10}{}\n",
+                   colour ? fmt::format("{}{}{}", facts(region).terminal_colour, name, k_plain) : name,
+                   areas.text(result.areas[region]), share_text(result.areas[region], result.total_area),
+                   region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
+  }
+  fmt::format_to(out, "{:<9}{:>16}{:>10}\n\n", "total", areas.text(result.total_area),
+                 share_text(result.total_area, result.total_area));
+  const ShadowIdentity& identity = result.identity;
+  fmt::format_to(
+      out,
+      "check {}  the part's shadow: {} {} by what +d sees, {} by what -d sees; they are {} apart,\n"
+      "         {} rounding, {}\n",
+      identity.agrees() ? "✓" : "✗", areas.text(identity.core), area_unit, areas.text(identity.cavity),
+      error_text(std::abs(identity.gap)), identity.agrees() ? "within" : "more than",
+      error_text(identity.gap_limit));
+  if (result.maps) text += "\n" + comparison_table(*result.maps, areas, area_unit);
+  return text;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace moldlight

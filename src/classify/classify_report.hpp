@@ -1,0 +1,37 @@
+// The report on a classification: a table for people, JSON for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
+#include "mold/measure.hpp"
+
+namespace moldlight {
+
+/// {"min": [x, y, z], "max": [x, y, z]}.
+[[nodiscard]] nlohmann::ordered_json bounds_json(const Bounds& bounds);
+
+/// What every report says of the part; the warnings are the caller's, as a run may add to the part's own.
+[[nodiscard]] nlohmann::ordered_json part_json(const PartModel& model,
+                                               const std::vector<std::string>& warnings);
+
+/// Schema `moldlight.classify/2`. Lengths and areas are in the part's unit, fractions in [0, 1], times in
+/// milliseconds. For a STEP part `faces` lists the CAD faces.
+[[nodiscard]] nlohmann::ordered_json classify_json(const PartModel& model, const Classification& result);
+
+/// Region areas of each CAD face or polygon of the file; empty where each facet is its own.
+[[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
+
+/// Areas and shares with the uncertainty, and the check of the shadow's area found in two ways. `colour`: the
+/// regions' names stand in the colours of a terminal.
+[[nodiscard]] std::string classify_table(const PartModel& model, const Classification& result, bool colour);
+
+/// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes
+/// of file names that are no UTF-8 are replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
+
+}  // namespace moldlight

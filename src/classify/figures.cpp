@@ -1,0 +1,65 @@
+#include "classify/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "io/text_scanner.hpp"
+
+namespace moldlight {
+
+namespace {
+/// Of a length, what its sums and differences may be off.
+constexpr double k_rounding_share = 1e-12;
+}  // namespace
+
+FigureColumn::FigureColumn(double greatest) {
+  if (!(greatest > 0.0)) return;
+  const int magnitude = static_cast<int>(std::floor(std::log10(greatest)));
+  scientific_ = magnitude < -6 || magnitude > 11;
+  decimals_ = scientific_ ? 5 : std::max(0, 5 - magnitude);
+}
+
+std::string FigureColumn::text(double value) const {
+  return scientific_ ? fmt::format("{:.{}e}", value, decimals_) : fmt::format("{:.{}f}", value, decimals_);
+}
+
+double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
+
+std::string share_text(double value, double whole) {
+  return fmt::format("{:.2f} %", 100.0 * share(value, whole));
+}
+
+std::string error_text(double error) { return fmt::format("{:.2g}", error); }
+
+std::string figure(double value) { return fmt::format("{:.6g}", value); }
+
+std::string figures(const glm::dvec3& values, double scale) {
+  const auto text = [scale](double value) {
+    return figure(std::abs(value) < k_rounding_share * scale ? 0.0 : value);
+  };
+  return fmt::format("{}, {}, {}", text(values.x), text(values.y), text(values.z));
+}
+
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
+    text.replace(at, 1, "−");
+  }
+  return text;
+}
+
+std::string length_unit(const Part& part) { return part.unit.empty() ? "unit" : part.unit; }
+
+std::string powered_unit(const Part& part, int power) {
+  CHECK(power == 2 || power == 3);
+  return length_unit(part) + (power == 2 ? "²" : "³");
+}
+
+std::string part_name(const Part& part) {
+  return clean_name(std::filesystem::path(part.file).filename().string());
+}
+
+}  // namespace moldlight

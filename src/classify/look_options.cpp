@@ -1,0 +1,51 @@
+#include "classify/look_options.hpp"
+
+namespace moldlight {
+
+std::span<const Option<LookSettings>> look_options() {
+  using S = LookSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"palette", "--palette", "Palette", "",
+       "Paper: core blue, cavity green, both gray, undercut red. Safe: told apart by colour-blind eyes.",
+       choice<&S::palette>({"paper", "safe"})},
+      {"colouring", "--colouring", "Colour by", "",
+       "Colour the surface by its region, or by its draft angle to the parting direction.",
+       choice<&S::colour_mode>({"regions", "draft"})},
+      {"open_mold", "--open-mold", "Open the mold", "",
+       "Moves the core's surface and the cavity's apart along the parting direction; undercuts stay where "
+       "they are.",
+       RealKind<S>{&S::open_mold, 0.0, 1.0, 0.01}},
+      {"others_opacity", "--others-opacity", "Other surface", "",
+       "Opacity of all surface but the undercuts, so that hidden undercuts show through.",
+       RealKind<S>{&S::others_opacity, 0.05, 1.0, 0.05}},
+      {"section", "--section", "Section", "", "Cut the part by a plane across the parting direction.",
+       SwitchKind<S>{&S::section}},
+      {"section_height", "--section-height", "Section height", "",
+       "Where the section plane lies along the parting direction, from the part's lowest point to its "
+       "highest.",
+       RealKind<S>{&S::section_height, 0.0, 1.0, 0.01}},
+      {"hatching", "--hatching", "Hatching", "",
+       "Stripe the undercuts, so that they show without colour too.", SwitchKind<S>{&S::hatching}},
+      {"feature_edges", "--feature-edges", "Feature edges", "",
+       "Draw the edges at which the surface bends sharply.", SwitchKind<S>{&S::feature_edges}},
+      {"facet_edges", "--facet-edges", "Facet edges", "", "Draw the edges of all facets.",
+       SwitchKind<S>{&S::facet_edges}},
+      {"near_vertical", "--near-vertical", "Near-vertical", "",
+       "Mark the facets whose draft angle is below the draft tolerance.", SwitchKind<S>{&S::near_vertical}},
+      {"contour_edges", "--contour-edges", "Contour edges", "",
+       "Draw the contour edges of the parting direction: convex ones light, concave ones dark.",
+       SwitchKind<S>{&S::contour_edges}},
+      {"arrows", "--arrows", "Arrows", "", "Show the parting direction as an arrow through the part.",
+       SwitchKind<S>{&S::arrows}},
+      {"regions", "--regions", "Regions by", "",
+       "What tells the regions of a direction at rest: they are computed exactly, or as the shadow maps show "
+       "them.",
+       choice<&S::regions_by>({"exact", "maps"})},
+      {"mark_difference", "--mark-difference", "Mark the difference", "",
+       "Hatch the surface on which the shadow maps and the exact regions differ.",
+       SwitchKind<S>{&S::mark_difference}},
+  };
+  return k_options;
+}
+
+}  // namespace moldlight

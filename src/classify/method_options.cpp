@@ -1,0 +1,102 @@
+#include "classify/method_options.hpp"
+
+#include <algorithm>
+
+#include "mesh/length_unit.hpp"
+
+namespace moldlight {
+
+std::span<const Option<MethodSettings>> method_options() {
+  using S = MethodSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"direction", "--direction", "Direction", "",
+       "Parting direction +d, in which the core's side opens; any length.", DirectionKind<S>{&S::direction}},
+      {"tau_deg", "--tau", "Draft tolerance", "deg",
+       "Facets whose draft angle is smaller than this count as near-vertical and are looked up from both "
+       "sides.",
+       RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},
+      {"kernel", "--kernel", "Kernel", "texel",
+       "Width of the PCF kernel for near-vertical facets; its radius in texels becomes the lateral "
+       "tolerance.",
+       IntegerKind<S>{&S::kernel, 1, 9, true, 3}},
+      {"tolerance", "--tolerance", "Lateral tolerance", "part's unit",
+       "How far beside a near-vertical facet its accessibility is tested; without it and --kernel 1/2048 of "
+       "the part's diagonal.",
+       PositiveKind<S>{[](S& s) -> double& { return s.tolerance; }}},
+      {"kernel_shape", "--kernel-shape", "Kernel shape", "",
+       "One-sided looks up on the outer side only; symmetric is the paper's neighbourhood, of which any lit "
+       "texel suffices.",
+       choice<&S::kernel_shape>({"one-sided", "symmetric"})},
+      {"edge_thickness", "--edge-thickness", "Edge thickness", "texel",
+       "Width of the thick concave contour edges in the shadow maps; 0 leaves them out.",
+       RealKind<S>{&S::edge_thickness, 0.0, 8.0, 0.5}},
+      {"resolution", "--resolution", "Map resolution", "texel", "Width and height of each shadow map.",
+       IntegerKind<S>{&S::resolution, 64, 8192}},
+      {"readout", "--readout", "Readout", "",
+       "Exact computes the regions; samples looks surface samples up in the shadow maps; facet-id is the "
+       "paper's two-pass readback, one region a facet.",
+       choice<&S::readout>({"exact", "samples", "facet-id"})},
+      {"samples", "--samples", "Samples", "",
+       "Surface samples over the whole part for the samples readout and --compare-maps; a facet or piece "
+       "gets four at least.",
+       IntegerKind<S>{&S::samples, 1000, 100'000'000}},
+      {"backend", "--backend", "Backend", "", "How to get an OpenGL context without a window.",
+       choice<&S::backend>({"auto", "egl", "osmesa"})},
+  };
+  return k_options;
+}
+
+std::span<const Option<ReadOptions>> reading_options() {
+  using S = ReadOptions;
+  static const std::string k_weld_help = fmt::format(
+      "How near vertices are that --repair joins; without it {} of the part's diagonal.", k_weld_share);
+  static const std::vector<Option<S>> k_options = {
+      {"unit", "--unit", "Unit", "",
+       "Unit of the part, such as mm or in: named where the file names none, converted to otherwise.",
+       TextKind<S>{"UNIT", [](const S& s) { return s.unit; },
+                   [](S& s, std::string_view text) { s.unit = text; }}},
+      {"body", "--body", "Body", "",
+       "Only this body of the file, by its number in the list that info prints, or by its name.",
+       TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },
+                   [](S& s, std::string_view text) { s.body = text; }}},
+      {"repair", "--repair", "Repair", "",
+       "Mend the mesh and say what was done: weld joins vertices that nearly coincide; full also drops "
+       "duplicate and empty facets, makes the winding consistent and fills small holes.",
+       ChoiceKind<S>{{"none", "weld", "full"},
+                     [](const S& s) { return static_cast<int>(s.repair.level); },
+                     [](S& s, int level) { s.repair.level = static_cast<RepairLevel>(level); }}},
+      {"weld_tolerance", "--weld-tolerance", "Weld tolerance", "part's unit", k_weld_help,
+       PositiveKind<S>{[](S& s) -> double& { return s.repair.weld_tolerance; }}},
+      {"linear_deflection", "--linear-deflection", "Linear deflection", "file's unit",
+       "STEP: how far facets may be from the CAD surface, in the file's unit; without it 0.0005 of the "
+       "part's diagonal.",
+       PositiveKind<S>{[](S& s) -> double& { return s.linear_deflection; }}},
+      {"angular_deflection_deg", "--angular-deflection", "Angular deflection", "deg",
+       "STEP: largest angle between neighbouring chords.",
+       PositiveKind<S>{[](S& s) -> double& { return s.angular_deflection_deg; }, 90.0}},
+      {"max_facets", "--max-facets", "Most facets", "", "Refuse files with more facets than this.",
+       IntegerKind<S>{&S::max_facets, 1, 1'400'000'000}},
+  };
+  return k_options;
+}
+
+double lateral_tolerance(const MethodSettings& settings, double diagonal) {
+  constexpr double k_standard_share = 1.0 / 2048.0;
+  if (settings.tolerance > 0.0) return std::min(settings.tolerance, diagonal);
+  if (settings.kernel > 0) return 0.5 * (settings.kernel - 1) * diagonal / settings.resolution;
+  return k_standard_share * diagonal;
+}
+
+void validate(const MethodSettings& settings) {
+  if (settings.readout == Readout::facet_id && settings.kernel_shape == KernelShape::symmetric) {
+    throw UsageError(
+        "--readout facet-id looks nothing up in the maps; it does not go with --kernel-shape symmetric");
+  }
+}
+
+void validate(const MethodSettings& settings, double diagonal) {
+  validate(settings);
+  if (settings.tolerance > 0.0) require_within_part("--tolerance", settings.tolerance, diagonal);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,112 @@
+#include "classify/option.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+
+namespace moldlight {
+
+namespace {
+
+template <typename T>
+T parse_number(const GivenText& given, std::string_view kind) {
+  std::string_view text = given.text;
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  const auto value = number_from<T>(text.substr(text.starts_with('+') ? 1 : 0));
+  if (!value) throw UsageError(fmt::format("{}: '{}' is not {}", given.what, text, kind));
+  return *value;
+}
+
+template <typename T>
+T in_range(T value, const GivenText& given, T min, T max, std::string_view more = "") {
+  if (value >= min && value <= max) return value;
+  throw UsageError(fmt::format("{}: {} is out of range, {} to {}{}", given.what, given.text, min, max, more));
+}
+
+}  // namespace
+
+double parse_real(const GivenText& given) {
+  const double value = parse_number<double>(given, "a number");
+  if (!std::isfinite(value))
+    throw UsageError(fmt::format("{}: '{}' is not a finite number", given.what, given.text));
+  return value;
+}
+
+double parse_real(const GivenText& given, double min, double max) {
+  return in_range(parse_real(given), given, min, max);
+}
+
+double parse_positive(const GivenText& given, double max) {
+  const double value = parse_real(given);
+  if (value <= 0.0) throw UsageError(fmt::format("{}: {} must be greater than 0", given.what, given.text));
+  if (value > max)
+    throw UsageError(fmt::format("{}: {} is out of range, up to {}", given.what, given.text, max));
+  return value;
+}
+
+int parse_integer(const GivenText& given, int min, int max, bool odd) {
+  const int value = parse_number<int>(given, "a whole number");
+  return in_range(odd && value % 2 == 0 ? min - 1 : value, given, min, max, odd ? ", odd" : "");
+}
+
+bool parse_switch(const GivenText& given) {
+  if (given.text == "on" || given.text == "off") return given.text == "on";
+  throw UsageError(fmt::format("{}: '{}' is neither on nor off", given.what, given.text));
+}
+
+glm::dvec3 parse_direction(const GivenText& given) {
+  glm::dvec3 direction(0.0);
+  std::string_view rest = given.text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = rest.find(',');
+    if ((comma == std::string_view::npos) != (axis == 2)) {
+      throw UsageError(
+          fmt::format("{}: '{}' is not a direction; write three numbers as X,Y,Z", given.what, given.text));
+    }
+    direction[axis] = parse_real({rest.substr(0, comma), given.what});
+    rest = axis == 2 ? std::string_view() : rest.substr(comma + 1);
+  }
+  if (direction == glm::dvec3(0.0))
+    throw UsageError(fmt::format("{}: the zero vector is no direction", given.what));
+  return direction;
+}
+
+std::vector<glm::dvec3> parse_directions(const GivenText& given) {
+  std::vector<glm::dvec3> directions;
+  for (std::size_t begin = 0, end = 0; end < given.text.size(); begin = end + 1) {
+    end = std::min(given.text.find('\n', begin), given.text.size());
+    directions.push_back(parse_direction({given.text.substr(begin, end - begin), given.what}));
+  }
+  return directions;
+}
+
+int parse_word(const GivenText& given, const Words& words) {
+  const auto word = std::find(words.begin(), words.end(), given.text);
+  if (word != words.end()) return static_cast<int>(word - words.begin());
+  throw UsageError(fmt::format("{}: '{}' is none of {}", given.what, given.text, fmt::join(words, ", ")));
+}
+
+Words parse_words(const GivenText& given, const Words& words) {
+  if (given.text == "all") return words;
+  Words chosen;
+  for (std::size_t begin = 0, end = 0; given.text != "none" && end < given.text.size(); begin = end + 1) {
+    end = std::min(given.text.find(',', begin), given.text.size());
+    const std::string_view name = given.text.substr(begin, end - begin);
+    const auto word = std::find(words.begin(), words.end(), name);
+    if (word == words.end()) {
+      throw UsageError(
+          fmt::format("{}: '{}' is none of all, none, {}", given.what, name, fmt::join(words, ", ")));
+    }
+    if (std::find(chosen.begin(), chosen.end(), *word) == chosen.end()) chosen.push_back(*word);
+  }
+  return chosen;
+}
+
+std::string real_text(double value) { return fmt::format("{}", value); }
+
+}  // namespace moldlight

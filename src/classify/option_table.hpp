@@ -1,0 +1,108 @@
+// What a table of options can do: read and write a setting as text, and all of them as JSON.
+#pragma once
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "classify/option.hpp"
+
+namespace moldlight {
+
+namespace detail {
+
+using Json = nlohmann::ordered_json;
+
+template <typename... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+inline std::string value_text(double value) { return real_text(value); }
+inline std::string value_text(int value) { return fmt::format("{}", value); }
+inline std::string value_text(bool value) { return value ? "on" : "off"; }
+inline std::string value_text(std::string_view text) { return std::string(text); }
+inline std::string value_text(const glm::dvec3& d) { return fmt::format("{},{},{}", d.x, d.y, d.z); }
+inline std::string value_text(const std::vector<glm::dvec3>& directions) {
+  std::string text;
+  for (const glm::dvec3& d : directions) text += (text.empty() ? "" : "\n") + value_text(d);
+  return text;
+}
+inline std::string value_text(const Words& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ","));
+}
+template <typename T>
+std::string value_text(const std::optional<T>& value) {
+  return value ? value_text(*value) : std::string();
+}
+
+inline Json value_json(const glm::dvec3& d) { return {d.x, d.y, d.z}; }
+inline Json value_json(const std::vector<glm::dvec3>& directions) {
+  Json list = Json::array();
+  for (const glm::dvec3& d : directions) list.push_back(value_json(d));
+  return list;
+}
+template <typename T>
+Json value_json(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+template <typename T>
+Json value_json(const T& value) {
+  return value;
+}
+
+/// As the command line takes it.
+inline std::string json_text(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value_text(value.get<bool>());
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& item : value) text += (text.empty() ? "" : item.is_array() ? "\n" : ",") + json_text(item);
+  return text;
+}
+
+}  // namespace detail
+
+/// The setting's value as the command line takes it; empty for an unset one.
+template <typename S>
+[[nodiscard]] std::string option_text(const Option<S>& option, const S& settings) {
+  return std::visit([&](const auto& kind) { return detail::value_text(kind.value(settings)); }, option.kind);
+}
+
+/// Sets from text as the command line takes it, or unsets by an empty one; throws UsageError that names the
+/// option, the value and the range.
+template <typename S>
+void set_option(const Option<S>& option, S& settings, std::string_view text) {
+  std::visit([&](const auto& kind) { kind.parse(settings, {text, option.flag}); }, option.kind);
+}
+
+/// A JSON object with every option under its key; null for an unset one.
+template <typename S>
+[[nodiscard]] nlohmann::ordered_json options_json(std::span<const Option<S>> options, const S& settings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const Option<S>& option : options) {
+    json[std::string(option.key)] =
+        std::visit([&](const auto& kind) { return detail::value_json(kind.value(settings)); }, option.kind);
+  }
+  return json;
+}
+
+/// Sets every option that the object holds; keys that no option has are refused. Throws UsageError.
+template <typename S>
+void set_options(std::span<const Option<S>> options, S& settings, const nlohmann::ordered_json& json) {
+  if (!json.is_object()) throw UsageError("settings: not a JSON object");
+  for (const auto& item : json.items()) {
+    const auto option =
+        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == item.key(); });
+    if (option == options.end())
+      throw UsageError(fmt::format("settings: there is no setting '{}'", item.key()));
+    set_option(*option, settings, detail::json_text(item.value()));
+  }
+}
+
+}  // namespace moldlight

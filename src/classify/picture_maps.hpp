@@ -1,0 +1,56 @@
+// What tells the regions in a window's pictures: shadow maps, coarse and quick, while the direction moves;
+// the split mesh, or maps as the settings want them, once it rests.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "classify/classifier.hpp"
+#include "mold/exact/split_mesh.hpp"
+#include "mold/second_depth.hpp"
+#include "render/view_geometry.hpp"
+#include "render/view_mesh.hpp"
+
+namespace moldlight {
+
+/// The settings with maps of 1024 texels at most. The edge thickness stays the length that it is for the
+/// settings' own maps, and the lateral tolerance too where the maps are fine enough for it. `diagonal` of the
+/// part, model units.
+[[nodiscard]] MethodSettings moving_method(const MethodSettings& settings, double diagonal);
+
+/// The maps, and the split surface.
+///
+/// Where the GL draws on the processor, our own scan converter makes the maps of a moving direction, which
+/// takes a fraction of the time.
+class PictureMaps : PartMaps {
+ public:
+  using PartMaps::buffers, PartMaps::maps, PartMaps::PartMaps;
+
+  /// Draws the maps of the settings' direction. Throws UsageError for settings that make no sense, Error
+  /// where the GL fails.
+  void draw_moving(const MethodSettings& settings);
+  void draw_resting(const MethodSettings& settings);
+
+  /// Takes the exact regions for the settings, for pictures of a direction at rest; `view` is the part's.
+  void take_split(const SplitMesh& split, const ViewGeometry& view, const MethodSettings& settings);
+  void drop_split() { split_.reset(); }
+
+  /// What there is of the direction that was given last. Valid until the next call.
+  [[nodiscard]] ViewSubject subject() const;
+
+  /// Makes sure that the maps have depths, which pictures of the part do not need.
+  void complete_depths();
+
+ private:
+  void scan(const MethodSettings& settings);
+
+  glm::dvec3 direction_{0.0, 0.0, 1.0}, split_direction_{0.0};
+  std::optional<SplitSurface> split_;
+  std::vector<glm::vec3> positions_;  // of the vertices, unit frame
+  std::optional<SecondDepthMaps> scanned_;
+  bool lacks_depths_ = false;
+};
+
+}  // namespace moldlight

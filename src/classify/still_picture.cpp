@@ -1,0 +1,279 @@
+#include "classify/still_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "classify/figures.hpp"
+#include "classify/view_choice.hpp"
+#include "gl/colour_target.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "picture/legend.hpp"
+#include "render/view_geometry.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// A picture of this size has everything at scale 1; one of another shape at least by its smaller side.
+constexpr glm::dvec2 k_full_scale_px(1280.0, 800.0);
+constexpr double k_full_scale_side_px = 1150.0;
+constexpr double k_least_scale = 0.72;  // below this text is not read
+constexpr double k_most_share = 0.2;    // of the picture's area, that a legend may take
+constexpr double k_margin = 28.0;       // around it at scale 1
+constexpr double k_fill = 0.86;
+constexpr int k_reduction = 8;  // of the pictures that tell what the part covers
+
+/// What a picture must find room for. Points are in the unit frame.
+struct Composition {
+  glm::ivec2 size{0};
+  std::optional<Box> legend;
+  std::span<const glm::vec3> extremes;  // the part's outermost points
+  std::span<const glm::vec3> beyond;    // points off the part that are to be seen too
+};
+
+/// A camera that fits the points into a box of the picture.
+Camera framed(Camera camera, std::span<const glm::vec3> points, const Box& box, const glm::ivec2& size) {
+  const glm::ivec2 room = glm::max(glm::ivec2(box.size), glm::ivec2(1));
+  camera = fitted(camera, points, room, k_fill);
+  camera.height *= static_cast<double>(size.y) / room.y;
+  return panned(camera, box.corner + 0.5 * box.size - 0.5 * glm::dvec2(size), size);
+}
+
+/// Boxes for the part, from the whole picture to what the legend leaves free for certain.
+std::vector<Box> scene_boxes(const Composition& composition) {
+  const glm::dvec2 room(composition.size);
+  std::vector<Box> boxes = {{glm::dvec2(0.0), room}};
+  if (!composition.legend) return boxes;
+  const bool beside = room.x > 1.15 * room.y;
+  const double left = composition.legend->far_corner().x, below = room.y - composition.legend->corner.y;
+  for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+    boxes.push_back(beside ? Box{{share * left, 0.0}, {room.x - share * left, room.y}}
+                           : Box{{0.0, 0.0}, {room.x, room.y - share * below}});
+  }
+  return boxes;
+}
+
+/// The legend with some air around it.
+Box forbidden_box(const Box& legend) {
+  const double air = legend.corner.x;
+  return {legend.corner - air, legend.size + 2.0 * air};
+}
+
+bool holds(const Box& box, const glm::dvec2& point) {
+  return glm::all(glm::greaterThanEqual(point, box.corner)) &&
+         glm::all(glm::lessThanEqual(point, box.far_corner()));
+}
+
+/// True if the part runs into a box of the picture, of which `view` has drawn a small one.
+bool part_covers(const PartView& view, const glm::ivec2& small_size, const Box& box) {
+  const std::vector<std::uint32_t> facets = view.read_facets();
+  for (int y = 0; y < small_size.y; ++y) {
+    for (int x = 0; x < small_size.x; ++x) {
+      const auto row = static_cast<std::size_t>(small_size.y - 1 - y);
+      if (facets[row * static_cast<std::size_t>(small_size.x) + static_cast<std::size_t>(x)] == 0) continue;
+      if (holds(box, static_cast<double>(k_reduction) * (glm::dvec2(x, y) + 0.5))) return true;
+    }
+  }
+  return false;
+}
+
+/// Where the legend stands in a still picture.
+struct StillLayout {
+  double scale = 1.0;         // of text, lines and hatches
+  std::optional<Box> legend;  // none where there is no content or no room for it
+};
+/// `content` may be null.
+StillLayout still_layout(const glm::ivec2& size, const LegendContent* content) {
+  const glm::dvec2 room(size);
+  StillLayout layout;
+  layout.scale = std::max(std::min(room.x / k_full_scale_px.x, room.y / k_full_scale_px.y),
+                          std::min(room.x, room.y) / k_full_scale_side_px);
+  if (content == nullptr) return layout;
+  layout.scale = std::max(layout.scale, k_least_scale);
+  const glm::dvec2 legend = legend_size(*content, {.scale = layout.scale});
+  const double margin = k_margin * layout.scale;
+  if (legend.x + 2.0 * margin <= room.x && legend.x * legend.y <= k_most_share * room.x * room.y) {
+    layout.legend = Box{{margin, room.y - margin - legend.y}, legend};
+  }
+  return layout;
+}
+
+/// The camera moved and zoomed so that the part is as large as it can be without running into the legend.
+/// Draws small pictures with `view` to find out.
+Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part, const Camera& camera,
+                const Composition& composition) {
+  std::vector<glm::vec3> points(composition.extremes.begin(), composition.extremes.end());
+  points.insert(points.end(), composition.beyond.begin(), composition.beyond.end());
+  const std::vector<Box> boxes = scene_boxes(composition);
+  const glm::ivec2 small_size = glm::max(composition.size / k_reduction, glm::ivec2(1));
+  const gl::ColourTarget small(gl, small_size);
+  ViewSettings plain;
+  plain.colour_mode = ColourMode::plain;
+  plain.ambient_occlusion = plain.feature_edges = plain.arrows = false;
+  plain.samples = 1;
+  for (const Box& box : boxes) {
+    const Camera candidate = framed(camera, points, box, composition.size);
+    if (&box == &boxes.back()) return candidate;
+    const Box forbidden = forbidden_box(*composition.legend);
+    bool collides = false;
+    for (const glm::vec3& point : composition.beyond) {
+      const auto pixel = project(candidate, composition.size, glm::dvec3(point));
+      collides = collides || (pixel && holds(forbidden, *pixel));
+    }
+    if (collides) continue;
+    view.draw_final({small.framebuffer(), small_size}, {.part = part}, {candidate, plain});
+    if (!part_covers(view, small_size, forbidden)) return candidate;
+  }
+  return camera;
+}
+
+constexpr int k_samples = 32;
+
+glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction,
+                       PictureView view) {
+  if (view == PictureView::automatic) return revealing_orientation(model, split, direction);
+  constexpr std::array k_views = {StandardView::isometric, StandardView::front, StandardView::back,
+                                  StandardView::left,      StandardView::right, StandardView::top,
+                                  StandardView::bottom};
+  return standard_orientation(k_views[static_cast<std::size_t>(view) - 1]);
+}
+
+std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
+                                               const Progress& progress) {
+  if (result.split) return result.split;
+  const ExactQuery query = exact_query(model, result.settings);
+  return std::make_shared<const SplitMesh>(exact_split(model.exact(progress), query, progress).mesh);
+}
+
+LegendContent legend_content(const PartModel& model, const Classification& result) {
+  LegendContent content;
+  content.title = part_name(model.part);
+  content.lines.push_back(fmt::format("parting direction {}", figures(result.direction, 1.0)));
+  content.lines.push_back(fmt::format("draft tolerance {}°, lateral tolerance {:.3g} {}",
+                                      figure(result.settings.tau_deg), result.lateral_tolerance,
+                                      length_unit(model.part)));
+  const FigureColumn areas(result.total_area);
+  for (const Region region : k_regions) {
+    const auto index = static_cast<std::size_t>(region);
+    content.shares[index] = share(result.areas[region], result.total_area);
+    content.percents[index] = fmt::format("{:.2f}", 100.0 * content.shares[index]);
+    content.areas[index] = areas.text(result.areas[region]);
+  }
+  content.unit = powered_unit(model.part, 2);
+  content.note = fmt::format("undercut ± {} {}  ·  two checks {}", error_text(result.uncertainty.total()),
+                             content.unit, result.identity.agrees() ? "agree" : "disagree");
+  return content;
+}
+
+/// Says which half comes off along an arrow, where its tip is not behind the part.
+void label_arrow(Canvas& canvas, const PartView& view, const Camera& camera, const glm::ivec2& size,
+                 const PartingArrow& arrow, std::string_view label, const LegendStyle& style) {
+  const auto tip = project(camera, size, arrow.tip), tail = project(camera, size, arrow.tail);
+  if (!tip || !tail) return;
+  const auto seen = view.pick(glm::ivec2(*tip));
+  if (seen && glm::dot(glm::dvec3(seen->position) - arrow.tip, camera.toward_viewer()) > 0.0) return;
+  const glm::dvec2 along =
+      glm::distance(*tip, *tail) > 1.0 ? glm::normalize(*tip - *tail) : glm::dvec2(0, -1);
+  const glm::dvec2 room = tag_size(canvas, label, style);
+  draw_tag(canvas, *tip + along * (6.0 * style.scale + 0.5 * glm::dot(glm::abs(along), room)), label, style);
+}
+
+}  // namespace
+
+void validate(const StillSettings& settings) {
+  for (const int side : {settings.size.x, settings.size.y}) {
+    if (side < k_least_picture_px || side > k_most_picture_px) {
+      throw UsageError(fmt::format("--size: {}x{} is out of range, {} to {} pixels a side", settings.size.x,
+                                   settings.size.y, k_least_picture_px, k_most_picture_px));
+    }
+  }
+}
+
+StillPainter::StillPainter(const gl::Context& context, std::shared_ptr<const PartModel> model)
+    : context_(&context),
+      model_(std::move(model)),
+      geometry_(view_geometry(model_->part.mesh, model_->geometry, model_->adjacency, model_->frame)),
+      maps_(context, model_),
+      view_(context.functions(), geometry_) {}
+
+Image StillPainter::draw(const Classification& result, const StillSettings& settings,
+                         const Progress& progress) {
+  validate(settings);
+  const glm::ivec2& size = settings.size;
+  const LookSettings& look = settings.look;
+  const auto split = exact_regions(*model_, result, progress);
+  if (look.regions_by == RegionsBy::maps || look.mark_difference) maps_.draw_resting(result.settings);
+  maps_.take_split(*split, geometry_, result.settings);
+
+  const LegendContent content = legend_content(*model_, result);
+  const StillLayout places = still_layout(size, settings.legend ? &content : nullptr);
+  const std::array<PartingArrow, 2> arrows = {parting_arrow(geometry_.extremes, result.direction, 0.0),
+                                              parting_arrow(geometry_.extremes, -result.direction, 0.0)};
+  Camera camera;
+  camera.orientation = orientation(*model_, *split, result.direction, settings.view);
+  camera.projection = settings.view == PictureView::automatic || settings.view == PictureView::isometric
+                          ? Projection::perspective
+                          : Projection::orthographic;
+  camera.fov_deg = 22.0;
+
+  ViewSettings view_settings{look};
+  view_settings.theme = settings.theme;
+  view_settings.pixel_scale = std::max(1.0, 1.15 * places.scale);
+  view_settings.samples = k_samples;
+  std::vector<glm::vec3> beyond;
+  if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
+  camera = composed(context_->functions(), view_, maps_.buffers(), camera,
+                    {size, places.legend, geometry_.extremes, beyond});
+  const gl::ColourTarget picture(context_->functions(), size);
+  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
+
+  Canvas canvas({size.x, size.y, picture.read()});
+  const LegendStyle style{
+      .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
+  if (look.arrows && places.legend) {
+    label_arrow(canvas, view_, camera, size, arrows[0], "core", style);
+    label_arrow(canvas, view_, camera, size, arrows[1], "cavity", style);
+  }
+  if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
+  return canvas.image();
+}
+
+std::span<const Option<StillSettings>> still_options() {
+  using S = StillSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"view", "--view", "View", "",
+       "From where the picture shows the part; auto looks where undercuts show best, with the parting "
+       "direction upward.",
+       choice<&S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
+      {"theme", "--theme", "Theme", "", "Whether the picture's background is light or dark.",
+       choice<&S::theme>({"dark", "light"})},
+  };
+  return k_options;
+}
+
+glm::ivec2 parse_picture_size(std::string_view text, std::string_view what, const glm::ivec2& least) {
+  const std::size_t cross = std::min(text.find('x'), text.size());
+  const auto width = number_from<int>(text.substr(0, cross));
+  const auto height = number_from<int>(text.substr(std::min(cross + 1, text.size())));
+  if (!width || !height)
+    throw UsageError(fmt::format("{}: '{}' is not WIDTHxHEIGHT, such as 1280x720", what, text));
+  const glm::ivec2 size(*width, *height);
+  if (glm::any(glm::lessThan(size, least)) ||
+      glm::any(glm::greaterThan(size, glm::ivec2(k_most_picture_px)))) {
+    throw UsageError(fmt::format("{}: '{}' is out of range, {}x{} to {}x{} pixels", what, text, least.x,
+                                 least.y, k_most_picture_px, k_most_picture_px));
+  }
+  return size;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,64 @@
+// Still pictures of a classified part: what the window's viewport shows, with a legend.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "base/image.hpp"
+#include "base/progress.hpp"
+#include "classify/classification.hpp"
+#include "classify/look_options.hpp"
+#include "classify/option.hpp"
+#include "classify/picture_maps.hpp"
+#include "gl/context.hpp"
+#include "render/part_view.hpp"
+
+namespace moldlight {
+
+/// Automatic: with the parting direction upward, from where the undercuts are seen best. The others are the
+/// views of the part's own axes, z up.
+enum class PictureView : std::uint8_t { automatic, isometric, front, back, left, right, top, bottom };
+
+inline constexpr int k_least_picture_px = 16, k_most_picture_px = 16384;  // along a side
+
+struct StillSettings {
+  glm::ivec2 size{1600, 1000};  // pixels, in that range each
+  PictureView view = PictureView::automatic;
+  Theme theme = Theme::light;
+  LookSettings look = {};
+  bool legend = true;  // left out where a picture is too small for it
+};
+
+/// For help and command line: view and theme.
+[[nodiscard]] std::span<const Option<StillSettings>> still_options();
+
+/// A size from "WxH" in pixels, `least` to k_most_picture_px a side; throws UsageError that names `what`.
+[[nodiscard]] glm::ivec2 parse_picture_size(std::string_view text, std::string_view what,
+                                            const glm::ivec2& least = glm::ivec2(k_least_picture_px));
+
+/// Throws UsageError for a size out of range.
+void validate(const StillSettings& settings);
+
+/// Draws still pictures of one part. `context` must be current at every call and outlive it.
+class StillPainter {
+ public:
+  StillPainter(const gl::Context& context, std::shared_ptr<const PartModel> model);
+
+  /// The part's exact regions for the classification's settings, or those of the shadow maps. Throws
+  /// UsageError, Error, Cancelled.
+  [[nodiscard]] Image draw(const Classification& result, const StillSettings& settings,
+                           const Progress& progress);
+
+ private:
+  const gl::Context* context_;
+  std::shared_ptr<const PartModel> model_;
+  ViewGeometry geometry_;
+  PictureMaps maps_;
+  PartView view_;
+};
+
+}  // namespace moldlight

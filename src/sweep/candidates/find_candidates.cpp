@@ -1,0 +1,51 @@
+#include "sweep/candidates/find_candidates.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "sweep/candidates/candidate_sources.hpp"
+
+namespace moldlight {
+
+std::vector<Candidate> find_candidates(const TriangleMesh& mesh, const FacetGeometry& geometry,
+                                       const Adjacency& adjacency, const CandidateOptions& options,
+                                       const Progress& progress) {
+  const bool has_area = geometry.total_area > 0.0;
+  const std::vector<NormalCell> cells = normal_histogram(geometry);
+  const auto ask = [&](CandidateKind kind) -> std::vector<Candidate> {
+    switch (kind) {
+      case CandidateKind::user:
+        return {};  // asked below, listed or not
+      case CandidateKind::refined:
+        return {};  // a sweep makes these
+      case CandidateKind::axis:
+        return coordinate_axis_candidates();
+      case CandidateKind::revolution:
+        return has_area ? revolution_candidates(geometry, adjacency, options.most_per_kind)
+                        : std::vector<Candidate>();
+      case CandidateKind::plane:
+        return plane_candidates(cells, geometry.total_area, options.most_per_kind);
+      case CandidateKind::perpendicular:
+        return perpendicular_candidates(cells, geometry.total_area, options.most_per_kind);
+      case CandidateKind::hull:
+        return hull_candidates(mesh, options.most_per_kind);
+      case CandidateKind::principal:
+        return principal_axis_candidates(mesh, geometry);
+      case CandidateKind::uniform:
+        return uniform_candidates(options.uniform_count);
+    }
+    return {};
+  };
+
+  std::vector<Candidate> all = user_candidates(options.user);
+  for (std::size_t i = 0; i < options.kinds.size(); ++i) {
+    progress.report("candidates", static_cast<double>(i) / static_cast<double>(options.kinds.size()));
+    std::vector<Candidate> found = ask(options.kinds[i]);
+    std::move(found.begin(), found.end(), std::back_inserter(all));
+  }
+  progress.report("candidates", 1.0);
+  return merge_candidates(std::move(all), options.merge_deg);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,31 @@
+// A direction on its way through the sweep.
+#pragma once
+
+#include <memory>
+
+#include "sweep/candidates/candidate.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/direction_scorer.hpp"
+#include "sweep/ranking.hpp"
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+struct Contender {
+  Candidate candidate;
+  DirectionScore score;
+  RankedFigures figures;                              // as measured, or by the score before
+  std::shared_ptr<const MeasuredDirection> measured;  // none before
+};
+
+/// What is told of a scored direction.
+[[nodiscard]] inline EvaluatedDirection evaluated_direction(const glm::dvec3& direction, CandidateKind kind,
+                                                            const DirectionScore& score) {
+  return {.direction = direction,
+          .kind = kind,
+          .undercut = score.undercut(),
+          .undercut_error = score.undercut_error,
+          .given_up = score.given_up};
+}
+
+}  // namespace moldlight

@@ -1,0 +1,195 @@
+#include "sweep/direction_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "classify/figures.hpp"
+#include "mold/measure.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_least_told_deg = 0.01;
+
+using Facts = DirectionFacts;
+using Found = std::optional<double>;
+using Use = DirectionFigure::Use;
+
+constexpr DirectionFigure k_figures[] = {
+    {"undercut", "undercut", FigureKind::area, "Undercut area, as measured with the settings of the method.",
+     Use{.objective = true, .classified = true},
+     [](const Facts& f) -> Found { return f.classification.areas[Region::undercut]; }},
+    {"undercut_share", "%", FigureKind::per_cent, "Undercut, per cent of the part's area.",
+     Use{.classified = true},
+     [](const Facts& f) -> Found {
+       return 100.0 * share(f.classification.areas[Region::undercut], f.classification.total_area);
+     }},
+    {"undercut_uncertainty", "±", FigureKind::error, "How far the undercut area may be off, 95 % level.",
+     Use{.classified = true}, [](const Facts& f) -> Found { return f.classification.uncertainty.total(); }},
+    {"projected_area", "projected", FigureKind::area, "Projected area, on which the clamp force acts.",
+     Use{.objective = true}, [](const Facts& f) -> Found { return f.classification.shadow_area; }},
+    {"clamp_force", "clamp force", FigureKind::force, "Projected area times the pressure.", Use{},
+     [](const Facts& f) {
+       const double force = f.settings.pressure * f.classification.shadow_area;
+       return force > 0.0 ? Found(force) : std::nullopt;
+     }},
+    {"draw_depth", "depth", FigureKind::length, "Draw depth: the part's extent along the direction.",
+     Use{.objective = true}, [](const Facts& f) -> Found { return f.draw_depth; }},
+    {"undraughted_area", "undraughted", FigureKind::area,
+     "Area of the facets with less draft than the draft tolerance.", Use{.objective = true, .column = false},
+     [](const Facts& f) -> Found {
+       if (f.measured) return f.classification.near_vertical_area;
+       return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
+     }},
+    {"patches", "patches", FigureKind::count, "Connected patches of undercut surface.",
+     Use{.objective = true},
+     [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
+    {"tilt_margin_deg", "tilt", FigureKind::angle,
+     "Tilt margin: how far the pull may tilt towards the least tolerant side before the undercut grows.",
+     Use{}, [](const Facts& f) { return f.tilt ? Found(f.tilt->deg) : std::nullopt; }},
+};
+
+std::string objective_name(const DirectionFigure& figure) {
+  std::string name(figure.key);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+/// The part's own measure of a kind of figure.
+double measure_of(FigureKind kind, const PartModel& model) {
+  if (kind == FigureKind::length) return model.frame.diagonal;
+  if (kind == FigureKind::area)
+    return std::max(model.geometry.total_area, std::numeric_limits<double>::min());
+  return 1.0;
+}
+
+}  // namespace
+
+std::span<const DirectionFigure> direction_figures() { return k_figures; }
+
+const DirectionFigure& direction_figure(std::string_view key) {
+  const auto found = std::find_if(std::begin(k_figures), std::end(k_figures),
+                                  [&](const auto& figure) { return figure.key == key; });
+  CHECK(found != std::end(k_figures));
+  return *found;
+}
+
+std::vector<std::optional<double>> find_figures(const DirectionFacts& facts) {
+  std::vector<std::optional<double>> values;
+  for (const DirectionFigure& figure : k_figures) values.push_back(figure.find(facts));
+  return values;
+}
+
+std::optional<double> figure_value(const DirectionFigure& row, const SweepCandidate& candidate) {
+  const auto place = static_cast<std::size_t>(&row - k_figures);
+  return place < candidate.figures.size() ? candidate.figures[place] : std::nullopt;
+}
+
+std::string figure_text(const DirectionFigure& row, const PartModel& model, const SweepCandidate& candidate) {
+  const auto value = figure_value(row, candidate);
+  if (!value) return "-";
+  switch (row.kind) {
+    case FigureKind::area:
+      return (candidate.measured ? "" : "≈ ") + FigureColumn(model.geometry.total_area).text(*value);
+    case FigureKind::error:
+      return error_text(*value);
+    case FigureKind::per_cent:
+      return fmt::format("{:.2f}", *value);
+    case FigureKind::length:
+      return FigureColumn(10.0 * model.frame.diagonal).text(*value);
+    case FigureKind::count:
+      return fmt::format("{:.0f}", *value);
+    case FigureKind::force:
+      return figure(*value);
+    case FigureKind::angle:
+      if (*value >= k_widest_tilt_deg) return fmt::format("> {:g}°", k_widest_tilt_deg);
+      return *value < k_least_told_deg ? fmt::format("< {:g}°", k_least_told_deg)
+                                       : fmt::format("{:.2g}°", *value);
+  }
+  return {};
+}
+
+std::string figure_aside(const DirectionFigure& row, const SweepCandidate& candidate) {
+  const auto& tilt = candidate.tilt;
+  if (row.kind != FigureKind::angle || !tilt || tilt->at_least()) return {};
+  return " to " + lean_text(candidate.classification.direction, tilt->toward);
+}
+
+std::string figure_heading(const DirectionFigure& row, const Part& part) {
+  const std::string label(row.label);
+  if (row.kind == FigureKind::area || row.kind == FigureKind::error)
+    return label + " " + powered_unit(part, 2);
+  return row.kind == FigureKind::length ? label + " " + length_unit(part) : label;
+}
+
+std::vector<const DirectionFigure*> figure_columns(const SweepResult& result) {
+  std::vector<const DirectionFigure*> columns;
+  for (const DirectionFigure& figure : k_figures) {
+    const bool known = std::any_of(result.candidates.begin(), result.candidates.end(),
+                                   [&](const auto& c) { return figure_value(figure, c).has_value(); });
+    if (figure.use.column && known) columns.push_back(&figure);
+  }
+  return columns;
+}
+
+std::vector<std::string_view> objective_names() {
+  static const std::vector<std::string> k_names = [] {
+    std::vector<std::string> names;
+    for (const DirectionFigure& figure : k_figures) {
+      if (figure.use.objective) names.push_back(objective_name(figure));
+    }
+    return names;
+  }();
+  return {k_names.begin(), k_names.end()};
+}
+
+Objective parse_objective(std::string_view text) {
+  Objective objective{.text = std::string(text), .terms = {}};
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view term = rest.substr(0, comma);
+    const std::size_t colon = term.find(':');
+    const std::string_view name = term.substr(0, colon);
+    const auto found =
+        std::find_if(std::begin(k_figures), std::end(k_figures), [&](const DirectionFigure& figure) {
+          return figure.use.objective && objective_name(figure) == name;
+        });
+    if (found == std::end(k_figures)) {
+      throw UsageError(
+          fmt::format("--objective: '{}' is none of {}", name, fmt::join(objective_names(), ", ")));
+    }
+    double weight = 1.0;
+    if (colon != std::string_view::npos) {
+      const std::string_view number = term.substr(colon + 1);
+      weight = number_from<double>(number).value_or(-1.0);
+      if (!(weight >= 0.0) || !std::isfinite(weight)) {
+        throw UsageError(fmt::format("--objective: the weight '{}' is not a number of at least 0", number));
+      }
+    }
+    if (weight > 0.0) objective.terms.push_back({&*found, weight});
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (objective.terms.empty()) throw UsageError("--objective: all weights are 0");
+  return objective;
+}
+
+double objective_value(const Objective& objective, const DirectionFacts& facts) {
+  double value = 0.0;
+  for (const Objective::Term& term : objective.terms) {
+    value +=
+        term.weight * term.figure->find(facts).value_or(0.0) / measure_of(term.figure->kind, facts.model);
+  }
+  return value;
+}
+
+}  // namespace moldlight

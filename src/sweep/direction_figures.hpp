@@ -1,0 +1,70 @@
+// The one table of a direction's figures, from which JSON, the terminal's and the window's table, pictures
+// and objectives are all made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "classify/part_model.hpp"
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// What the figures of one direction are found from.
+struct DirectionFacts {
+  const PartModel& model;
+  const SweepSettings& settings;
+  const Classification& classification;  // what classify gives; before that what the score tells
+  double draw_depth = 0.0;
+  bool measured = false;                    // not by its score alone
+  std::optional<std::size_t> patches = {};  // connected undercut patches
+  std::optional<TiltMargin> tilt = {};
+};
+
+/// What a figure is a number of: this decides its unit, its digits, and what it is divided by as an
+/// objective. Error: how far an area may be off.
+enum class FigureKind : std::uint8_t { area, error, per_cent, length, count, force, angle };
+
+struct DirectionFigure {
+  std::string_view key;    // in JSON
+  std::string_view label;  // heads its column, wherever it is shown
+  FigureKind kind = FigureKind::area;
+  std::string_view help;
+  struct Use {
+    bool objective = false;   // can be ranked by, under its key with - for _; less is better
+    bool classified = false;  // JSON has it among what classify tells
+    bool column = true;       // has a column in tables
+  } use;
+  std::optional<double> (*find)(const DirectionFacts& facts);  // none where it is not known
+};
+
+[[nodiscard]] std::span<const DirectionFigure> direction_figures();
+/// The row of this key, which the table must hold.
+[[nodiscard]] const DirectionFigure& direction_figure(std::string_view key);
+/// All of them, in the table's order.
+[[nodiscard]] std::vector<std::optional<double>> find_figures(const DirectionFacts& facts);
+
+/// The candidate's figure; none where it is not known.
+[[nodiscard]] std::optional<double> figure_value(const DirectionFigure& figure,
+                                                 const SweepCandidate& candidate);
+/// The same for people, without its unit: "≈ 12.3" for an area that is only scored, "> 30°", "-" where it
+/// is not known.
+[[nodiscard]] std::string figure_text(const DirectionFigure& figure, const PartModel& model,
+                                      const SweepCandidate& candidate);
+/// What a table with room for it adds: " to +x-z", the side to which a pull may lean least.
+[[nodiscard]] std::string figure_aside(const DirectionFigure& figure, const SweepCandidate& candidate);
+/// "depth mm".
+[[nodiscard]] std::string figure_heading(const DirectionFigure& figure, const Part& part);
+/// The figures that have a column and are known of some candidate.
+[[nodiscard]] std::vector<const DirectionFigure*> figure_columns(const SweepResult& result);
+
+/// "undercut", "draw-depth", …: what an objective is written with.
+[[nodiscard]] std::vector<std::string_view> objective_names();
+/// A figure that is not known counts as none.
+[[nodiscard]] double objective_value(const Objective& objective, const DirectionFacts& facts);
+
+}  // namespace moldlight

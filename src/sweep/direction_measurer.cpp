@@ -1,0 +1,52 @@
+#include "sweep/direction_measurer.hpp"
+
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "base/error.hpp"
+#include "mold/patches.hpp"
+
+namespace moldlight {
+
+std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3& direction,
+                                                                const UndercutLimit& limit,
+                                                                const Progress& progress) const {
+  MethodSettings method = method_;
+  method.direction = direction;
+  std::optional<Classification> found = classify_exact_within(model_, method, limit, progress);
+  if (!found) return std::nullopt;
+  const FacetFractions fractions = std::exchange(found->facet_fractions, {});
+  MeasuredDirection measured{.classification = std::move(*found),
+                             .patches = undercut_patches(fractions, model_.geometry, model_.adjacency).count,
+                             .undercut_facets = {}};
+  for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
+    if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
+      measured.undercut_facets.push_back(facet);
+  }
+  return measured;
+}
+
+std::vector<std::optional<MeasuredDirection>> DirectionMeasurer::measure(std::span<const ScoringTask> tasks,
+                                                                         std::span<const FacetIndex> first,
+                                                                         const Progress& progress,
+                                                                         const std::function<bool()>& stop) {
+  std::vector<std::optional<MeasuredDirection>> measured(tasks.size());
+  arena_.execute([&] {
+    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t k) {
+      if (stop()) return;
+      // A thread that waits for parts of this direction begins no other one, which would take more room.
+      tbb::this_task_arena::isolate([&] {
+        try {
+          const UndercutLimit limit{.undercut = tasks[k].give_up_above, .first = first};
+          measured[k] = measure_one(tasks[k].direction, limit, progress);
+        } catch (const Cancelled&) {
+          measured[k] = std::nullopt;
+        }
+      });
+    });
+  });
+  return measured;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,54 @@
+// What a direction of a part is worth: its figures and the objective made of them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "classify/part_model.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/direction_scorer.hpp"
+#include "sweep/ranking.hpp"
+
+namespace moldlight {
+
+class DirectionRating {
+ public:
+  /// Both must outlive the rating.
+  DirectionRating(const PartModel& model, const SweepSettings& settings);
+
+  /// Figures by a score; patches are not known yet and count as none.
+  [[nodiscard]] RankedFigures scored(const Candidate& candidate, const DirectionScore& score) const;
+  /// Figures as measured; for comparing them with scored ones without the patches. What a faulty mesh leaves
+  /// in doubt makes no ties: it is about the same for all.
+  [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                       bool with_patches = true) const;
+
+  [[nodiscard]] Ranking rank(std::span<const RankedFigures> figures) const {
+    return rank_directions(figures, measure_);
+  }
+  /// The objective's worth of an undercut area.
+  [[nodiscard]] double value_of_undercut(double area) const {
+    return undercut_weight_ * area / measure_.area;
+  }
+  [[nodiscard]] bool by_undercut_alone() const { return by_undercut_alone_; }
+
+  /// What a score tells of what classify would give.
+  [[nodiscard]] Classification classification(const glm::dvec3& direction, const DirectionScore& score) const;
+  /// `measured`: null where the classification is what a score tells. The facts refer to the classification.
+  [[nodiscard]] DirectionFacts facts(const Classification& classification,
+                                     const MeasuredDirection* measured) const;
+
+ private:
+  [[nodiscard]] RankedFigures ranked(const Candidate& candidate, const DirectionFacts& facts,
+                                     double undercut_uncertainty) const;
+
+  const PartModel& model_;
+  const SweepSettings& settings_;
+  std::vector<glm::dvec3> corners_;  // of the facets, each once, from the frame's centre
+  PartMeasure measure_;
+  double undercut_weight_ = 0.0;
+  bool by_undercut_alone_ = true;
+};
+
+}  // namespace moldlight

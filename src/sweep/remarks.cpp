@@ -1,0 +1,96 @@
+#include "sweep/remarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// "12.3 mm² (0.41 %)"
+std::string area_text(const PartModel& model, double area) {
+  return fmt::format("{} {} ({})", figure(area), powered_unit(model.part, 2),
+                     share_text(area, model.geometry.total_area));
+}
+
+/// "12.3 mm² (0.41 %) more"; with another objective the one that ranks behind may have less.
+std::string difference_text(const PartModel& model, const SweepCandidate& than,
+                            const SweepCandidate& candidate) {
+  const double difference = undercut_area(candidate) - undercut_area(than);
+  return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
+}
+
+std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
+  const double error = best.classification.uncertainty.total();
+  if (undercut_area(best) <= error) {
+    return fmt::format("The best direction has no undercut that could be told from none (± {}).",
+                       area_text(model, error));
+  }
+  const auto count = figure_value(direction_figure("patches"), best);
+  const std::string patches =
+      count ? fmt::format(" in {} {}", *count, *count == 1.0 ? "patch" : "patches") : "";
+  return fmt::format("No direction that was tried is free of undercut; the best leaves {}{}.",
+                     area_text(model, undercut_area(best)), patches);
+}
+
+/// The first direction that does not tie with the best.
+const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
+  const auto next = std::find_if(candidates.begin(), candidates.end(),
+                                 [](const SweepCandidate& candidate) { return candidate.tie_group > 1; });
+  return next == candidates.end() ? nullptr : &*next;
+}
+
+void remark_on_user(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
+  const SweepCandidate& best = result.candidates.front();
+  for (const SweepCandidate& given : result.candidates) {
+    if (!given.candidate.from_user()) continue;
+    const std::string name = fmt::format("The direction given, {},", figures(given.candidate.direction, 1.0));
+    if (given.tie_group == 1) {
+      const SweepCandidate* next = runner_up(result.candidates);
+      remarks.push_back(name + (given.rank == 1 ? " is already best" : " ties with the best") +
+                        (next != nullptr
+                             ? fmt::format("; the next has {} more undercut.",
+                                           area_text(model, undercut_area(*next) - undercut_area(given)))
+                             : "."));
+    } else {
+      remarks.push_back(fmt::format("{} is number {}: {} undercut than the best.", name, given.rank,
+                                    difference_text(model, best, given)));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult& result) {
+  std::vector<std::string> remarks;
+  if (result.candidates.empty()) return remarks;
+  const SweepCandidate& best = result.candidates.front();
+  const auto ties = std::count_if(result.candidates.begin(), result.candidates.end(),
+                                  [](const SweepCandidate& candidate) { return candidate.tie_group == 1; });
+  const auto scored = std::ranges::count(result.candidates, false, &SweepCandidate::measured);
+  if (scored > 0) {
+    remarks.push_back(
+        fmt::format("Ended early: {} of the {} directions listed were not measured, only scored.", scored,
+                    result.candidates.size()));
+  }
+  remarks.push_back(on_undercut(model, best));
+  if (ties > 1) {
+    remarks.push_back(fmt::format("{} directions tie for the best within their uncertainty.", ties));
+  }
+  remark_on_user(model, result, remarks);
+  const SweepCandidate* next = runner_up(result.candidates);
+  if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(),
+                                      [](const auto& c) { return c.candidate.from_user(); })) {
+    remarks.push_back(fmt::format("The next, number {}, has {} undercut.", next->rank,
+                                  difference_text(model, best, *next)));
+  }
+  return remarks;
+}
+
+}  // namespace moldlight

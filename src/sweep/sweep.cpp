@@ -1,0 +1,385 @@
+#include "sweep/sweep.hpp"
+
+#include <algorithm>
+#include <future>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "base/error.hpp"
+#include "classify/method_options.hpp"
+#include "mold/measure.hpp"
+#include "sweep/basin_search.hpp"
+#include "sweep/candidates/find_candidates.hpp"
+#include "sweep/contender.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/direction_rating.hpp"
+#include "sweep/listing.hpp"
+#include "sweep/polish.hpp"
+#include "sweep/remarks.hpp"
+#include "sweep/scoring_pools.hpp"
+#include "sweep/sweep_clock.hpp"
+#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_texts.hpp"
+#include "sweep/tilt_margin.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
+constexpr std::size_t k_contenders_per_listed = 6;
+constexpr std::size_t k_measured_together = 8;
+// Of the part's area: what is worse than the best by more is not polished.
+constexpr double k_polished_share = 0.003;
+constexpr std::size_t k_most_polished = 3;
+constexpr double k_no_limit = std::numeric_limits<double>::infinity();
+
+/// The regions of what is listed are exact, whatever the readout that one's classifications have.
+SweepSettings with_exact_figures(SweepSettings settings) {
+  settings.method.readout = Readout::exact;
+  return settings;
+}
+
+class SweepRun {
+ public:
+  SweepRun(std::shared_ptr<const PartModel> model, const SweepSettings& settings, const Progress& progress,
+           const SweepListener& listener)
+      : model_(*model),
+        settings_(with_exact_figures(settings)),
+        clock_(progress, settings.time_limit_s),
+        listener_(listener),
+        rating_(model_, settings_),
+        pools_(std::move(model), settings_),
+        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs)),
+        limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
+    validate(settings.method, model_.frame.diagonal);
+  }
+
+  SweepResult run() {
+    result_.settings = settings_;
+    result_.engine = pools_.description();
+    result_.jobs = ScoringPool::threads(settings_.jobs);
+    score_candidates();
+    refine();
+    keep_contenders();
+    measure_contenders();
+    polish_best();
+    list();
+    result_.remarks = sweep_remarks(model_, result_);
+    result_.complete = !clock_.cut_short();
+    result_.elapsed_s = clock_.elapsed_s();
+    return std::move(result_);
+  }
+
+ private:
+  void score_candidates();
+  void score_batch(std::span<Candidate> batch, std::size_t before, std::size_t total);
+  void refine();
+  void tell(const EvaluatedDirection& evaluated);
+  void keep_contenders();
+  void measure_contenders();
+  [[nodiscard]] bool surely_hidden(const Contender& contender) const;
+  void measure_batch(std::span<Contender> batch, const std::function<bool()>& stop);
+  void polish_best();
+  [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
+  void list();
+  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
+  [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
+                                                const std::optional<TiltMargin>& tilt);
+  [[nodiscard]] std::vector<std::size_t> contender_order() const;
+  /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
+  [[nodiscard]] double listing_limit() const;
+  [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
+
+  const PartModel& model_;
+  const SweepSettings settings_;
+  SweepClock clock_;
+  const SweepListener& listener_;
+  DirectionRating rating_;
+  ScoringPools pools_;
+  DirectionMeasurer measurer_;
+  ListingLimit limit_;  // by scores, then by measured areas
+  std::vector<Contender> contenders_;
+  SweepResult result_;
+};
+
+void SweepRun::score_candidates() {
+  CandidateOptions options;
+  options.kinds = settings_.kinds;
+  options.uniform_count = static_cast<std::size_t>(settings_.directions);
+  options.user = settings_.user_directions;
+  clock_.report(sweep_stage::k_candidates, 0.0);
+  std::vector<Candidate> candidates;
+  try {
+    // Meanwhile another thread, if there may be one, makes what the later stages need of the part.
+    std::future<void> prepared = std::async(std::launch::async | std::launch::deferred, [&] {
+      (void)model_.exact(clock_.until_cancelled());
+      (void)model_.rays();
+    });
+    candidates = find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options,
+                                 clock_.until_cancelled());
+    prepared.get();
+  } catch (const Cancelled&) {
+    return;
+  }
+  // Candidates of the part come first and set a low limit for those of the even set.
+  for (std::size_t first = 0; first < candidates.size(); first += k_batch) {
+    if (contenders_.empty() ? clock_.cancelled() : clock_.stopped()) break;
+    const std::size_t count = std::min(k_batch, candidates.size() - first);
+    score_batch(std::span(candidates).subspan(first, count), first, candidates.size());
+  }
+}
+
+void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::size_t total) {
+  // The limit changes between batches only, so that it does not depend on which thread was faster.
+  const double limit = settings_.thorough ? k_no_limit : listing_limit();
+  std::vector<ScoringTask> tasks;
+  for (const Candidate& candidate : batch) {
+    tasks.push_back({candidate.direction, candidate.from_user() ? k_no_limit : limit});
+  }
+  const auto evaluated = [&](std::size_t i, const DirectionScore& score) {
+    return evaluated_direction(batch[i].direction, batch[i].kind(), score);
+  };
+  std::size_t done = before;
+  const auto listener = [&](std::size_t i, const DirectionScore& score) {
+    clock_.report(sweep_stage::k_scoring, static_cast<double>(++done) / static_cast<double>(total));
+    if (listener_.evaluated) listener_.evaluated(evaluated(i, score));
+  };
+  // The first directions are scored even when the time is over already: there is a best one to tell.
+  const bool is_first = contenders_.empty();
+  const auto scores = pools_.engine().score(
+      tasks, [&] { return is_first ? clock_.cancelled() : clock_.stopped(); }, listener);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!scores[i]) continue;
+    result_.evaluated.push_back(evaluated(i, *scores[i]));
+    const RankedFigures figures = rating_.scored(batch[i], *scores[i]);
+    limit_.add(batch[i].direction, scores[i]->pessimistic());
+    contenders_.push_back({std::move(batch[i]), *scores[i], figures, {}});
+  }
+}
+
+std::vector<std::size_t> SweepRun::contender_order() const {
+  std::vector<RankedFigures> figures;
+  for (const Contender& contender : contenders_) figures.push_back(contender.figures);
+  return rating_.rank(figures).order;
+}
+
+double SweepRun::listing_limit() const {
+  // With another objective a direction of much undercut may still be listed.
+  return rating_.by_undercut_alone() ? limit_.undercut() : k_no_limit;
+}
+
+void SweepRun::tell(const EvaluatedDirection& evaluated) {
+  result_.evaluated.push_back(evaluated);
+  if (listener_.evaluated) listener_.evaluated(evaluated);
+}
+
+void SweepRun::refine() {
+  const BasinSearch search{.rating = rating_,
+                           .rays = pools_.rays(),
+                           .clock = clock_,
+                           .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
+  std::vector<Contender> found =
+      refine_basins(search, contenders_, contender_order(), static_cast<std::size_t>(settings_.refine));
+  for (Contender& contender : found) {
+    limit_.add(contender.candidate.direction, contender.score.pessimistic());
+    contenders_.push_back(std::move(contender));
+  }
+}
+
+/// Keeps whatever may still be among the listed ones: its optimistic undercut is below the pessimistic one of
+/// the last listed. Where more than a few times the list tie, those that the tie's order puts first are kept.
+void SweepRun::keep_contenders() {
+  const double limit = listing_limit();
+  const std::size_t before = contenders_.size(), most = k_contenders_per_listed * top();
+  std::vector<std::size_t> possible;
+  for (const std::size_t i : contender_order()) {
+    if (contenders_[i].candidate.from_user() || contenders_[i].score.optimistic() <= limit)
+      possible.push_back(i);
+  }
+  const ListingRules rules{.apart_deg = settings_.apart_deg, .tentative = true};
+  contenders_ = contenders_to_list(rating_, contenders_, possible, most, rules);
+  result_.skipped = before - contenders_.size();
+}
+
+/// Contenders come by their scores, so that what is measured soon tells of many others that they cannot be
+/// listed.
+void SweepRun::measure_contenders() {
+  std::vector<Contender> open = std::exchange(contenders_, {});
+  limit_ = ListingLimit(top(), settings_.apart_deg);
+  for (std::size_t first = 0; first < open.size();) {
+    clock_.report(sweep_stage::k_measuring, static_cast<double>(first) / static_cast<double>(open.size()));
+    const double limit = listing_limit();
+    std::vector<Contender> batch;
+    for (; first < open.size() && batch.size() < k_measured_together; ++first) {
+      if (!open[first].candidate.from_user() &&
+          (open[first].score.optimistic() > limit || surely_hidden(open[first]))) {
+        ++result_.skipped;
+      } else {
+        batch.push_back(std::move(open[first]));
+      }
+    }
+    measure_batch(batch, [this] { return clock_.stopped(); });
+  }
+  // Even when the time is over the best direction so far gets its figures.
+  if (!contenders_.empty() && !contenders_.front().measured && !clock_.cancelled()) {
+    std::vector<Contender> scored = std::exchange(contenders_, {});
+    measure_batch({scored.data(), 1}, [this] { return clock_.cancelled(); });
+  }
+}
+
+/// Beside a better one that is measured.
+bool SweepRun::surely_hidden(const Contender& contender) const {
+  return rating_.by_undercut_alone() && std::ranges::any_of(contenders_, [&](const Contender& other) {
+           return other.measured && contender.score.optimistic() > other.figures.undercut &&
+                  line_angle_deg(contender.candidate.direction, other.candidate.direction) <=
+                      settings_.apart_deg;
+         });
+}
+
+/// Puts what may still be listed among the contenders, measured if there was time.
+void SweepRun::measure_batch(std::span<Contender> batch, const std::function<bool()>& stop) {
+  const double limit = listing_limit();
+  std::vector<ScoringTask> tasks;
+  for (const Contender& contender : batch)
+    tasks.push_back({contender.candidate.direction, contender.candidate.from_user() ? k_no_limit : limit});
+  auto measured = measurer_.measure(tasks, {}, clock_.until_cancelled(), stop);
+  const bool stopped = stop();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    Contender& contender = batch[i];
+    if (measured[i]) {
+      contender.figures = rating_.measured(contender.candidate, *measured[i]);
+      contender.measured = std::make_shared<const MeasuredDirection>(std::move(*measured[i]));
+      limit_.add(contender.candidate.direction,
+                 contender.figures.undercut + contender.figures.undercut_uncertainty);
+    } else if (!stopped) {
+      ++result_.skipped;
+      continue;
+    }
+    contenders_.push_back(std::move(contender));
+  }
+}
+
+/// Of the best those that lie apart.
+std::vector<std::size_t> SweepRun::contenders_to_polish() const {
+  const std::size_t most = std::min(k_most_polished, static_cast<std::size_t>(settings_.refine));
+  std::vector<std::size_t> chosen;
+  double limit = k_no_limit;
+  for (const std::size_t i : contender_order()) {
+    if (chosen.size() == most) break;
+    const Contender& contender = contenders_[i];
+    if (!contender.measured || contender.figures.value > limit) continue;
+    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+      return line_angle_deg(contenders_[other].candidate.direction, contender.candidate.direction) >
+             settings_.apart_deg;
+    });
+    if (!apart) continue;
+    if (chosen.empty())
+      limit =
+          contender.figures.value + rating_.value_of_undercut(k_polished_share * model_.geometry.total_area);
+    chosen.push_back(i);
+  }
+  return chosen;
+}
+
+void SweepRun::polish_best() {
+  const Polishing polishing{.model = model_,
+                            .rating = rating_,
+                            .rays = pools_.rays(),
+                            .measurer = measurer_,
+                            .clock = clock_,
+                            .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
+  const std::vector<std::size_t> chosen = contenders_to_polish();
+  for (std::size_t k = 0; k < chosen.size() && !clock_.stopped(); ++k) {
+    clock_.report(sweep_stage::k_polishing, static_cast<double>(k) / static_cast<double>(chosen.size()));
+    Contender& start = contenders_[chosen[k]];
+    std::optional<Contender> better = polish(polishing, start);
+    if (!better) continue;
+    // A direction with other sources stands beside the one that it was found from.
+    if (better->candidate.kind() == start.candidate.kind()) {
+      start = std::move(*better);
+    } else {
+      contenders_.push_back(std::move(*better));
+    }
+  }
+}
+
+SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt) {
+  SweepCandidate listed;
+  listed.candidate = contender.candidate;
+  listed.measured = contender.measured != nullptr;
+  listed.tilt = tilt;
+  Classification& classification = listed.classification;
+  if (listed.measured) {
+    classification = contender.measured->classification;
+  } else {
+    classification = rating_.classification(contender.candidate.direction, contender.score);
+    classification.near_vertical_area =
+        near_vertical_area(model_.geometry, classification.direction, settings_.method.tau_deg);
+    classification.warnings = model_.warnings;
+  }
+  DirectionFacts facts = rating_.facts(classification, contender.measured.get());
+  facts.tilt = tilt;
+  listed.figures = find_figures(facts);
+  return listed;
+}
+
+void SweepRun::list() {
+  std::vector<Contender> listed =
+      contenders_to_list(rating_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
+  if (clock_.stopped() && !clock_.cancelled())
+    std::erase_if(listed, [](const Contender& contender) { return !contender.measured; });
+  const bool all_measured =
+      std::ranges::all_of(listed, [](const Contender& c) { return c.measured != nullptr; });
+  std::vector<RankedFigures> figures;
+  for (const Contender& contender : listed) {
+    figures.push_back(all_measured || !contender.measured
+                          ? contender.figures
+                          : rating_.measured(contender.candidate, *contender.measured, false));
+  }
+  const Ranking ranking = rating_.rank(figures);
+  const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
+  for (const std::size_t i : ranking.order) {
+    SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
+    candidate.rank = result_.candidates.size() + 1;
+    candidate.tie_group = ranking.tie_group[i] + 1;
+    candidate.pareto = ranking.pareto[i];
+    result_.candidates.push_back(std::move(candidate));
+  }
+  mark_ties(result_.candidates);
+}
+
+/// Of every contender, each on one thread: one after the other they would leave threads idle.
+std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
+  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
+  std::vector<std::optional<TiltMargin>> margins(listed.size());
+  clock_.report(sweep_stage::k_final, 0.0);
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::task_arena arena(result_.jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
+      const std::unique_ptr<DirectionScorer> scorer = pools_.make_ray_scorer();
+      margins[i] =
+          tilt_margin(*scorer, listed[i].candidate.direction, growth, [this] { return clock_.stopped(); });
+      const std::lock_guard lock(mutex);
+      clock_.report(sweep_stage::k_final, static_cast<double>(++done) / static_cast<double>(listed.size()));
+    });
+  });
+  return margins;
+}
+
+}  // namespace
+
+SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
+                      const Progress& progress, const SweepListener& listener) {
+  return SweepRun(std::move(model), settings, progress, listener).run();
+}
+
+}  // namespace moldlight

@@ -1,0 +1,27 @@
+// The sweep: candidate directions from the part and the sphere, scored coarsely, the best refined, and the
+// top of them classified with the user's settings.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// What a sweep tells while it runs, from its own threads, one call at a time.
+struct SweepListener {
+  std::function<void(const EvaluatedDirection&)> evaluated;
+};
+
+/// Runs a sweep on the calling thread and `settings.jobs` others. What is listed has exact figures, whatever
+/// the method's readout. Cancelling the progress or running into the time limit ends the sweep early: what is
+/// done by then is in the result, which says that it is not complete. After the time limit the best direction
+/// still gets its figures; once cancelled nothing more is measured, and the list is made by the scores.
+/// Throws UsageError, Error.
+[[nodiscard]] SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
+                                    const Progress& progress, const SweepListener& listener);
+
+}  // namespace moldlight

@@ -1,0 +1,81 @@
+#include "sweep/direction_figures.hpp"
+
+namespace moldlight {
+
+namespace {
+
+Words names_of(const std::vector<CandidateKind>& kinds) {
+  Words names;
+  for (const CandidateKind kind : kinds) names.push_back(candidate_kind_name(kind));
+  return names;
+}
+
+std::vector<CandidateKind> kinds_named(const Words& names) {
+  std::vector<CandidateKind> kinds;
+  for (const std::string_view name : names) {
+    for (const CandidateKind kind : all_candidate_kinds()) {
+      if (candidate_kind_name(kind) == name) kinds.push_back(kind);
+    }
+  }
+  return kinds;
+}
+
+}  // namespace
+
+std::span<const Option<SweepSettings>> sweep_options() {
+  using S = SweepSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"directions", "--directions", "Uniform directions", "",
+       "Number of directions spread evenly over the half-sphere.",
+       IntegerKind<S>{&S::directions, 0, 100'000}},
+      {"refine", "--refine", "Directions to refine", "",
+       "How many of the best scored directions, apart from each other, are followed downhill; of what is "
+       "measured then, three at most are followed once more, by exact figures.",
+       IntegerKind<S>{&S::refine, 0, 100}},
+      {"top", "--top", "Directions listed", "", "How many directions get final figures.",
+       IntegerKind<S>{&S::top, 1, 1000}},
+      {"apart_deg", "--apart", "Apart", "deg",
+       "A direction that is nearer than this to a better one is not listed, unless it ties with it and comes "
+       "from a feature of the part.",
+       RealKind<S>{&S::apart_deg, 0.0, 45.0, 0.5}},
+      {"engine", "--engine", "Engine", "",
+       "How directions are scored before the best are measured: by exact rays from surface samples, or by "
+       "shadow maps on the GL, many directions at a time.",
+       choice<&S::engine>({"rays", "gl"})},
+      {"scoring_samples", "--scoring-samples", "Scoring samples", "",
+       "Surface samples by which a direction is scored.",
+       IntegerKind<S>{&S::scoring_samples, 1000, 10'000'000}},
+      {"scoring_resolution", "--scoring-resolution", "Scoring resolution", "texel",
+       "Width and height of the shadow maps by which a direction is scored.",
+       IntegerKind<S>{&S::scoring_resolution, 64, 8192}},
+      {"thorough", "--thorough", "Score all to the end", "",
+       "Score every direction to the end, also one that is certain not to be listed.",
+       SwitchKind<S>{&S::thorough}},
+      {"tilt_growth_pct", "--tilt-growth", "Tilt growth", "% of the part's area",
+       "Growth of the undercut area that ends the tilt margin.",
+       RealKind<S>{&S::tilt_growth_pct, 1e-4, 100.0, 0.1}},
+      {"pressure", "--pressure", "Pressure", "force per area",
+       "Cavity pressure; times the projected area it gives the clamp force.",
+       RealKind<S>{&S::pressure, 0.0, 1e12, 1.0}},
+      {"jobs", "--jobs", "Threads", "", "Threads that score directions; 0 takes all cores.",
+       IntegerKind<S>{&S::jobs, 0, 256}},
+      {"time_limit_s", "--time-limit", "Time limit", "s",
+       "End after this time with what is done; 0 for none.", RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
+      {"objective", "--objective", "Best is the least", "",
+       "What to rank by, smallest first: one of these, or a weighted sum of shares of the part, as "
+       "undercut:1,draw-depth:0.1.",
+       TextKind<S>{"LIST", [](const S& s) { return s.objective.text; },
+                   [](S& s, std::string_view text) { s.objective = parse_objective(text); },
+                   objective_names()}},
+      {"candidates", "--candidates", "Candidates", "",
+       "Sources of candidate directions, separated by commas, or all or none.",
+       SetKind<S>{names_of(all_candidate_kinds()), [](const S& s) { return names_of(s.kinds); },
+                  [](S& s, const Words& names) { s.kinds = kinds_named(names); }}},
+      {"user_directions", "--direction", "Directions given", "",
+       "A direction to look at and list beside the others; may be given several times.",
+       DirectionsKind<S>{&S::user_directions}},
+  };
+  return k_options;
+}
+
+}  // namespace moldlight

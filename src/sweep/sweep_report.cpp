@@ -1,0 +1,164 @@
+#include "sweep/sweep_report.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "classify/classify_report.hpp"
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+#include "io/atomic_file.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json settings_json(const SweepResult& result) {
+  Json settings = options_json(method_options(), result.settings.method);
+  // The direction is what is searched for, and the figures are exact.
+  for (const char* key : {"direction", "readout", "samples"}) settings.erase(key);
+  settings.update(options_json(sweep_options(), result.settings));
+  // The report is the same whatever the number of threads.
+  settings.erase("jobs");
+  settings["engine_used"] = result.engine;
+  return settings;
+}
+
+Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
+  // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
+  const Json classified = classify_json(model, candidate.classification);
+  const auto if_measured = [&](Json value) { return candidate.measured ? value : Json(); };
+  const bool leans_somewhere = candidate.tilt && !candidate.tilt->at_least();
+  Json sources = Json::array();
+  for (const CandidateSource& source : candidate.candidate.sources) {
+    sources.push_back(
+        {{"kind", candidate_kind_name(source.kind)}, {"reason", source.reason}, {"share", source.share}});
+  }
+  Json json = {{"rank", candidate.rank},
+               {"tie_group", candidate.tie_group},
+               {"direction", classified["direction"]},
+               {"sources", sources},
+               {"measured", candidate.measured},
+               {"areas", classified["areas"]},
+               {"fractions", classified["fractions"]},
+               {"undercut_uncertainty", classified["undercut_uncertainty"]},
+               {"uncertainty_parts", if_measured(classified["uncertainty_parts"])},
+               {"projected_undercut", if_measured(classified["projected_undercut"])},
+               {"identity", if_measured(classified["identity"])}};
+  for (const DirectionFigure& row : direction_figures()) {
+    if (row.use.classified) continue;
+    Json& value = json[std::string(row.key)];
+    const auto known = figure_value(row, candidate);
+    if (known && row.kind == FigureKind::count)
+      value = static_cast<std::size_t>(*known);
+    else if (known)
+      value = *known;
+  }
+  json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
+  json["pareto"] = candidate.pareto;
+  return json;
+}
+
+/// Rows of cells, each column as wide as its widest cell, all but the first `left` and the last set to the
+/// right.
+class TextTable {
+ public:
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  [[nodiscard]] std::string text(const std::vector<bool>& left) const {
+    std::vector<std::size_t> widths(rows_.front().size(), 0);
+    for (const auto& row : rows_) {
+      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns(row[c]));
+    }
+    std::string text;
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const std::string padding(widths[c] - columns(row[c]), ' ');
+        if (c > 0) line += "  ";
+        line += left[c] ? row[c] + padding : padding + row[c];
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + '\n';
+    }
+    return text;
+  }
+
+ private:
+  /// Columns of a terminal: bytes that begin a character of UTF-8.
+  static std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string candidate_table(const PartModel& model, const SweepResult& result) {
+  const std::vector<const DirectionFigure*> columns = figure_columns(result);
+  TextTable table;
+  std::vector<std::string> head = {"#", "tie", "direction"};
+  for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
+  head.insert(head.end(), {"Pareto", "why"});
+  std::vector<bool> left(head.size(), false);
+  left[1] = left.back() = true;
+  table.add(std::move(head));
+  for (const SweepCandidate& candidate : result.candidates) {
+    std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,
+                                    direction_text(candidate.classification.direction)};
+    for (const DirectionFigure* column : columns)
+      row.push_back(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
+    row.insert(row.end(), {candidate.pareto ? "*" : "", reasons_text(candidate.candidate)});
+    table.add(std::move(row));
+  }
+  return table.text(left);
+}
+
+}  // namespace
+
+Json sweep_json(const PartModel& model, const SweepResult& result) {
+  Json candidates = Json::array();
+  for (const SweepCandidate& candidate : result.candidates) {
+    candidates.push_back(candidate_json(model, candidate));
+  }
+  return {{"schema", "moldlight.sweep/2"},     {"part", part_json(model, model.warnings)},
+          {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
+          {"skipped", result.skipped},         {"complete", result.complete},
+          {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},
+          {"candidates", candidates}};
+}
+
+std::string sweep_table(const PartModel& model, const SweepResult& result) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {} facets, {}; area {} {}, box {} {}\n", part_name(model.part),
+                 model.health.facets, model.health.closed ? "closed" : "not closed",
+                 figure(model.geometry.total_area), powered_unit(model.part, 2),
+                 figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
+                 length_unit(model.part));
+  fmt::format_to(out, "{} directions scored by {}, {} of them dropped for what was sure to be worse{}\n\n",
+                 result.evaluated.size(), result.engine, result.skipped,
+                 result.complete ? "" : "; not complete");
+  if (!result.candidates.empty()) text += candidate_table(model, result) + '\n';
+  for (const std::string& remark : result.remarks) text += remark + '\n';
+  return text;
+}
+
+void write_direction_csv(const std::string& path, const SweepResult& result) {
+  AtomicFile file(path);
+  file.write("x,y,z,kind,undercut,undercut_error,given_up\n");
+  for (const EvaluatedDirection& d : result.evaluated) {
+    file.write(fmt::format("{},{},{},{},{},{},{}\n", d.direction.x, d.direction.y, d.direction.z,
+                           candidate_kind_name(d.kind), d.undercut, d.undercut_error, d.given_up ? 1 : 0));
+  }
+  file.commit();
+}
+
+}  // namespace moldlight

@@ -1,0 +1,60 @@
+// What a sweep finds. Lengths and areas are in the part's unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "classify/classification.hpp"
+#include "sweep/candidates/candidate.hpp"
+#include "sweep/sweep_settings.hpp"
+
+namespace moldlight {
+
+/// One scored direction, for the direction sphere and the CSV.
+struct EvaluatedDirection {
+  glm::dvec3 direction{0, 0, 1};
+  CandidateKind kind = CandidateKind::uniform;
+  double undercut = 0.0;
+  double undercut_error = 0.0;  // 95 % level
+  bool given_up = false;        // scored only until it was certain not to be listed: the figures are rough
+};
+
+/// How far the pull may lean before the undercut grows by more than the settings' share of the part's area.
+inline constexpr double k_widest_tilt_deg = 30.0;
+struct TiltMargin {
+  double deg = 0.0;            // towards the least tolerant side, [0, k_widest_tilt_deg]
+  glm::dvec3 toward{0, 0, 1};  // unit direction at that lean, just past the margin
+  /// Nothing wider was looked at: `toward` is the direction itself.
+  [[nodiscard]] bool at_least() const { return deg >= k_widest_tilt_deg; }
+};
+
+struct SweepCandidate {
+  std::size_t rank = 0;       // 1 is best
+  std::size_t tie_group = 0;  // 1 is the best direction's
+  std::string tie;            // a letter for every group of more than one direction
+  Candidate candidate;
+  /// False where the sweep was cancelled before: areas and their uncertainty are the scoring's, and patches,
+  /// the projected undercut and the parts of the uncertainty are not known.
+  bool measured = true;
+  Classification classification;               // exactly what classify gives; facet fractions are dropped
+  std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
+  std::optional<TiltMargin> tilt;              // empty where the sweep ended before
+  bool pareto = false;
+};
+
+struct SweepResult {
+  SweepSettings settings;
+  std::string engine;  // the one that scored, and why it was taken
+  int jobs = 1;
+  std::vector<EvaluatedDirection> evaluated;  // in order of evaluation, the same for every number of jobs
+  std::size_t skipped = 0;  // candidates that could not get into the list and were not looked at closer
+  bool complete = true;
+  double elapsed_s = 0.0;
+  std::vector<SweepCandidate> candidates;  // best first
+  std::vector<std::string> remarks;        // for the user
+};
+
+}  // namespace moldlight

@@ -1,0 +1,75 @@
+#include "sweep/sweep_texts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace moldlight {
+
+void mark_ties(std::vector<SweepCandidate>& candidates) {
+  char letter = 'a';
+  for (std::size_t first = 0, end = 0; first < candidates.size(); first = end) {
+    while (end < candidates.size() && candidates[end].tie_group == candidates[first].tie_group) ++end;
+    if (end - first < 2) continue;
+    for (std::size_t k = first; k < end; ++k) candidates[k].tie = letter;
+    letter = letter == 'z' ? 'a' : static_cast<char>(letter + 1);
+  }
+}
+
+std::string reasons_text(const Candidate& candidate, std::size_t most) {
+  std::vector<const CandidateSource*> told;
+  for (const CandidateSource& source : candidate.sources) {
+    const bool known =
+        std::any_of(told.begin(), told.end(), [&](const auto* s) { return s->kind == source.kind; });
+    if (!known) told.push_back(&source);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(told.size(), most); ++i) text += (i > 0 ? "; " : "") + told[i]->reason;
+  if (told.size() > most) text += fmt::format("; {} more", told.size() - most);
+  return text;
+}
+
+std::vector<std::string> shorter_reasons(const Candidate& candidate) {
+  return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
+}
+
+std::string component_text(double value, int decimals) {
+  const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
+}
+
+std::string direction_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
+
+std::string short_direction_text(const glm::dvec3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0)
+      return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
+  }
+  return direction_text(direction, 2);
+}
+
+double undercut_area(const SweepCandidate& candidate) {
+  return candidate.classification.areas[Region::undercut];
+}
+
+std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward) {
+  constexpr double k_tan_22_5_deg =
+      0.41421356;  // an axis counts when the lean is not nearer to another alone
+  const glm::dvec3 aside = toward - glm::dot(toward, direction) * direction;
+  const double most = std::max({std::abs(aside.x), std::abs(aside.y), std::abs(aside.z)});
+  if (!(most > 0.0)) return "";
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(aside[axis]) < k_tan_22_5_deg * most) continue;
+    text += aside[axis] < 0.0 ? '-' : '+';
+    text += "xyz"[axis];
+  }
+  return text;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,33 @@
+// How the figures of a swept direction are written for people: in the table and on pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+/// Gives every tie group of more than one direction its letter, in order.
+void mark_ties(std::vector<SweepCandidate>& candidates);
+
+/// What speaks for a candidate, the strongest of each kind, so many at most, and how many more there are.
+[[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
+/// The same in ever fewer words, for where there is little room.
+[[nodiscard]] std::vector<std::string> shorter_reasons(const Candidate& candidate);
+
+/// "0.00000, 0.60000, 0.80000".
+[[nodiscard]] std::string direction_text(const glm::dvec3& direction, int decimals = 5);
+/// "+Z" for an axis, else "0.00, 0.60, 0.80".
+[[nodiscard]] std::string short_direction_text(const glm::dvec3& direction);
+/// A component of a direction with so many decimals; no sign where they all are 0.
+[[nodiscard]] std::string component_text(double value, int decimals);
+
+/// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
+[[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
+
+[[nodiscard]] double undercut_area(const SweepCandidate& candidate);
+
+}  // namespace moldlight
