@@ -29,6 +29,7 @@ void add_classify_command(CLI::App& program, Request& request);
 void add_sweep_command(CLI::App& program, Request& request);
 void add_view_command(CLI::App& program, Request& request);
 void add_doctor_command(CLI::App& program, Request& request);
+void add_manual_command(CLI::App& program, Request& request);
 
 /// Where the command line asks for `command`, its work is `run` with these flags.
 template <typename Flags>

@@ -94,6 +94,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   add_sweep_command(program, request);
   add_view_command(program, request);
   add_doctor_command(program, request);
+  add_manual_command(program, request);
   insert_default_command(program, arguments);
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

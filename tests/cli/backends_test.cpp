@@ -9,6 +9,7 @@ namespace {
 
 using test::run_moldlight;
 using test::SmallPart;
+using test::with;
 
 struct Outputs {
   int exit_code = -1;
@@ -46,8 +47,7 @@ void expect_same(const SmallPart& part, const std::vector<std::string>& argument
 
 /// OSMesa is software; an EGL on a graphics card rounds in ways of its own.
 bool egl_is_software(const SmallPart& part) {
-  auto arguments = part.classify({"--json", "-", "--readout", "samples"});
-  arguments[9] = "egl";
+  const auto arguments = with(part.classify({"--json", "-", "--readout", "samples"}), "--backend", "egl");
   const auto run = run_moldlight(arguments);
   return run.exit_code == 0 && test::json_of(run.out)["settings"]["renderer"].get<std::string>().find(
                                    "llvmpipe") != std::string::npos;

@@ -20,6 +20,7 @@ using test::json_of;
 using test::keys;
 using test::run_moldlight;
 using test::SmallPart;
+using test::with;
 using Json = nlohmann::ordered_json;
 
 TEST(Classify, PrintsATableAndNothingElseOnStdout) {
@@ -69,8 +70,7 @@ TEST(Classify, JsonFiguresBelongTogether) {
   const SmallPart part;
   const auto run = run_moldlight(part.classify({"--direction", "3,0,4", "--json", "-"}));
   EXPECT_EQ(run.exit_code, 2) << "--direction was given twice";
-  auto arguments = part.classify({"--json", "-"});
-  arguments[3] = "3,0,4";
+  const auto arguments = with(part.classify({"--json", "-"}), "--direction", "3,0,4");
   const Json json = json_of(run_moldlight(arguments).out);
   EXPECT_DOUBLE_EQ(json["direction"][0].get<double>(), 0.6);
   EXPECT_DOUBLE_EQ(json["direction"][2].get<double>(), 0.8);
@@ -137,8 +137,7 @@ TEST(Classify, WritesTheMeshSplitAtTheBordersWhateverTheReadout) {
   const SmallPart part;
   const double area = facet_geometry(part.shape().mesh).total_area;
   for (const std::string name : {"out.ply", "out.obj", "out.stl"}) {
-    auto arguments = part.classify({"--mesh", part.output(name)});
-    arguments[3] = "0.36,0.48,0.8";
+    auto arguments = with(part.classify({"--mesh", part.output(name)}), "--direction", "0.36,0.48,0.8");
     const auto run = run_moldlight(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::string bytes = file_bytes(part.output(name));
@@ -240,8 +239,7 @@ TEST(Classify, ExactRegionsNeedNoGl) {
   const SmallPart part;
   test::ProcessSettings settings;
   settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json", "GALLIUM_DRIVER=none"};
-  auto arguments = part.classify();
-  arguments[9] = "egl";
+  const auto arguments = with(part.classify(), "--backend", "egl");
   const auto run = run_moldlight(arguments, settings);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
@@ -267,8 +265,7 @@ TEST(Classify, TakesANameThatIsNoUtf8) {
   const SmallPart part;
   const std::string odd = part.output("t\xE4st\n.obj");
   fs::copy_file(part.file(), odd);
-  auto arguments = part.classify({"--json", "-"});
-  arguments[1] = odd;
+  const auto arguments = with(part.classify({"--json", "-"}), "PART", odd);
   const auto run = run_moldlight(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NO_THROW(static_cast<void>(json_of(run.out)));

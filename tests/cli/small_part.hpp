@@ -1,6 +1,7 @@
 // A part with all four regions, small enough to be classified over and over.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,18 @@ class SmallPart {
   ScratchFolder folder_;
   Shape shape_;
 };
+
+/// The arguments with this value for the flag, in place of the one that it has there, or for the "PART".
+[[nodiscard]] inline std::vector<std::string> with(std::vector<std::string> arguments,
+                                                   const std::string& flag, const std::string& value) {
+  const auto found = flag == "PART" ? arguments.begin() : std::ranges::find(arguments, flag);
+  if (found == arguments.end()) {
+    arguments.insert(arguments.end(), {flag, value});
+  } else {
+    *(found + 1) = value;
+  }
+  return arguments;
+}
 
 /// Names of an object's members, in their order.
 [[nodiscard]] inline std::vector<std::string> keys(const nlohmann::ordered_json& object) {

@@ -20,6 +20,7 @@ using test::json_of;
 using test::keys;
 using test::run_moldlight;
 using test::SmallPart;
+using test::with;
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
@@ -32,17 +33,6 @@ Json sweep_of(const std::vector<std::string>& arguments) {
   const auto run = run_moldlight(arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return run.exit_code == 0 ? json_of(run.out) : Json();
-}
-
-/// The arguments with the flag's value changed, or added where it is not there yet.
-Names with(Names arguments, const std::string& flag, const std::string& value) {
-  const auto there = std::find(arguments.begin(), arguments.end(), flag);
-  if (there != arguments.end()) {
-    *(there + 1) = value;
-  } else {
-    arguments.insert(arguments.end(), {flag, value});
-  }
-  return arguments;
 }
 
 std::vector<Names> csv_rows(const std::string& path) {
@@ -165,7 +155,7 @@ TEST(SweepCommand, ARealPartIsSweptAsItIsClassifiedWhateverTheJobs) {
   const std::string file = (test::asset_folder() / "parts" / "cable_clip.stl").string();
   const std::string one = part.output("one.csv"), three = part.output("three.csv");
   Names arguments = with(with(part.sweep({"--json", "-"}), "--directions", "150"), "--top", "2");
-  arguments[1] = file;
+  arguments = with(arguments, "PART", file);
   const Json first = sweep_of(with(with(arguments, "--jobs", "1"), "--csv", one));
   const Json second = sweep_of(with(with(arguments, "--jobs", "3"), "--csv", three));
   EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
@@ -351,8 +341,7 @@ TEST(SweepCommand, DirectionsOfACubeTie) {
   const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {10, 10, 10});
   const std::vector<Region> regions(mesh.facets.size(), Region::core);
   write_coloured_mesh(cube, {mesh, regions});
-  auto arguments = part.sweep({"--json", "-"});
-  arguments[1] = cube;
+  const auto arguments = with(part.sweep({"--json", "-"}), "PART", cube);
   const Json json = sweep_of(arguments);
   ASSERT_EQ(json["candidates"].size(), 4u);
   for (const Json& candidate : json["candidates"]) {
@@ -371,8 +360,7 @@ TEST(SweepCommand, APartWithoutAreaHasDirectionsWithoutArea) {
   const SmallPart part;
   const std::string flat =
       part.folder().write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n");
-  auto arguments = part.sweep({"--json", "-"});
-  arguments[1] = flat;
+  const auto arguments = with(part.sweep({"--json", "-"}), "PART", flat);
   const auto run = run_moldlight(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = json_of(run.out);

@@ -11,6 +11,7 @@ namespace {
 using test::Process;
 using test::ProcessSettings;
 using test::SmallPart;
+using test::with;
 
 std::string shell_command(const std::vector<std::string>& arguments) {
   std::string command = "'" MOLDLIGHT_BINARY "'";
@@ -43,8 +44,7 @@ TEST(Terminal, ShowsColoursUnlessAskedNotTo) {
 TEST(Terminal, ProgressIsDrawnAndTakenAwayAgain) {
   if (!std::filesystem::exists("/usr/bin/script")) GTEST_SKIP() << "nothing here makes a terminal";
   const SmallPart part;
-  auto arguments = part.classify({"--readout", "samples"});
-  arguments[5] = "3000000";
+  auto arguments = with(part.classify({"--readout", "samples"}), "--samples", "3000000");
   ProcessSettings settings;
   settings.environment = {"TERM=xterm", "NO_COLOR=1"};
   const std::string shown = run_on_terminal(arguments, settings).out;

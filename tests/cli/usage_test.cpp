@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::run_moldlight;
 using test::SmallPart;
+using test::with;
 using Arguments = std::vector<std::string>;
 
 /// Expects the exit code, one line on stderr that holds all of `words`, nothing on stdout.
@@ -79,18 +80,14 @@ TEST(Usage, DirectionsThatAreNoneEndWithTwo) {
   const SmallPart part;
   for (const std::string direction : {"0,0,0", "nan,0,0", "inf,0,0", "-inf,0,1", "1,2", "1,2,3,4", "",
                                       "a,b,c", "1,,2", "0,0,-0", "1e400,0,0", "0x10,0,0"}) {
-    auto arguments = part.classify();
-    arguments[3] = direction;
-    expect_failure(arguments, 2, {"--direction"});
+    expect_failure(with(part.classify(), "--direction", direction), 2, {"--direction"});
   }
 }
 
 TEST(Usage, DirectionsOfAnyLengthAreTaken) {
   const SmallPart part;
-  auto arguments = part.classify({"--json", "-"});
   const auto direction_of = [&](const std::string& text) {
-    arguments[3] = text;
-    const auto run = run_moldlight(arguments);
+    const auto run = run_moldlight(with(part.classify({"--json", "-"}), "--direction", text));
     EXPECT_EQ(run.exit_code, 0) << text << ": " << run.err;
     return run.exit_code == 0 ? test::json_of(run.out)["direction"] : nlohmann::ordered_json();
   };
@@ -99,9 +96,7 @@ TEST(Usage, DirectionsOfAnyLengthAreTaken) {
   EXPECT_EQ(direction_of("-1e-320,0,0"), down);
   EXPECT_EQ(direction_of("-1e308,0,0"), down);
   EXPECT_EQ(direction_of(" -5 , +0 , 0"), down);
-  arguments[2] = "--direction=-2,0,0";
-  arguments.erase(arguments.begin() + 3);
-  const auto run = run_moldlight(arguments);
+  const auto run = run_moldlight({"classify", part.file(), "--direction=-2,0,0", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(test::json_of(run.out)["direction"], down);
 }
@@ -117,17 +112,14 @@ TEST(Usage, ValuesOutOfRangeEndWithTwo) {
   for (const auto& [flag, value] : values) {
     expect_failure(part.classify({flag, value}), 2, {flag});
   }
-  for (const auto& [place, value] : {std::pair<std::size_t, std::string>{7, "0"},
-                                     {7, "63"},
-                                     {7, "8193"},
-                                     {7, "-512"},
-                                     {7, "99999999999"},
-                                     {5, "10"},
-                                     {9, "vulkan"}}) {
-    auto arguments = part.classify();
-    const std::string flag = arguments[place - 1];
-    arguments[place] = value;
-    expect_failure(arguments, 2, {flag, value});
+  for (const auto& [flag, value] : {std::pair<std::string, std::string>{"--resolution", "0"},
+                                    {"--resolution", "63"},
+                                    {"--resolution", "8193"},
+                                    {"--resolution", "-512"},
+                                    {"--resolution", "99999999999"},
+                                    {"--samples", "10"},
+                                    {"--backend", "vulkan"}}) {
+    expect_failure(with(part.classify(), flag, value), 2, {flag, value});
   }
 }
 
@@ -157,9 +149,8 @@ TEST(Usage, OutputsThatCannotBeWrittenEndWithOneBeforeAnyWork) {
       {"--split-dir", file}};
   for (const auto& [flag, path] : outputs) {
     // A part that is not there either: the output is looked at first.
-    auto arguments = part.classify({flag, path});
-    arguments[1] = part.output("nowhere.stl");
-    expect_failure(arguments, 1, {path, "cannot be"});
+    expect_failure(with(part.classify({flag, path}), "PART", part.output("nowhere.stl")), 1,
+                   {path, "cannot be"});
   }
   expect_failure({"info", part.file(), "--json", part.output("no/a.json")}, 1, {"no/a.json"});
 }
@@ -298,11 +289,10 @@ TEST(Usage, ThreadsThatCannotBeStartedEndNothing) {
 TEST(Usage, AFailedRunLeavesNothingBehind) {
   const SmallPart part;
   const std::size_t before = entries(part);
-  auto arguments = part.classify({"--json", part.output("a.json"), "--mesh", part.output("a.ply"), "--facets",
-                                  part.output("a.csv"), "--split-dir", part.output("pieces"), "--borders",
-                                  part.output("b.csv")});
-  arguments[1] = part.output("nowhere.stl");
-  expect_failure(arguments, 1, {"nowhere.stl"});
+  const auto arguments = part.classify({"--json", part.output("a.json"), "--mesh", part.output("a.ply"),
+                                        "--facets", part.output("a.csv"), "--split-dir",
+                                        part.output("pieces"), "--borders", part.output("b.csv")});
+  expect_failure(with(arguments, "PART", part.output("nowhere.stl")), 1, {"nowhere.stl"});
   EXPECT_EQ(entries(part), before);
 }
 
@@ -310,9 +300,7 @@ TEST(Usage, ABackendThatIsNotThereSaysWhatWasTried) {
   const SmallPart part;
   test::ProcessSettings settings;
   settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"};
-  auto arguments = part.classify({"--readout", "samples"});
-  arguments[9] = "egl";
-  const auto run = run_moldlight(arguments, settings);
+  const auto run = run_moldlight(with(part.classify({"--readout", "samples"}), "--backend", "egl"), settings);
   if (run.exit_code == 0) GTEST_SKIP() << "this EGL does not ask for vendors";
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("EGL"), std::string::npos) << run.err;
@@ -323,9 +311,8 @@ TEST(Usage, ABackendForPicturesThatIsNotThereEndsASweepBeforeItBegins) {
   const SmallPart part;
   test::ProcessSettings settings;
   settings.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"};
-  auto arguments = part.sweep({"--image-dir", part.output("pictures")});
-  *std::ranges::find(arguments, "osmesa") = "egl";
-  const auto run = run_moldlight(arguments, settings);
+  const auto run =
+      run_moldlight(with(part.sweep({"--image-dir", part.output("pictures")}), "--backend", "egl"), settings);
   if (run.exit_code == 0) GTEST_SKIP() << "this EGL does not ask for vendors";
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.out, "");  // no list of directions
@@ -337,9 +324,8 @@ TEST(Usage, NeitherHomeNorDisplayIsNeeded) {
   test::ProcessSettings settings;
   settings.removed_environment = {"HOME", "DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "LANG"};
   for (const std::string backend : {"auto", "osmesa"}) {
-    auto arguments = part.classify({"--readout", "samples"});
-    arguments[9] = backend;
-    const auto run = run_moldlight(arguments, settings);
+    const auto run =
+        run_moldlight(with(part.classify({"--readout", "samples"}), "--backend", backend), settings);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "");
   }

@@ -13,6 +13,7 @@
 #include "gui/offscreen.hpp"
 #include "gui/store/files.hpp"
 #include "io/mesh_writer.hpp"
+#include "support/read_png.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
 #include "sweep/direction_figures.hpp"
@@ -256,8 +257,16 @@ TEST_F(SweepWindow, LeavesItsPictures) {
   press(GLFW_KEY_M);
   window_.settle();
   write_picture((folder / "sweep_compared.png").string(), window_.size(), window_.pixels());
-  EXPECT_GT(fs::file_size(folder / "sweep.png"), 10'000U);
-  EXPECT_GT(fs::file_size(folder / "sweep_compared.png"), 10'000U);
+  // Both show the part with its undercut, and the second one another direction beside it.
+  const auto red = [&](const char* name) {
+    const Image picture = test::read_png((folder / name).string());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
+      count += picture.rgba[i] > 150 && picture.rgba[i + 1] < 80 && picture.rgba[i + 2] < 80 ? 1 : 0;
+    return count;
+  };
+  EXPECT_GT(red("sweep.png"), 500U);
+  EXPECT_GT(red("sweep_compared.png"), red("sweep.png"));
 }
 
 }  // namespace

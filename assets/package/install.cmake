@@ -1,0 +1,52 @@
+# What `cmake --install` puts where, and the Debian package made of it. Relocatable: the program finds its helper and its
+# parts from its own place.
+include(GNUInstallDirs)
+
+install(TARGETS moldlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET moldlight_step)
+  install(TARGETS moldlight_step RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/moldlight)
+endif()
+install(DIRECTORY assets/parts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/moldlight/parts FILES_MATCHING PATTERN "*.stl")
+install(FILES assets/package/moldlight.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES assets/package/moldlight.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES assets/package/moldlight.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+
+# Manual page and completion are what the program says of itself.
+set(package_folder ${CMAKE_BINARY_DIR}/package)
+file(MAKE_DIRECTORY ${package_folder})
+set(package_files ${package_folder}/moldlight.1.gz ${package_folder}/moldlight.bash ${package_folder}/_moldlight
+    ${package_folder}/changelog.gz)
+add_custom_command(
+  OUTPUT ${package_files}
+  COMMAND sh -c "\"$<TARGET_FILE:moldlight>\" manual | gzip -9n > moldlight.1.gz"
+  COMMAND $<TARGET_FILE:moldlight> manual --form bash > moldlight.bash
+  COMMAND $<TARGET_FILE:moldlight> manual --form zsh > _moldlight
+  COMMAND sh -c "gzip -9n < \"${CMAKE_SOURCE_DIR}/CHANGELOG.md\" > changelog.gz"
+  WORKING_DIRECTORY ${package_folder}
+  DEPENDS moldlight ${CMAKE_SOURCE_DIR}/CHANGELOG.md
+  COMMENT "Writing manual page and completion"
+  VERBATIM)
+add_custom_target(package_files ALL DEPENDS ${package_files})
+install(FILES ${package_folder}/moldlight.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${package_folder}/moldlight.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME moldlight)
+install(FILES ${package_folder}/_moldlight DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${package_folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the moldlight authors <moldlight@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mold-piece regions of injection-molded parts")
+set(CPACK_PACKAGE_DESCRIPTION
+    "If a mold opens along a direction, which surface of the part is formed by\n the core, which by the cavity, which by either, and which is an undercut?\n moldlight computes these regions exactly, shows them live, and finds the\n best direction; in a window and from scripts.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+    WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Opened at run time, so that no linker tells of them.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-inter, libosmesa6")
+include(CPack)

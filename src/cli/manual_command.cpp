@@ -1,0 +1,168 @@
+// moldlight manual: the manual page and the shells' completion, made from the commands and their flags.
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.hpp"
+#include "cli/flags.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+struct ManualFlags {
+  std::string form = "man";
+  const CLI::App* program = nullptr;
+};
+
+struct FlagText {
+  std::string name, value, help;
+  std::vector<std::string> words;  // values that it takes, where they are few
+};
+
+std::vector<FlagText> flag_texts(const CLI::App& command) {
+  std::vector<FlagText> texts;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_lnames().empty()) continue;
+    FlagText text{
+        "--" + option->get_lnames().front(), option->get_option_text(), option->get_description(), {}};
+    const bool is_list = text.value.find('|') != std::string::npos;
+    // Capitals stand for something else: FILE, N, …
+    if (is_list && std::ranges::none_of(text.value, [](char c) { return c >= 'A' && c <= 'Z'; }))
+      text.words = CLI::detail::split(text.value, '|');
+    if (!text.help.empty() && text.help.back() == '.') text.help.pop_back();
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  return CLI::detail::find_and_replace(std::move(text), what, with);
+}
+
+/// Text of a manual page: no line begins with a dot, and hyphens stay hyphens.
+std::string roff(const std::string& text) {
+  return "\\&" + replaced(replaced(replaced(text, "\\", "\\e"), "-", "\\-"), "\n", "\n\\&");
+}
+
+std::string manual(const CLI::App& program) {
+  std::string text = fmt::format(
+      ".TH MOLDLIGHT 1 \"\" \"moldlight {}\" \"User commands\"\n.SH NAME\nmoldlight \\- mold\\-piece regions "
+      "and "
+      "parting directions of injection\\-molded parts\n.SH SYNOPSIS\n",
+      MOLDLIGHT_VERSION);
+  std::string commands;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    const bool takes_part = command->get_option_no_throw("PART") != nullptr;
+    text += fmt::format(".B moldlight {}\n{}[\\fIflags\\fR]\n.br\n", command->get_name(),
+                        takes_part ? "\\fIPART\\fR " : "");
+    commands += fmt::format(".SH MOLDLIGHT {}\n{}.\n", command->get_name(), roff(command->get_description()));
+    for (const FlagText& flag : flag_texts(*command))
+      commands += fmt::format(".TP\n\\fB{}\\fR \\fI{}\\fR\n{}.\n", roff(flag.name), roff(flag.value),
+                              roff(flag.help));
+  }
+  text += fmt::format(".SH DESCRIPTION\n{}.\n", roff(program.get_description())) + commands;
+  return text +
+         ".SH EXIT STATUS\n0: done. 1: something could not be read, written or found. 2: the command line "
+         "makes no "
+         "sense. 3: the criterion of \\-\\-fail\\-if\\-undercut failed. 130: interrupted.\n";
+}
+
+std::string bash_completion(const CLI::App& program) {
+  std::vector<std::string> names;
+  std::string flags, values;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    names.push_back(command->get_name());
+    std::vector<std::string> of_command;
+    for (const FlagText& flag : flag_texts(*command)) {
+      of_command.push_back(flag.name);
+      if (!flag.words.empty())
+        values += fmt::format("    {}:{}) COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n",
+                              command->get_name(), flag.name, fmt::join(flag.words, " "));
+    }
+    flags += fmt::format("    {}) flags=\"{}\" ;;\n", command->get_name(), fmt::join(of_command, " "));
+  }
+  return fmt::format(R"(_moldlight() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} command=${{COMP_WORDS[1]}} flags=""
+  if [[ $COMP_CWORD -eq 1 ]]; then
+    COMPREPLY=($(compgen -W "{}" -- "$word") $(compgen -f -- "$word"))
+    return
+  fi
+  case "$command:${{COMP_WORDS[COMP_CWORD-1]}}" in
+{}  esac
+  case "$command" in
+{}  esac
+  if [[ $word == -* ]]; then
+    COMPREPLY=($(compgen -W "$flags" -- "$word"))
+  else
+    COMPREPLY=($(compgen -f -- "$word"))
+  fi
+}}
+complete -o filenames -F _moldlight moldlight
+)",
+                     fmt::join(names, " "), values, flags);
+}
+
+/// Within brackets and colons of _arguments, in single quotes.
+std::string zsh_text(std::string text) {
+  for (const auto& [what, with] : {std::pair{"'", "’"}, {"[", "("}, {"]", ")"}, {":", ";"}})
+    text = replaced(std::move(text), what, with);
+  return text;
+}
+
+std::string zsh_completion(const CLI::App& program) {
+  std::string commands, flags;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    commands += fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
+    flags += fmt::format("    {}) _arguments \\\n", command->get_name());
+    for (const FlagText& flag : flag_texts(*command)) {
+      const std::string values =
+          flag.words.empty() ? "_files" : fmt::format("({})", fmt::join(flag.words, " "));
+      flags += fmt::format("      '{}[{}]{}' \\\n", flag.name, zsh_text(flag.help),
+                           flag.value.empty() ? "" : fmt::format(":{}:{}", zsh_text(flag.value), values));
+    }
+    flags += "      '*:part:_files' ;;\n";
+  }
+  return fmt::format(R"(#compdef moldlight
+_moldlight() {{
+  local -a commands=(
+{})
+  if (( CURRENT == 2 )); then
+    _describe command commands
+    _files
+    return
+  fi
+  local command=$words[2]
+  shift words
+  (( CURRENT-- ))
+  case $command in
+{}  esac
+}}
+_moldlight "$@"
+)",
+                     commands, flags);
+}
+
+int run(const ManualFlags& flags, Console& console, const Progress&) {
+  console.result(flags.form == "bash"  ? bash_completion(*flags.program)
+                 : flags.form == "zsh" ? zsh_completion(*flags.program)
+                                       : manual(*flags.program));
+  return 0;
+}
+
+}  // namespace
+
+void add_manual_command(CLI::App& program, Request& request) {
+  CLI::App* command = program.add_subcommand(
+      "manual", "Print the manual page, or the completion for a shell, made from these flags");
+  const auto flags = std::make_shared<ManualFlags>();
+  flags->program = &program;
+  command->add_option("--form", flags->form, "What to print [default man]")
+      ->option_text("man|bash|zsh")
+      ->check(CLI::IsMember({"man", "bash", "zsh"}));
+  set_work(*command, request, flags, run);
+}
+
+}  // namespace moldlight::cli

@@ -1,0 +1,68 @@
+// The manual page and the shells' completion against what the commands' own help lists.
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::run_moldlight;
+
+std::set<std::string> flags_of(const std::string& command) {
+  std::set<std::string> flags;
+  const std::string help = run_moldlight({command, "--help"}).out;
+  const std::regex flag(R"(\n  (?:-\w,)?(--[a-z][a-z-]+))");
+  for (std::sregex_iterator it(help.begin(), help.end(), flag), end; it != end; ++it) flags.insert((*it)[1]);
+  return flags;
+}
+
+std::string completions(const std::string& words) {
+  const std::string script = "source <('" MOLDLIGHT_BINARY "' manual --form bash); COMP_WORDS=(moldlight " +
+                             words +
+                             "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _moldlight; echo \"${COMPREPLY[@]}\"";
+  return test::Process({"/bin/bash", "-c", script}, {}).finish().out;
+}
+
+TEST(Manual, ThePageHoldsEveryFlagOfEveryCommand) {
+  const auto page = run_moldlight({"manual"});
+  ASSERT_EQ(page.exit_code, 0);
+  for (const std::string command : {"info", "classify", "sweep", "view", "doctor", "manual"}) {
+    const std::size_t begin = page.out.find("\n.SH MOLDLIGHT " + command + "\n");
+    ASSERT_NE(begin, std::string::npos) << command;
+    const std::string section = page.out.substr(begin, page.out.find("\n.SH ", begin + 1) - begin);
+    const std::set<std::string> flags = flags_of(command);
+    EXPECT_FALSE(flags.empty()) << command;
+    for (const std::string& flag : flags) {
+      const std::string escaped = std::regex_replace(flag, std::regex("-"), "\\-");
+      EXPECT_NE(section.find("\\fB\\&" + escaped + "\\fR"), std::string::npos) << command << ' ' << flag;
+    }
+  }
+}
+
+TEST(Manual, BashCompletesCommandsFlagsAndWords) {
+  EXPECT_EQ(completions("cl"), "classify\n");
+  EXPECT_EQ(completions("classify --readout ''"), "exact samples facet-id\n");
+  EXPECT_EQ(completions("classify --kernel-shape s"), "symmetric\n");
+  std::string all = completions("sweep --");
+  for (const std::string& flag : flags_of("sweep")) EXPECT_NE(all.find(flag), std::string::npos) << flag;
+}
+
+TEST(Manual, ZshReadsItsCompletion) {
+  const auto completion = run_moldlight({"manual", "--form", "zsh"});
+  EXPECT_TRUE(completion.out.starts_with("#compdef moldlight\n"));
+  EXPECT_NE(completion.out.find(":(exact samples facet-id)"), std::string::npos);
+  if (!std::filesystem::exists("/usr/bin/zsh")) GTEST_SKIP() << "no zsh here";
+  const auto read =
+      test::Process(
+          {"/bin/sh", "-c", "'" MOLDLIGHT_BINARY "' manual --form zsh | /usr/bin/zsh -n /dev/stdin"}, {})
+          .finish();
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+}
+
+}  // namespace
+}  // namespace moldlight
