@@ -38,7 +38,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the moldlight authors <moldlight@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mold-piece regions of injection-molded parts")
 set(CPACK_PACKAGE_DESCRIPTION
-    "If a mold opens along a direction, which surface of the part is formed by\n the core, which by the cavity, which by either, and which is an undercut?\n moldlight computes these regions exactly, shows them live, and finds the\n best direction; in a window and from scripts.")
+    "If a mold opens along a direction, which surface of the part is formed by\nthe core, which by the cavity, which by either, and which is an undercut?\nmoldlight computes these regions exactly, shows them live, and finds the\nbest direction; in a window and from scripts.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE

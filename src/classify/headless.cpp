@@ -38,15 +38,6 @@ std::shared_ptr<const PartModel> known_part() {
   return prepare_part(std::move(part), Progress{});
 }
 
-std::vector<std::uint32_t> read_map(const gl::Functions& gl, const ShadowMaps& maps, bool plus) {
-  const int size = maps.settings().resolution;
-  std::vector<std::uint32_t> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  gl.BindFramebuffer(GL_FRAMEBUFFER, maps.framebuffer(plus));
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, size, size, GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
-  return texels;
-}
-
 std::unique_ptr<gl::Context> checked(std::unique_ptr<gl::Context> context) {
   if (const std::string fault = driver_fault(*context); !fault.empty()) {
     throw Error(fmt::format("the driver {} ({}) {}", context->renderer(), context->backend(), fault));
@@ -71,7 +62,7 @@ std::string driver_fault(const gl::Context& context) {
              frame, facet_classes(part->geometry, frame.z, settings.tau_deg), settings.edge_thickness);
   std::size_t covered = 0, differing = 0;
   for (const bool plus : {false, true}) {
-    const std::vector<std::uint32_t> texels = read_map(context.functions(), drawn.maps(), plus);
+    const std::vector<std::uint32_t> texels = drawn.maps().read(plus);
     for (std::size_t i = 0; i < texels.size(); ++i) {
       covered += known.facets(plus)[i] != 0 ? 1 : 0;
       differing += known.facets(plus)[i] != texels[i] ? 1 : 0;

@@ -179,4 +179,13 @@ void ShadowMaps::bind(const gl::Program& program, int first_unit, int place) con
     program.set_texture("t_planes", first_unit + 2, GL_TEXTURE_BUFFER, part_->planes());
 }
 
+std::vector<std::uint32_t> ShadowMaps::read(bool plus) const {
+  const int size = settings_.resolution;
+  std::vector<std::uint32_t> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  tools_.gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer(plus));
+  tools_.gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  tools_.gl.ReadPixels(0, 0, size, size, GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
+  return texels;
+}
+
 }  // namespace moldlight

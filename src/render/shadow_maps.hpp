@@ -77,6 +77,8 @@ class ShadowMaps {
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// The map of the light at +d or at -d: R32UI, facet + 1, 0 for none.
   [[nodiscard]] GLuint framebuffer(bool plus) const { return places_.front().side(plus).framebuffer.name(); }
+  /// What is in there, rows from below. Waits for the GL.
+  [[nodiscard]] std::vector<std::uint32_t> read(bool plus) const;
   /// Of the +d map in layer 0, of the -d map in layer 1.
   [[nodiscard]] const gl::Texture& depths() const { return depths_; }
 

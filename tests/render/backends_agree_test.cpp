@@ -25,8 +25,8 @@ Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   settings.readout = Readout::samples;
   Drawn drawn;
   drawn.samples = classifier.classify(settings, Progress{});
-  drawn.plus = test::read_map(context->functions(), classifier.maps(), true);
-  drawn.minus = test::read_map(context->functions(), classifier.maps(), false);
+  drawn.plus = classifier.maps().read(true);
+  drawn.minus = classifier.maps().read(false);
   settings.readout = Readout::facet_id;
   drawn.facet_ids = classifier.classify(settings, Progress{});
   settings.readout = Readout::samples;

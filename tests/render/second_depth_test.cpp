@@ -111,8 +111,7 @@ bool BothMaps::is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t 
 BothMaps::Comparison BothMaps::compare() const {
   Comparison result;
   for (const bool plus : {true, false}) {
-    const std::vector<std::uint32_t> gl_map =
-        test::read_map(test::shared_context().functions(), classifier_.maps(), plus);
+    const std::vector<std::uint32_t> gl_map = classifier_.maps().read(plus);
     for (int y = 0; y < settings_.resolution; ++y) {
       for (int x = 0; x < settings_.resolution; ++x) {
         const std::uint32_t by_gl =

@@ -63,13 +63,12 @@ SampleCounts Counted::by_verdicts(const std::vector<std::uint8_t>& verdicts) con
 
 /// Area of the shadow, unit frame squared, by the texels of single maps that facets cover.
 double shadow_area(ShadowMaps& maps, const MapSubject& subject) {
-  const gl::Functions& gl = test::shared_context().functions();
   MapSettings bare = k_settings;
   bare.edge_thickness = 0.0;
   maps.draw(subject, bare);
   std::ptrdiff_t most = 0;
   for (const bool plus : {true, false}) {
-    const std::vector<std::uint32_t> texels = test::read_map(gl, maps, plus);
+    const std::vector<std::uint32_t> texels = maps.read(plus);
     most = std::max(most, std::count_if(texels.begin(), texels.end(), [](auto texel) { return texel != 0; }));
   }
   const double texel = 1.0 / bare.resolution;

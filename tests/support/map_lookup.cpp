@@ -70,14 +70,4 @@ std::uint8_t accessible_from(const ScannedMaps& maps, const glm::vec3& point, Fa
                                    (blocked_minus ? 0 : verdict::k_accessible_minus));
 }
 
-std::vector<std::uint32_t> read_map(const gl::Functions& gl, const ShadowMaps& maps, bool plus) {
-  const auto size = static_cast<std::size_t>(maps.settings().resolution);
-  std::vector<std::uint32_t> texels(size * size);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, maps.framebuffer(plus));
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, maps.settings().resolution, maps.settings().resolution, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                texels.data());
-  return texels;
-}
-
 }  // namespace moldlight::test

@@ -35,7 +35,4 @@ struct ScannedMaps {
 /// Verdict bits (mold/measure.hpp) of a surface point in the unit frame.
 [[nodiscard]] std::uint8_t accessible_from(const ScannedMaps& maps, const glm::vec3& point, FacetIndex facet);
 
-/// The GL's maps as they lie there: facet + 1, 0 for none, rows from below.
-[[nodiscard]] std::vector<std::uint32_t> read_map(const gl::Functions& gl, const ShadowMaps& maps, bool plus);
-
 }  // namespace moldlight::test
