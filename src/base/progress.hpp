@@ -19,6 +19,9 @@ class Progress {
 
   Progress() = default;
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
+  /// Is cancelled with `parent`, which must outlive it, and tells nobody: for work whose stages the user is
+  /// not to see.
+  explicit Progress(const Progress* parent) : parent_(parent) {}
 
   /// Throws Cancelled once cancel() was called; call it at least every 50 ms of work.
   void report(std::string_view stage, double fraction) const {
@@ -26,19 +29,14 @@ class Progress {
     if (listener_) listener_(stage, fraction);
   }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-  [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool cancelled() const {
+    return cancelled_.load(std::memory_order_relaxed) || (parent_ != nullptr && parent_->cancelled());
+  }
 
  private:
   Listener listener_;
+  const Progress* parent_ = nullptr;
   std::atomic<bool> cancelled_ = false;
 };
-
-/// Is cancelled with `parent` as far as report() goes, and tells nobody: for work whose stages the user is
-/// not to see. `parent` must outlive it.
-[[nodiscard]] inline Progress silent(const Progress& parent) {
-  return Progress([&parent](std::string_view, double) {
-    if (parent.cancelled()) throw Cancelled();
-  });
-}
 
 }  // namespace moldlight

@@ -29,7 +29,7 @@ class SweepClock {
     return progress_.cancelled();
   }
   /// For work that is given up when the sweep is cancelled, but not at the time limit.
-  [[nodiscard]] Progress until_cancelled() const { return silent(progress_); }
+  [[nodiscard]] Progress until_cancelled() const { return Progress(&progress_); }
   /// Work was left undone.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
   /// Reports without throwing when cancelled: a sweep ends by itself and keeps what it has.

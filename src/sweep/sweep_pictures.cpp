@@ -137,7 +137,7 @@ Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const Part
   for (std::size_t k = 0; k < shown; ++k) {
     const SweepCandidate& candidate = result.candidates[k];
     ContactTile tile = contact_tile(*model, candidate);
-    tile.picture = painter.draw(candidate.classification, still, silent(progress));
+    tile.picture = painter.draw(candidate.classification, still, Progress(&progress));
     sheet.tiles.push_back(std::move(tile));
   }
   return contact_sheet_picture(sheet, scale);

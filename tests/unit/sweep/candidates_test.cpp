@@ -212,7 +212,7 @@ TEST(FindCandidates, EndsBetweenSourcesWhenCancelled) {
       Cancelled);
   EXPECT_EQ(reports, 3);
   EXPECT_THROW(static_cast<void>(
-                   find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, silent(progress))),
+                   find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, Progress(&progress))),
                Cancelled);
   EXPECT_EQ(reports, 3) << "it tells nobody";
 }
