@@ -160,7 +160,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
       [&] { return sweep_table(*model, result); });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
+    if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }
   }
