@@ -34,7 +34,7 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
 }
 
 Classification classification_of(const PartModel& model, const MethodSettings& settings,
-                                 const ExactPart& part, ExactAreas found, const Stopwatch& stopwatch) {
+                                 const ExactPart& part, ExactAreas found) {
   const ExactQuery query = exact_query(model, settings);
   Classification result;
   result.settings = settings;
@@ -56,10 +56,11 @@ Classification classification_of(const PartModel& model, const MethodSettings& s
   result.uncertainty.mesh = mesh_doubt(part, found, model.adjacency, model.errors);
   result.facet_fractions = std::move(found.facet_fractions);
   add_warnings(model, part, result);
-  result.timings.load_ms = model.load_ms;
-  result.timings.regions_ms = stopwatch.elapsed_ms();
-  result.timings.total_ms = result.timings.load_ms + result.timings.regions_ms;
   return result;
+}
+
+Timings timings_of(const PartModel& model, double regions_ms) {
+  return {.load_ms = model.load_ms, .regions_ms = regions_ms, .total_ms = model.load_ms + regions_ms};
 }
 
 }  // namespace
@@ -76,7 +77,8 @@ Classification classify_exact(const PartModel& model, const MethodSettings& sett
   const Stopwatch stopwatch;
   const ExactPart& part = model.exact(progress);
   ExactSplit split = exact_split(part, exact_query(model, settings), progress);
-  Classification result = classification_of(model, settings, part, std::move(split.areas), stopwatch);
+  Classification result = classification_of(model, settings, part, std::move(split.areas));
+  result.timings = timings_of(model, stopwatch.elapsed_ms());
   result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
   return result;
 }
@@ -87,7 +89,9 @@ std::optional<Classification> classify_exact_within(const PartModel& model, cons
   const ExactPart& part = model.exact(progress);
   std::optional<ExactAreas> found = exact_areas_within(part, exact_query(model, settings), limit, progress);
   if (!found) return std::nullopt;
-  return classification_of(model, settings, part, std::move(*found), stopwatch);
+  Classification result = classification_of(model, settings, part, std::move(*found));
+  result.timings = timings_of(model, stopwatch.elapsed_ms());
+  return result;
 }
 
 }  // namespace moldlight

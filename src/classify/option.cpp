@@ -23,8 +23,7 @@ T parse_number(const GivenText& given, std::string_view kind) {
 }
 
 template <typename T>
-T in_range(T value, const GivenText& given, T min, T max, std::string_view more = "") {
-  if (value >= min && value <= max) return value;
+[[noreturn]] void out_of_range(const GivenText& given, T min, T max, std::string_view more = "") {
   throw UsageError(fmt::format("{}: {} is out of range, {} to {}{}", given.what, given.text, min, max, more));
 }
 
@@ -38,7 +37,9 @@ double parse_real(const GivenText& given) {
 }
 
 double parse_real(const GivenText& given, double min, double max) {
-  return in_range(parse_real(given), given, min, max);
+  const double value = parse_real(given);
+  if (value < min || value > max) out_of_range(given, min, max);
+  return value;
 }
 
 double parse_positive(const GivenText& given, double max) {
@@ -51,7 +52,9 @@ double parse_positive(const GivenText& given, double max) {
 
 int parse_integer(const GivenText& given, int min, int max, bool odd) {
   const int value = parse_number<int>(given, "a whole number");
-  return in_range(odd && value % 2 == 0 ? min - 1 : value, given, min, max, odd ? ", odd" : "");
+  if (value < min || value > max || (odd && value % 2 == 0))
+    out_of_range(given, min, max, odd ? ", odd" : "");
+  return value;
 }
 
 bool parse_switch(const GivenText& given) {

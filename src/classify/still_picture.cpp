@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,8 +34,9 @@ constexpr double k_margin = 28.0;       // around it at scale 1
 constexpr double k_fill = 0.86;
 constexpr int k_reduction = 8;  // of the pictures that tell what the part covers
 
-/// What a picture must find room for. Points are in the unit frame.
+/// What a picture must find room for, seen from where the camera looks. Points are in the unit frame.
 struct Composition {
+  Camera camera;
   glm::ivec2 size{0};
   std::optional<Box> legend;
   std::span<const glm::vec3> extremes;  // the part's outermost points
@@ -110,7 +112,7 @@ StillLayout still_layout(const glm::ivec2& size, const LegendContent* content) {
 
 /// The camera moved and zoomed so that the part is as large as it can be without running into the legend.
 /// Draws small pictures with `view` to find out.
-Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part, const Camera& camera,
+Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part,
                 const Composition& composition) {
   std::vector<glm::vec3> points(composition.extremes.begin(), composition.extremes.end());
   points.insert(points.end(), composition.beyond.begin(), composition.beyond.end());
@@ -122,7 +124,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
   plain.ambient_occlusion = plain.feature_edges = plain.arrows = false;
   plain.samples = 1;
   for (const Box& box : boxes) {
-    const Camera candidate = framed(camera, points, box, composition.size);
+    const Camera candidate = framed(composition.camera, points, box, composition.size);
     if (&box == &boxes.back()) return candidate;
     const Box forbidden = forbidden_box(*composition.legend);
     bool collides = false;
@@ -134,7 +136,7 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
     view.draw_final({small.framebuffer(), small_size}, {.part = part}, {candidate, plain});
     if (!part_covers(view, small_size, forbidden)) return candidate;
   }
-  return camera;
+  return composition.camera;
 }
 
 constexpr int k_samples = 32;
@@ -175,17 +177,28 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
   return content;
 }
 
-/// Says which half comes off along an arrow, where its tip is not behind the part.
-void label_arrow(Canvas& canvas, const PartView& view, const Camera& camera, const glm::ivec2& size,
-                 const PartingArrow& arrow, std::string_view label, const LegendStyle& style) {
-  const auto tip = project(camera, size, arrow.tip), tail = project(camera, size, arrow.tail);
-  if (!tip || !tail) return;
-  const auto seen = view.pick(glm::ivec2(*tip));
-  if (seen && glm::dot(glm::dvec3(seen->position) - arrow.tip, camera.toward_viewer()) > 0.0) return;
-  const glm::dvec2 along =
-      glm::distance(*tip, *tail) > 1.0 ? glm::normalize(*tip - *tail) : glm::dvec2(0, -1);
-  const glm::dvec2 room = tag_size(canvas, label, style);
-  draw_tag(canvas, *tip + along * (6.0 * style.scale + 0.5 * glm::dot(glm::abs(along), room)), label, style);
+/// The part as it is drawn now.
+struct DrawnPart {
+  const PartView& view;
+  const Camera& camera;
+  glm::ivec2 size;
+};
+
+/// Says which half comes off along which arrow, where its tip is not behind the part.
+void label_arrows(Canvas& canvas, const DrawnPart& part, const std::array<PartingArrow, 2>& arrows,
+                  const LegendStyle& style) {
+  for (const auto& [arrow, label] : {std::pair(arrows[0], "core"), std::pair(arrows[1], "cavity")}) {
+    const auto tip = project(part.camera, part.size, arrow.tip);
+    const auto tail = project(part.camera, part.size, arrow.tail);
+    if (!tip || !tail) continue;
+    const auto seen = part.view.pick(glm::ivec2(*tip));
+    if (seen && glm::dot(glm::dvec3(seen->position) - arrow.tip, part.camera.toward_viewer()) > 0.0) continue;
+    const glm::dvec2 along =
+        glm::distance(*tip, *tail) > 1.0 ? glm::normalize(*tip - *tail) : glm::dvec2(0, -1);
+    const glm::dvec2 room = tag_size(canvas, label, style);
+    draw_tag(canvas, *tip + along * (6.0 * style.scale + 0.5 * glm::dot(glm::abs(along), room)), label,
+             style);
+  }
 }
 
 }  // namespace
@@ -232,18 +245,15 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   view_settings.samples = k_samples;
   std::vector<glm::vec3> beyond;
   if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
-  camera = composed(context_->functions(), view_, maps_.buffers(), camera,
-                    {size, places.legend, geometry_.extremes, beyond});
+  camera = composed(context_->functions(), view_, maps_.buffers(),
+                    {camera, size, places.legend, geometry_.extremes, beyond});
   const gl::ColourTarget picture(context_->functions(), size);
   view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
 
   Canvas canvas({size.x, size.y, picture.read()});
   const LegendStyle style{
       .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
-  if (look.arrows && places.legend) {
-    label_arrow(canvas, view_, camera, size, arrows[0], "core", style);
-    label_arrow(canvas, view_, camera, size, arrows[1], "cavity", style);
-  }
+  if (look.arrows && places.legend) label_arrows(canvas, {view_, camera, size}, arrows, style);
   if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
   return canvas.image();
 }

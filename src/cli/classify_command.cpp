@@ -85,25 +85,30 @@ void add_classify_command(CLI::App& program, Request& request) {
   add_part_flags(*command, flags->part, request);
   add_method_flags(*command, flags->method, DirectionFlag::required);
   OutputPaths& files = flags->files;
-  add_file_flag(*command, "--facets", files.facets, "FILE.csv",
-                "Write a table of facets: area and share of each region");
-  add_file_flag(*command, "--faces", files.faces, "FILE.csv",
-                "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way");
-  add_file_flag(*command, "--mesh", files.mesh, "FILE.(" + extensions_text(mesh_formats()) + ")",
-                "Write the part, split at the borders of its exact regions (whatever the readout), each "
-                "facet in the colour of its region; in OBJ each region is a material");
-  add_file_flag(*command, "--split-dir", files.split_folder, "DIR",
-                "Write the split part to this folder, one STL a region; they meet at equal vertices");
+  add_file_flag(*command, files.facets,
+                {"--facets", "FILE.csv", "Write a table of facets: area and share of each region"});
+  add_file_flag(*command, files.faces,
+                {"--faces", "FILE.csv",
+                 "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way"});
+  add_file_flag(*command, files.mesh,
+                {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
+                 "Write the part, split at the borders of its exact regions (whatever the readout), each "
+                 "facet in the colour of its region; in OBJ each region is a material"});
+  add_file_flag(*command, files.split_folder,
+                {"--split-dir", "DIR",
+                 "Write the split part to this folder, one STL a region; they meet at equal vertices"});
   add_file_flag(
-      *command, "--borders", files.borders, "FILE.(" + extensions_text(border_formats()) + ")",
-      "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
-      "line a point");
+      *command, files.borders,
+      {"--borders", "FILE.(" + extensions_text(border_formats()) + ")",
+       "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
+       "line a point"});
   command->add_flag("--compare-maps", flags->compare_maps,
                     "Measure where the regions that the shadow maps show differ from the exact ones, by "
                     "--samples surface samples");
   CLI::Option* image = add_file_flag(
-      *command, "--image", flags->image, "FILE.png",
-      "Draw the part in the colours of its regions, with a legend, and write the picture to this file");
+      *command, flags->image,
+      {"--image", "FILE.png",
+       "Draw the part in the colours of its regions, with a legend, and write the picture to this file"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   // The palette is the meshes', too.
   for (CLI::Option* flag : add_still_flags(*command, flags->still))

@@ -14,24 +14,24 @@ constexpr std::size_t k_help_width = 104;
 
 }  // namespace
 
-CLI::Option* add_text_flag(CLI::App& command, const std::string& flag, const std::string& value,
-                           const std::string& help, std::function<void(const std::string&)> parse) {
-  return command.add_option_function<std::string>(flag, std::move(parse), help)->option_text(value);
+CLI::Option* add_text_flag(CLI::App& command, const FlagTexts& flag,
+                           std::function<void(const std::string&)> parse) {
+  return command.add_option_function<std::string>(flag.name, std::move(parse), flag.help)
+      ->option_text(flag.value);
 }
 
 CLI::Validator named() {
   return {[](std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, ""};
 }
 
-CLI::Option* add_file_flag(CLI::App& command, const std::string& flag, std::string& path,
-                           const std::string& value, const std::string& help) {
-  return command.add_option(flag, path, help)->option_text(value)->check(named());
+CLI::Option* add_file_flag(CLI::App& command, std::string& path, const FlagTexts& flag) {
+  return command.add_option(flag.name, path, flag.help)->option_text(flag.value)->check(named());
 }
 
 CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
                            const glm::ivec2& least) {
   return add_text_flag(
-      command, "--size", "WxH", fmt::format("{} [default {}x{}]", help, size.x, size.y),
+      command, {"--size", "WxH", fmt::format("{} [default {}x{}]", help, size.x, size.y)},
       [&size, least](const std::string& text) { size = parse_picture_size(text, "--size", least); });
 }
 
@@ -40,8 +40,8 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
       .add_option("PART", flags.part,
                   fmt::format("Part file: {}, known by its content", part_format_names(" or ")))
       ->required();
-  add_file_flag(command, "--json", flags.json, "FILE|-",
-                "Write the report as JSON; - for stdout, in place of the table");
+  add_file_flag(command, flags.json,
+                {"--json", "FILE|-", "Write the report as JSON; - for stdout, in place of the table"});
   add_option_flags(command, reading_options(), flags.reading);
   CLI::Option* quiet = command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);

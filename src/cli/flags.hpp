@@ -19,14 +19,18 @@ namespace moldlight::cli {
 
 // Values go into variables that outlive the command and hold the defaults.
 
-/// A flag whose text is parsed when the command line is; `value` stands for it in the help.
-CLI::Option* add_text_flag(CLI::App& command, const std::string& flag, const std::string& value,
-                           const std::string& help, std::function<void(const std::string&)> parse);
+struct FlagTexts {
+  std::string name;
+  std::string value;  // what stands for it in the help
+  std::string help;
+};
+/// A flag whose text is parsed when the command line is.
+CLI::Option* add_text_flag(CLI::App& command, const FlagTexts& flag,
+                           std::function<void(const std::string&)> parse);
 /// Refuses an empty name of a file or folder, such as a script's unset variable gives.
 [[nodiscard]] CLI::Validator named();
 /// A file or folder, named().
-CLI::Option* add_file_flag(CLI::App& command, const std::string& flag, std::string& path,
-                           const std::string& value, const std::string& help);
+CLI::Option* add_file_flag(CLI::App& command, std::string& path, const FlagTexts& flag);
 /// Adds --size; `least` is in pixels.
 CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
                            const glm::ivec2& least = glm::ivec2(k_least_picture_px));
@@ -94,7 +98,7 @@ CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& sett
     return command.add_flag(std::string(option.flag), settings.*is_switch->member, std::string(option.help));
   }
   CLI::Option* flag =
-      add_text_flag(command, std::string(option.flag), value_text(option), flag_help(option, settings),
+      add_text_flag(command, {std::string(option.flag), value_text(option), flag_help(option, settings)},
                     [&option, &settings](const std::string& text) {
                       if (text.empty()) throw UsageError(fmt::format("{}: the value is empty", option.flag));
                       set_option(option, settings, text);

@@ -160,7 +160,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
       [&] { return sweep_table(*model, result); });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    if (!write_sweep_pictures(flags.image_folder, *context, model, result, flags.still, progress)) {
+    if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }
   }
@@ -178,19 +178,22 @@ void add_sweep_command(CLI::App& program, Request& request) {
   SweepSettings& sweep = flags->sweep;
   add_part_flags(*command, flags->part, request);
   add_option_flags(*command, sweep_options(), sweep);
-  add_file_flag(*command, "--directions-file", flags->directions_file, "FILE.csv",
-                "Such directions from a file, a line a direction: x, y, z");
+  add_file_flag(
+      *command, flags->directions_file,
+      {"--directions-file", "FILE.csv", "Such directions from a file, a line a direction: x, y, z"});
   add_text_flag(
-      *command, "--fail-if-undercut", "AREA|PCT%",
-      "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
-      "per cent of its area",
+      *command,
+      {"--fail-if-undercut", "AREA|PCT%",
+       "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
+       "per cent of its area"},
       [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); });
-  add_file_flag(*command, "--csv", flags->csv, "FILE.csv",
-                "Write a table of every direction that was scored");
+  add_file_flag(*command, flags->csv,
+                {"--csv", "FILE.csv", "Write a table of every direction that was scored"});
   CLI::Option* pictures = add_file_flag(
-      *command, "--image-dir", flags->image_folder, "DIR",
-      "Write direction_sphere.png, a map of the undercut area over all directions, and contact_sheet.png, "
-      "the part with the best directions, to this folder; scores every direction to the end");
+      *command, flags->image_folder,
+      {"--image-dir", "DIR",
+       "Write direction_sphere.png, a map of the undercut area over all directions, and contact_sheet.png, "
+       "the part with the best directions, to this folder; scores every direction to the end"});
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);

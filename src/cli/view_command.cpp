@@ -84,8 +84,9 @@ void add_view_command(CLI::App& program, Request& request) {
   command->add_option("PART", flags->part,
                       "Part file, known by its content; without one the window asks for it");
   // Read before the other flags, which then change single settings of it.
-  add_text_flag(*command, "--settings", "FILE.json",
-                "Settings and bookmarks as the window saves them, or a JSON object of settings",
+  add_text_flag(*command,
+                {"--settings", "FILE.json",
+                 "Settings and bookmarks as the window saves them, or a JSON object of settings"},
                 [flags](const std::string& path) {
                   flags->notes = gui::parse_part_notes(read_whole(path), flags->notes);
                   flags->settings = path;
@@ -93,15 +94,15 @@ void add_view_command(CLI::App& program, Request& request) {
                 })
       ->check(named())
       ->trigger_on_parse();
-  add_file_flag(*command, "--screenshot", flags->screenshot, "OUT.png",
-                "Write the window's picture and open none; needs no display");
+  add_file_flag(*command, flags->screenshot,
+                {"--screenshot", "OUT.png", "Write the window's picture and open none; needs no display"});
   add_size_flag(*command, flags->size, "Size of that picture", k_least_size);
   command
       ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
       ->option_text("FACTOR")
       ->check(CLI::Range(0.5F, 4.0F));
-  add_file_flag(*command, "--script", flags->script, "EVENTS.json",
-                "Play these input events before the picture is taken");
+  add_file_flag(*command, flags->script,
+                {"--script", "EVENTS.json", "Play these input events before the picture is taken"});
   command->add_flag(
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "

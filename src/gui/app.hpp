@@ -69,7 +69,7 @@ class App {
   [[nodiscard]] const AppState& state() const { return state_; }
   /// Where the controls of the last frame are: a slider or switch by its label, a choice's word as
   /// "label=word".
-  [[nodiscard]] const std::map<std::string, ControlPlace, std::less<>>& controls() const {
+  [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
     return imgui_.controls();
   }
   /// True while pictures on the start page are still to come.

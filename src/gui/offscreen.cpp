@@ -106,7 +106,7 @@ void OffscreenWindow::feed_imgui() const {
   if (!typed_.empty()) io.AddInputCharactersUTF8(typed_.c_str());
 }
 
-ControlPlace OffscreenWindow::control(std::string_view name) const {
+ScreenBox OffscreenWindow::control(std::string_view name) const {
   const auto found = app_->controls().find(name);
   if (found == app_->controls().end())
     throw UsageError(fmt::format("there is no control '{}' to be seen", name));

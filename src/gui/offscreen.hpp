@@ -60,7 +60,7 @@ class OffscreenWindow {
   void wait_until_swept();
 
   /// The middle of a control (see App::controls). Throws UsageError where there is none of that name.
-  [[nodiscard]] ControlPlace control(std::string_view name) const;
+  [[nodiscard]] ScreenBox control(std::string_view name) const;
 
   /// RGBA8, rows from above, of the last frame.
   [[nodiscard]] std::vector<std::uint8_t> pixels() const { return target_->read(); }

@@ -55,7 +55,7 @@ glm::vec2 pair(const Json& json, double least = -k_farthest_px, double most = k_
 
 glm::vec2 place_of_control(const std::string& text, const OffscreenWindow& window) {
   const std::size_t at = text.rfind('@');
-  const ControlPlace control = window.control(text.substr(0, at));
+  const ScreenBox control = window.control(text.substr(0, at));
   if (at == std::string::npos) return control.centre();
   const double share = parse_real({text.substr(at + 1), "the share of a control's width"});
   return {glm::mix(control.min.x, control.max.x, static_cast<float>(share)), control.centre().y};

@@ -70,9 +70,7 @@ double draw_colour_bar(DesignSpace& at, double top, const UndercutField& field,
   return bar_top + k_bar_height + 32.0;
 }
 
-void draw_row(DesignSpace& at, double top, const SphereRow& row, const UndercutField& field,
-              bool with_reason) {
-  const double base = top + 17.0;
+void draw_row(DesignSpace& at, double base, const SphereRow& row, const UndercutField& field) {
   const Colour colour = undercut_scale_colour(undercut_scale(row.undercut, field.worst));
   const FontWeight weight = row.mark.best ? FontWeight::semibold : FontWeight::medium;
   at.text({k_number_right, base}, row.number, at.figure(Align::right, weight));
@@ -87,8 +85,6 @@ void draw_row(DesignSpace& at, double top, const SphereRow& row, const UndercutF
     at.text({k_figure_right[k], base}, row.figures[k],
             k == 0 ? at.figure(Align::right, weight) : at.figure(Align::right));
   }
-  if (!with_reason) return;
-  at.fitting({k_reason_left, base + 18.0}, row.reasons, at.small(Align::left), k_right - k_reason_left);
 }
 
 void draw_table(DesignSpace& at, double top, const UndercutField& field, const SphereContent& content) {
@@ -105,7 +101,11 @@ void draw_table(DesignSpace& at, double top, const UndercutField& field, const S
   y += 4.0;
   const std::size_t shown = std::min(content.rows.size(), tall ? k_tall_rows : k_short_rows);
   for (std::size_t k = 0; k < shown; ++k) {
-    draw_row(at, y, content.rows[k], field, tall);
+    const SphereRow& row = content.rows[k];
+    const double base = y + 17.0;
+    draw_row(at, base, row, field);
+    if (tall)
+      at.fitting({k_reason_left, base + 18.0}, row.reasons, at.small(Align::left), k_right - k_reason_left);
     y += tall ? k_row : k_short_row;
   }
   if (shown < content.rows.size()) {

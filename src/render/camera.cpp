@@ -24,12 +24,6 @@ double half_tangent(const Camera& camera) { return std::tan(0.5 * glm::radians(c
 
 double aspect(const glm::ivec2& size) { return static_cast<double>(size.x) / size.y; }
 
-/// The pixel's place in the target's plane, from the target, in the picture's axes.
-glm::dvec2 plane_position(const Camera& camera, const glm::ivec2& size, const glm::dvec2& pixel) {
-  const double length = pixel_length(camera, size);
-  return {(pixel.x - 0.5 * size.x) * length, (0.5 * size.y - pixel.y) * length};
-}
-
 Camera turned(Camera camera, const glm::dquat& turn, const glm::dvec3& pivot) {
   camera.orientation = glm::normalize(turn * camera.orientation);
   camera.target = pivot + turn * (camera.target - pivot);
@@ -72,13 +66,6 @@ glm::dmat4 projection_matrix(const Camera& camera, const glm::ivec2& size, const
     projection[2][1] -= shift_y;
   }
   return projection;
-}
-
-SightLine sight_line(const Camera& camera, const glm::ivec2& size, const glm::dvec2& pixel) {
-  const glm::dvec2 at = plane_position(camera, size, pixel);
-  const glm::dvec3 aside = at.x * camera.right() + at.y * camera.up();
-  if (camera.projection == Projection::orthographic) return {camera.eye() + aside, -camera.toward_viewer()};
-  return {camera.eye(), glm::normalize(aside - camera.eye_distance() * camera.toward_viewer())};
 }
 
 std::optional<glm::dvec2> project(const Camera& camera, const glm::ivec2& size, const glm::dvec3& point) {
@@ -168,9 +155,9 @@ Camera panned(Camera camera, const glm::dvec2& by_px, const glm::ivec2& size) {
 Camera zoomed(Camera camera, double factor, const glm::dvec2& pixel, const glm::ivec2& size) {
   CHECK(factor > 0.0);
   const double height = std::clamp(camera.height / factor, k_min_height, k_max_height);
-  const glm::dvec2 under = plane_position(camera, size, pixel);
+  const glm::dvec2 under = pixel_length(camera, size) * (pixel - 0.5 * glm::dvec2(size));
   const double kept = 1.0 - height / camera.height;
-  camera.target += kept * (under.x * camera.right() + under.y * camera.up());
+  camera.target += kept * (under.x * camera.right() - under.y * camera.up());
   camera.height = height;
   return camera;
 }

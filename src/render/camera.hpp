@@ -47,12 +47,6 @@ struct DepthRange {
 /// down.
 [[nodiscard]] glm::dmat4 projection_matrix(const Camera& camera, const glm::ivec2& size,
                                            const glm::dvec2& shift_px = glm::dvec2(0.0));
-
-/// A line of sight; `direction` is a unit vector away from the viewer.
-struct SightLine {
-  glm::dvec3 origin{0.0}, direction{0, 0, -1};
-};
-[[nodiscard]] SightLine sight_line(const Camera& camera, const glm::ivec2& size, const glm::dvec2& pixel);
 /// Pixel at which a point is seen; nothing for a point behind the eye.
 [[nodiscard]] std::optional<glm::dvec2> project(const Camera& camera, const glm::ivec2& size,
                                                 const glm::dvec3& point);

@@ -70,7 +70,7 @@ SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
     const FacetClass own = counted(classes_[sample.facet]);
     if (own == classes_[sample.facet]) continue;
     const glm::dvec3& normal = model.geometry.normals[sample.facet];
-    sample_rays_.add(0, sample.position, normal, own, glm::dot(normal, direction));
+    sample_rays_.add(0, sample.position, normal, own);
   }
   sample_rays_.ask(model.rays());
   SampleCounts counts;

@@ -59,8 +59,7 @@ void ListingLimit::add(const glm::dvec3& direction, double pessimistic_undercut)
 
 std::vector<Contender> contenders_to_list(const DirectionRating& rating,
                                           std::span<const Contender> contenders,
-                                          std::span<const std::size_t> order, std::size_t most,
-                                          const ListingRules& rules) {
+                                          std::span<const std::size_t> order, const ListingRules& rules) {
   std::vector<Contender> listed;
   for (const std::size_t i : order) {
     const Contender& contender = contenders[i];
@@ -74,7 +73,7 @@ std::vector<Contender> contenders_to_list(const DirectionRating& rating,
       if (here == Relation::hidden) break;
     }
     if (!contender.candidate.from_user() && found == Relation::same) add_sources(contender, *better);
-    const bool free = found == Relation::apart && listed.size() < most;
+    const bool free = found == Relation::apart && listed.size() < rules.most;
     if (free || contender.candidate.from_user()) listed.push_back(contender);
   }
   return listed;

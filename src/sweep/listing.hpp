@@ -36,20 +36,21 @@ class ListingLimit {
   std::vector<Scored> below_;  // what may still matter, by undercut
 };
 
-/// How close contenders are told from each other.
+/// How many contenders are listed, and how close they are told from each other.
 struct ListingRules {
+  std::size_t most = 1;
   double apart_deg = 3.0;
   /// Nothing that may still prove better is dropped; for scores that are not final.
   bool tentative = false;
 };
 
-/// The contenders of `order` (best first) that stand for themselves, `most` of them at most and those of the
-/// user in any case. A contender is hidden by a better one within `apart_deg` that it is surely worse than;
-/// unless tentative, also by one that it ties with, if it does not come from a feature of the part or is
-/// within 0.1 degrees: then what speaks for it speaks for the better one, which gets its sources.
+/// The contenders of `order` (best first) that stand for themselves, as many as the rules allow and those of
+/// the user in any case. A contender is hidden by a better one within `apart_deg` that it is surely worse
+/// than; unless tentative, also by one that it ties with, if it does not come from a feature of the part or
+/// is within 0.1 degrees: then what speaks for it speaks for the better one, which gets its sources.
 [[nodiscard]] std::vector<Contender> contenders_to_list(const DirectionRating& rating,
                                                         std::span<const Contender> contenders,
-                                                        std::span<const std::size_t> order, std::size_t most,
+                                                        std::span<const std::size_t> order,
                                                         const ListingRules& rules);
 
 }  // namespace moldlight

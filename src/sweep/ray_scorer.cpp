@@ -34,8 +34,7 @@ void RayScorer::ask(std::size_t first, std::size_t step, const glm::dvec3& direc
   for (std::size_t i = first; i < samples.size(); i += step) {
     const SurfaceSample& sample = samples[i];
     const glm::dvec3& normal = part_.geometry.normals[sample.facet];
-    const double sine = glm::dot(normal, direction);
-    sample_rays_.add(i, sample.position, normal, facet_class(sine, sine_of_tau_), sine);
+    sample_rays_.add(i, sample.position, normal, facet_class(glm::dot(normal, direction), sine_of_tau_));
   }
   sample_rays_.ask(part_.rays);
 }

@@ -1,5 +1,7 @@
 #include "sweep/sample_rays.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace moldlight {
 
 namespace {
@@ -16,13 +18,13 @@ void SampleRays::begin(const AccessibilityQuery& query) {
 }
 
 void SampleRays::add(std::size_t number, const glm::vec3& position, const glm::dvec3& normal,
-                     FacetClass facet_class, double facing) {
+                     FacetClass facet_class) {
   const bool beside = facet_class == FacetClass::near_vertical;
   Queue& queue = beside ? beside_ : facet_class == FacetClass::up ? up_ : down_;
   queue.numbers.push_back(number);
   queue.origins.push_back(beside ? lateral_point(position, normal, query_)
                                  : position + k_start_above * glm::vec3(normal));
-  queue.facing.push_back(static_cast<float>(facing));
+  queue.facing.push_back(static_cast<float>(glm::dot(normal, query_.direction)));
 }
 
 void SampleRays::ask(const ExactRays& rays) {

@@ -20,9 +20,8 @@ class SampleRays {
  public:
   /// Forgets all samples; those that follow are for this query's direction.
   void begin(const AccessibilityQuery& query);
-  /// A sample at `position` (unit frame) on a facet of this class with this normal; `facing` is its n . d.
-  void add(std::size_t number, const glm::vec3& position, const glm::dvec3& normal, FacetClass facet_class,
-           double facing);
+  /// A sample at `position` (unit frame) on a facet of this class with this normal.
+  void add(std::size_t number, const glm::vec3& position, const glm::dvec3& normal, FacetClass facet_class);
   /// Asks for all of them.
   void ask(const ExactRays& rays);
 

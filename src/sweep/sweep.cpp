@@ -122,8 +122,7 @@ void SweepRun::score_candidates() {
       (void)model_.exact(clock_.until_cancelled());
       (void)model_.rays();
     });
-    candidates = find_candidates(model_.part.mesh, model_.geometry, model_.adjacency, options,
-                                 clock_.until_cancelled());
+    candidates = find_candidates(model_, options, clock_.until_cancelled());
     prepared.get();
   } catch (const Cancelled&) {
     return;
@@ -197,14 +196,15 @@ void SweepRun::refine() {
 /// the last listed. Where more than a few times the list tie, those that the tie's order puts first are kept.
 void SweepRun::keep_contenders() {
   const double limit = listing_limit();
-  const std::size_t before = contenders_.size(), most = k_contenders_per_listed * top();
+  const std::size_t before = contenders_.size();
   std::vector<std::size_t> possible;
   for (const std::size_t i : contender_order()) {
     if (contenders_[i].candidate.from_user() || contenders_[i].score.optimistic() <= limit)
       possible.push_back(i);
   }
-  const ListingRules rules{.apart_deg = settings_.apart_deg, .tentative = true};
-  contenders_ = contenders_to_list(rating_, contenders_, possible, most, rules);
+  const ListingRules rules{
+      .most = k_contenders_per_listed * top(), .apart_deg = settings_.apart_deg, .tentative = true};
+  contenders_ = contenders_to_list(rating_, contenders_, possible, rules);
   result_.skipped = before - contenders_.size();
 }
 
@@ -331,8 +331,8 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
 }
 
 void SweepRun::list() {
-  std::vector<Contender> listed =
-      contenders_to_list(rating_, contenders_, contender_order(), top(), {.apart_deg = settings_.apart_deg});
+  std::vector<Contender> listed = contenders_to_list(rating_, contenders_, contender_order(),
+                                                     {.most = top(), .apart_deg = settings_.apart_deg});
   if (clock_.stopped() && !clock_.cancelled())
     std::erase_if(listed, [](const Contender& contender) { return !contender.measured; });
   const bool all_measured =

@@ -110,22 +110,25 @@ double scale_of(const StillSettings& settings) {
   return std::min(settings.size.x / k_full_scale_px.x, settings.size.y / k_full_scale_px.y);
 }
 
-}  // namespace
-
+/// Undercut area over the half-sphere, interpolated from every direction that was scored, with the listed
+/// directions marked. Only size and theme of the settings count.
 Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, const StillSettings& settings) {
   return direction_sphere_picture(settings.size, undercut_field(result), sphere_content(model, result),
                                   settings.theme == Theme::dark);
 }
 
-Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const PartModel> model,
-                          const SweepResult& result, const StillSettings& settings,
+/// The part's regions for each of the best directions with their figures. View, look and regions of the
+/// settings count, and the scale that their size stands for. Every tile wants its regions computed, which
+/// takes a second for millions of facets. Throws Cancelled.
+Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& settings,
                           const Progress& progress) {
+  const SweepResult& result = sweep.result;
   const double scale = scale_of(settings);
   StillSettings still = settings;
   still.legend = false;
   still.size = glm::max(glm::ivec2(glm::round(scale * glm::dvec2(k_tile_width, k_tile_height))), 16);
   const std::size_t shown = std::min(result.candidates.size(), k_most_tiles);
-  ContactSheet sheet{.title = part_name(model->part),
+  ContactSheet sheet{.title = part_name(sweep.model->part),
                      .dark = settings.theme == Theme::dark,
                      .palette = settings.look.palette};
   sheet.line = shown == 0
@@ -133,28 +136,28 @@ Image sweep_contact_sheet(const gl::Context& context, std::shared_ptr<const Part
                    : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",
                                  counted(shown, "parting direction"), result.evaluated.size(),
                                  result.complete ? "" : ", not complete");
-  StillPainter painter(context, model);
+  StillPainter painter(sweep.context, sweep.model);
   for (std::size_t k = 0; k < shown; ++k) {
     const SweepCandidate& candidate = result.candidates[k];
-    ContactTile tile = contact_tile(*model, candidate);
+    ContactTile tile = contact_tile(*sweep.model, candidate);
     tile.picture = painter.draw(candidate.classification, still, Progress(&progress));
     sheet.tiles.push_back(std::move(tile));
   }
   return contact_sheet_picture(sheet, scale);
 }
 
-bool write_sweep_pictures(const std::string& folder, const gl::Context& context,
-                          std::shared_ptr<const PartModel> model, const SweepResult& result,
-                          const StillSettings& settings, const Progress& progress) {
+}  // namespace
+
+bool write_sweep_pictures(const PicturedSweep& sweep, const StillSettings& settings,
+                          const std::string& folder, const Progress& progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
   const std::filesystem::path there(folder);
-  write_png((there / k_sphere_picture).string(), sweep_sphere_picture(*model, result, settings));
+  write_png((there / k_sphere_picture).string(), sweep_sphere_picture(*sweep.model, sweep.result, settings));
   try {
     if (progress.cancelled()) return false;
-    write_png((there / k_contact_sheet).string(),
-              sweep_contact_sheet(context, std::move(model), result, settings, progress));
+    write_png((there / k_contact_sheet).string(), sweep_contact_sheet(sweep, settings, progress));
   } catch (const Cancelled&) {
     return false;
   }

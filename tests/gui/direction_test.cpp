@@ -76,7 +76,7 @@ TEST_F(WindowWithPart, CtrlSnapsToTheNearestFromAnywhere) {
 }
 
 TEST_F(WindowWithPart, TheBallTurnsTheDirection) {
-  const ControlPlace ball = window.control("ball");
+  const ScreenBox ball = window.control("ball");
   drag(ball.centre(), ball.centre() + glm::vec2(10, 0));
   // From the ball's middle towards the viewer, turned to the right.
   const glm::dvec3 seen = glm::conjugate(state().camera.orientation) * method().direction;

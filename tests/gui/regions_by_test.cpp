@@ -55,7 +55,7 @@ TEST_F(RegionsAre, SwitchedInThePanelAndInTheLegend) {
 TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
   const std::vector<std::uint8_t> exact = window.pixels();
   // Maps so coarse that they show; the picture changes while the slider is still held.
-  const ControlPlace place = window.control("Map resolution");
+  const ScreenBox place = window.control("Map resolution");
   drag(place.centre(), {place.min.x, place.centre().y}, false);
   EXPECT_GT(differing(exact), 500U);
   window.set_button(0, false);
@@ -102,7 +102,7 @@ class MapsAreCompared : public RegionsAre {
   [[nodiscard]] bool is_shown() { return window.app().controls().contains("map comparison"); }
   /// Holds a slider at a share of its width, without letting go.
   void hold(const std::string& control, float share) {
-    const ControlPlace place = window.control(control);
+    const ScreenBox place = window.control(control);
     drag(place.centre(), {glm::mix(place.min.x, place.max.x, share), place.centre().y}, false);
   }
 };

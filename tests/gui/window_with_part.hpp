@@ -62,7 +62,7 @@ class WindowWithPart : public ::testing::Test {
   }
   /// Drags a slider to a share of its width.
   void slide(const std::string& control, float share) {
-    const ControlPlace place = window.control(control);
+    const ScreenBox place = window.control(control);
     drag(place.centre(), {glm::mix(place.min.x, place.max.x, share), place.centre().y});
   }
   void key(const KeyPress& press) {

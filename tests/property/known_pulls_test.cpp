@@ -45,8 +45,7 @@ double nearest_deg(const TriangleMesh& mesh, const glm::dvec3& pull) {
                                                CandidateKind::perpendicular, CandidateKind::hull,
                                                CandidateKind::principal}};
   double nearest = 90.0;
-  for (const Candidate& candidate :
-       find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), shape_alone, Progress())) {
+  for (const Candidate& candidate : find_candidates(*test::model_of(mesh), shape_alone, Progress())) {
     nearest = std::min(nearest, line_angle_deg(candidate.direction, pull));
   }
   return nearest;

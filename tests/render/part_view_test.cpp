@@ -10,6 +10,7 @@
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
+#include "support/sight_line.hpp"
 
 namespace moldlight {
 namespace {
@@ -46,7 +47,7 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
     for (int x = 0; x < size.x; ++x) {
       const std::size_t pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      const SightLine line = sight_line(camera, size, {x + 0.5, size.y - row - 0.5});
+      const test::SightLine line = test::sight_line(camera, size, {x + 0.5, size.y - row - 0.5});
       const auto hit = model.rays().first_hit(glm::vec3(line.origin), glm::vec3(line.direction), true);
       if (facets[pixel] == 0) {
         errors.facet += hit ? 1.0 : 0.0;

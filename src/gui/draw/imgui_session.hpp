@@ -29,7 +29,7 @@ class ImguiSession {
   void draw();
   /// When the controls want the next frame at the latest; infinity for not at all.
   /// Where the controls of the last frame are, by label.
-  [[nodiscard]] const std::map<std::string, ControlPlace, std::less<>>& controls() const {
+  [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
     return memory_.controls;
   }
   [[nodiscard]] double wake_s() const { return memory_.wake_s; }

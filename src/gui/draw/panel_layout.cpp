@@ -137,8 +137,8 @@ void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = each.min.y + 0.5F * ui.px(k_title_height);
   list.PushClipRect(im(each.min), im(each.max));
-  draw_text(list, ui.fonts.strong, {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size},
-            ui.colours->text, each.place.name);
+  draw_text(list, {ui.fonts.strong, ui.colours->text},
+            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.place.name);
   const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);

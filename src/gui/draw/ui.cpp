@@ -13,15 +13,14 @@ glm::vec2 text_size(const SizedFont& font, std::string_view text) {
   return {std::ceil(size.x), size.y};
 }
 
-void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU32 colour,
-               std::string_view text) {
+void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text) {
   if (text.empty()) return;
-  list.AddText(font.font, font.size, ImVec2(std::round(at.x), std::round(at.y)), colour, text.data(),
-               text.data() + text.size());
+  list.AddText(lettering.font.font, lettering.font.size, ImVec2(std::round(at.x), std::round(at.y)),
+               lettering.colour, text.data(), text.data() + text.size());
 }
 
-void draw_text_to(const SizedFont& font, float right, float top, ImU32 colour, std::string_view text) {
-  draw_text(*ImGui::GetWindowDrawList(), font, {right - text_size(font, text).x, top}, colour, text);
+void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text) {
+  draw_text(*ImGui::GetWindowDrawList(), lettering, {right - text_size(lettering.font, text).x, top}, text);
 }
 
 std::string grouped(std::string_view number) {

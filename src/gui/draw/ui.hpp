@@ -19,8 +19,8 @@
 
 namespace moldlight::gui {
 
-/// Where a control was drawn, pixels.
-struct ControlPlace {
+/// Where something is drawn, pixels.
+struct ScreenBox {
   glm::vec2 min{0.0F}, max{0.0F};
   [[nodiscard]] glm::vec2 centre() const { return 0.5F * (min + max); }
 };
@@ -33,7 +33,7 @@ struct UiMemory {
   ImGuiID resting_on = 0;  // the item on which the mouse rests
   double resting_since_s = 0.0;
   double wake_s = std::numeric_limits<double>::infinity();  // when the next frame is wanted at the latest
-  std::map<std::string, ControlPlace, std::less<>>
+  std::map<std::string, ScreenBox, std::less<>>
       controls;  // of this frame, by label: recorded input finds them
 };
 
@@ -82,13 +82,17 @@ class FontScope {
   FontScope& operator=(const FontScope&) = delete;
 };
 
+/// A font, and the colour that it is written in.
+struct Lettering {
+  SizedFont font;
+  ImU32 colour = 0;
+};
 /// Size of a text in a font, pixels.
 [[nodiscard]] glm::vec2 text_size(const SizedFont& font, std::string_view text);
 /// Draws a text with its upper left corner there.
-void draw_text(ImDrawList& list, const SizedFont& font, const glm::vec2& at, ImU32 colour,
-               std::string_view text);
+void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text);
 /// The same into the window that is open, ending at `right`.
-void draw_text_to(const SizedFont& font, float right, float top, ImU32 colour, std::string_view text);
+void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text);
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);
 /// Shortened in its middle to fit a width in pixels.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,25 +41,24 @@ ImU32 field_colour(const Ui& ui, const Row& row) {
   return row.active ? ui.colours->field_active : row.hovered ? ui.colours->field_hovered : ui.colours->field;
 }
 
-void draw_row_text(const SizedFont& font, float left, const Row& row, ImU32 colour, std::string_view text) {
-  draw_text(*ImGui::GetWindowDrawList(), font, {left, row.middle() - 0.5F * font.size}, colour, text);
+void draw_row_text(const Lettering& lettering, float left, const Row& row, std::string_view text) {
+  draw_text(*ImGui::GetWindowDrawList(), lettering, {left, row.middle() - 0.5F * lettering.font.size}, text);
 }
 
-/// The label; a changed setting has a dot before it, which tells where a reset does something.
-void draw_label(const Ui& ui, const Row& row, std::string_view label, bool modified) {
-  const std::string_view shown = label.substr(0, label.find("##"));
+void draw_label(const Ui& ui, const Row& row, const RowLabel& label) {
+  const std::string_view shown = label.text.substr(0, label.text.find("##"));
   float left = row.min.x + ui.px(8);
-  if (modified) {
+  if (label.modified) {
     ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(left + ui.px(2), row.middle()), 2.5F * ui.scale,
                                                 ui.colours->text);
     left += ui.px(9);
   }
-  draw_row_text(ui.fonts.body, left, row, modified ? ui.colours->text : ui.colours->muted, shown);
+  draw_row_text({ui.fonts.body, label.modified ? ui.colours->text : ui.colours->muted}, left, row, shown);
 }
 
 void draw_value(const Ui& ui, const Row& row, std::string_view text) {
-  draw_row_text(ui.fonts.body, row.max.x - ui.px(8) - text_size(ui.fonts.body, text).x, row, ui.colours->text,
-                text);
+  draw_row_text({ui.fonts.body, ui.colours->text}, row.max.x - ui.px(8) - text_size(ui.fonts.body, text).x,
+                row, text);
 }
 
 double snapped(double value, const SliderSpec& spec) {
@@ -88,8 +87,8 @@ void start_typing(UiMemory& memory, ImGuiID id, const std::string& text) {
   std::snprintf(memory.typed.data(), memory.typed.size(), "%s", text.c_str());
 }
 
-/// The typed field in place of a row; true when another number was entered, which is brought into the range.
-bool typed_row(const Ui& ui, ImGuiID id, float width, double& value, double min, double max) {
+/// The typed field in place of a row; gives the number once it was entered.
+std::optional<double> typed_row(const Ui& ui, ImGuiID id, float width) {
   UiMemory& memory = *ui.memory;
   ImGui::SetNextItemWidth(width);
   if (memory.typing_starts) ImGui::SetKeyboardFocusHere();
@@ -103,15 +102,14 @@ bool typed_row(const Ui& ui, ImGuiID id, float width, double& value, double min,
   ImGui::PopID();
   ImGui::PopStyleVar();
   memory.typing_starts = false;
-  if (!entered && !left) return false;
+  if (!entered && !left) return std::nullopt;
   memory.typing_id = 0;
   const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
-  if (given_up) return false;
+  if (given_up) return std::nullopt;
   try {
-    const double typed = std::clamp(parse_real({memory.typed.data(), "value"}), min, max);
-    return std::exchange(value, typed) != typed;
+    return parse_real({memory.typed.data(), "value"});
   } catch (const UsageError&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -122,13 +120,16 @@ bool wants_typing() {
 
 }  // namespace
 
-bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified) {
-  const std::string id_text(label);
+bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec& spec) {
+  const std::string id_text(label.text);
   const ImGuiID id = ImGui::GetID(id_text.c_str());
-  if (ui.memory->typing_id == id)
-    return typed_row(ui, id, ImGui::GetContentRegionAvail().x, value, spec.min, spec.max);
-  const Row row = begin_row(ui, label);
   const double before = value;
+  if (ui.memory->typing_id == id) {
+    const auto typed = typed_row(ui, id, ImGui::GetContentRegionAvail().x);
+    if (typed) value = std::clamp(*typed, spec.min, spec.max);
+    return value != before;
+  }
+  const Row row = begin_row(ui, label.text);
   if (wants_typing()) {
     start_typing(*ui.memory, id, real_text(value));
   } else if (row.active) {
@@ -150,7 +151,7 @@ bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpe
     list.AddRectFilled(ImVec2(x - ui.px(1), row.min.y + ui.px(6)), ImVec2(x + ui.px(1), row.max.y - ui.px(6)),
                        ui.colours->accent, ui.px(1));
   }
-  draw_label(ui, row, label, modified);
+  draw_label(ui, row, label);
   draw_value(ui, row, spec.text(value));
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   return value != before;
@@ -159,25 +160,25 @@ bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpe
 bool number_field(const Ui& ui, const char* id_text, double& value, const NumberSpec& spec) {
   const ImGuiID id = ImGui::GetID(id_text);
   if (ui.memory->typing_id == id) {
-    constexpr double k_greatest = std::numeric_limits<double>::max();
-    return typed_row(ui, id, spec.width, value, -k_greatest, k_greatest);
+    const auto typed = typed_row(ui, id, spec.width);
+    return typed && std::exchange(value, *typed) != *typed;
   }
   const Row row = begin_row(ui, id_text, spec.width);
   if (row.clicked) start_typing(*ui.memory, id, real_text(value));
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
-  draw_row_text(ui.fonts.body, row.min.x + ui.px(8), row, ui.colours->muted, spec.label);
+  draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row, spec.label);
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
   draw_value(ui, row, fmt::format("{:.{}f}", shown, spec.decimals));
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
 }
 
-bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified) {
-  const Row row = begin_row(ui, label);
+bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
+  const Row row = begin_row(ui, label.text);
   if (row.clicked) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (row.hovered) list.AddRectFilled(im(row.min), im(row.max), ui.colours->field, ui.px(6));
-  draw_label(ui, row, label, modified);
+  draw_label(ui, row, label);
   const float height = ui.px(14), width = ui.px(24);
   const glm::vec2 min(row.max.x - ui.px(8) - width, std::round(row.middle() - 0.5F * height));
   list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height),
@@ -189,9 +190,8 @@ bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified) {
   return row.clicked;
 }
 
-bool choice(const Ui& ui, std::string_view label, std::span<const std::string_view> words, int& index,
-            bool modified) {
-  ImGui::PushID(label.data(), label.data() + label.size());
+bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_view> words, int& index) {
+  ImGui::PushID(label.text.data(), label.text.data() + label.text.size());
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
   std::vector<float> widths;
@@ -203,7 +203,7 @@ bool choice(const Ui& ui, std::string_view label, std::span<const std::string_vi
   const glm::vec2 box_min(start.x + width - total, start.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   Row label_row{.min = start, .max = start + glm::vec2(width, height)};
-  draw_label(ui, label_row, label, modified);
+  draw_label(ui, label_row, label);
   list.AddRectFilled(im(box_min), im(label_row.max), ui.colours->field, ui.px(6));
   bool changed = false;
   float left = box_min.x;
@@ -220,9 +220,9 @@ bool choice(const Ui& ui, std::string_view label, std::span<const std::string_vi
       list.AddRectFilled(im(min + inset), im(max - inset),
                          chosen ? ui.colours->accent : ui.colours->field_hovered, ui.px(4));
     }
-    draw_text(list, ui.fonts.body, {left + ui.px(6), start.y + 0.5F * (height - ui.fonts.body.size)},
-              chosen ? ui.colours->on_accent : ui.colours->text, words[k]);
-    ui.memory->controls[fmt::format("{}={}", label, words[k])] = {min, max};
+    draw_text(list, {ui.fonts.body, chosen ? ui.colours->on_accent : ui.colours->text},
+              {left + ui.px(6), start.y + 0.5F * (height - ui.fonts.body.size)}, words[k]);
+    ui.memory->controls[fmt::format("{}={}", label.text, words[k])] = {min, max};
     if (clicked && !chosen) {
       index = static_cast<int>(k);
       changed = true;
@@ -242,19 +242,19 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   const bool filled = spec.strong || spec.chosen;
   const ImU32 back = filled ? faded(ui.colours->accent, row.hovered ? 0.85F : 1.0F) : field_colour(ui, row);
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
-  draw_row_text(ui.fonts.body, 0.5F * (row.min.x + row.max.x - text_width), row,
-                filled ? ui.colours->on_accent : ui.colours->text, shown);
+  draw_row_text({ui.fonts.body, filled ? ui.colours->on_accent : ui.colours->text},
+                0.5F * (row.min.x + row.max.x - text_width), row, shown);
   return row.clicked;
 }
 
-bool icon_button(const Ui& ui, const char* id, Icon icon, std::string_view tip, bool chosen) {
-  const Row row = begin_row(ui, id, ui.px(k_row_height));
-  if (row.hovered || chosen) {
+bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
+  const Row row = begin_row(ui, spec.id, ui.px(k_row_height));
+  if (row.hovered || spec.chosen) {
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   }
-  draw_icon(*ImGui::GetWindowDrawList(), icon, 0.5F * (row.min + row.max), ui.px(14),
+  draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.min + row.max), ui.px(14),
             row.hovered ? ui.colours->text : ui.colours->muted);
-  tooltip(ui, {}, tip);
+  tooltip(ui, {}, spec.tip);
   return row.clicked;
 }
 
@@ -266,7 +266,7 @@ bool chip(const Ui& ui, std::string_view label, bool on, float width) {
     list.AddRectFilled(im(row.min), im(row.max), on ? ui.colours->field_active : ui.colours->field, rounding);
   }
   if (!on) list.AddRect(im(row.min), im(row.max), ui.colours->line, rounding);
-  draw_row_text(ui.fonts.body, row.min.x + ui.px(9), row, on ? ui.colours->text : ui.colours->muted, label);
+  draw_row_text({ui.fonts.body, on ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(9), row, label);
   return row.clicked;
 }
 
@@ -291,7 +291,7 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 bool disclosure(const Ui& ui, std::string_view label, bool open) {
   const Row row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
-  draw_row_text(ui.fonts.small, row.min.x + ui.px(8), row, colour, label);
+  draw_row_text({ui.fonts.small, colour}, row.min.x + ui.px(8), row, label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const glm::vec2 at(row.min.x + ui.px(16) + text_size(ui.fonts.small, label).x, row.middle());
   const float half = ui.px(3), lift = (open ? -0.5F : 0.5F) * half;
@@ -363,18 +363,17 @@ void coloured_text(ImU32 colour, std::string_view text) {
   ImGui::PopStyleColor();
 }
 
-void row_text(const Ui& ui, const SizedFont& font, float width, ImU32 colour, std::string_view text) {
+void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
   const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
   ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
-  draw_text(*ImGui::GetWindowDrawList(), font, {at.x, at.y + 0.5F * (ui.px(k_row_height) - font.size)},
-            colour, text);
+  draw_text(*ImGui::GetWindowDrawList(), lettering,
+            {at.x, at.y + 0.5F * (ui.px(k_row_height) - lettering.font.size)}, text);
 }
 
-void draw_picture(ImDrawList& list, unsigned texture, const glm::vec2& min, const glm::vec2& max,
-                  float rounding) {
+void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding) {
   if (texture == 0) return;
-  list.AddImageRounded(texture_id(texture), im(min), im(max), ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE,
-                       rounding);
+  list.AddImageRounded(texture_id(texture), im(box.min), im(box.max), ImVec2(0, 1), ImVec2(1, 0),
+                       IM_COL32_WHITE, rounding);
 }
 
 void hint(const Ui& ui, std::string_view text) {

@@ -16,6 +16,12 @@ namespace moldlight::gui {
 /// Height of a control, layout units.
 inline constexpr float k_row_height = 24.0F;
 
+/// A row's name; that of a changed setting has a dot before it, which tells where a reset does something.
+struct RowLabel {
+  std::string_view text;
+  bool modified = false;
+};
+
 /// A number on a bar that is dragged, or typed into after a double click or Ctrl+click.
 struct SliderSpec {
   double min = 0.0, max = 1.0;
@@ -24,7 +30,7 @@ struct SliderSpec {
   std::function<double(double)> snap = {};  // to the round values that a drag stops at, in place of the step
   std::function<std::string(double)> text = {};  // as shown, unit included
 };
-bool slider(const Ui& ui, std::string_view label, double& value, const SliderSpec& spec, bool modified);
+bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec& spec);
 
 /// A number that is typed.
 struct NumberSpec {
@@ -34,11 +40,10 @@ struct NumberSpec {
 };
 bool number_field(const Ui& ui, const char* id, double& value, const NumberSpec& spec);
 
-bool toggle(const Ui& ui, std::string_view label, bool& on, bool modified);
+bool toggle(const Ui& ui, const RowLabel& label, bool& on);
 
 /// One of a few words, side by side.
-bool choice(const Ui& ui, std::string_view label, std::span<const std::string_view> words, int& index,
-            bool modified);
+bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_view> words, int& index);
 
 struct ButtonSpec {
   float width = 0.0F;   // pixels; 0: as wide as the text
@@ -46,7 +51,14 @@ struct ButtonSpec {
   bool chosen = false;
 };
 bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec = {});
-bool icon_button(const Ui& ui, const char* id, Icon icon, std::string_view tip, bool chosen = false);
+
+struct IconButtonSpec {
+  const char* id;
+  Icon icon;
+  std::string_view tip;
+  bool chosen = false;
+};
+bool icon_button(const Ui& ui, const IconButtonSpec& spec);
 
 /// A switch as a small rounded word.
 bool chip(const Ui& ui, std::string_view label, bool on, float width);
@@ -78,10 +90,9 @@ void coloured_text(ImU32 colour, std::string_view text);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
 /// A text as high as a control, `width` pixels wide.
-void row_text(const Ui& ui, const SizedFont& font, float width, ImU32 colour, std::string_view text);
+void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text);
 /// A texture of the GL, whose rows begin below; nothing for 0.
-void draw_picture(ImDrawList& list, unsigned texture, const glm::vec2& min, const glm::vec2& max,
-                  float rounding);
+void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding);
 
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);

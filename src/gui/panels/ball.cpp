@@ -18,8 +18,8 @@ void draw_axis_names(const Ui& ui, const Ball& ball) {
     const BallPoint point = ball.point(direction);
     if (!point.front) continue;
     const glm::vec2 at = ball.centre + 0.86F * (ball.screen(point) - ball.centre);
-    draw_text(ball.list, ui.fonts.small, at - 0.5F * text_size(ui.fonts.small, k_names.substr(axis, 1)),
-              ui.colours->muted, k_names.substr(axis, 1));
+    draw_text(ball.list, {ui.fonts.small, ui.colours->muted},
+              at - 0.5F * text_size(ui.fonts.small, k_names.substr(axis, 1)), k_names.substr(axis, 1));
   }
 }
 

@@ -1,6 +1,7 @@
 // The figures of two directions that are seen side by side, and their difference.
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -27,19 +28,18 @@ class Rows {
   explicit Rows(const Ui& ui) : ui_(ui), at_(from_im(ImGui::GetCursorScreenPos())), width_(ui.px(k_width)) {}
 
   void add(std::string_view name, const std::array<std::string, 3>& figures, ImU32 colour,
-           const Region* region, Palette palette) {
+           std::optional<ImU32> swatch = std::nullopt) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float text_top = at_.y + 0.5F * (ui_.px(k_row) - ui_.fonts.body.size);
-    if (region != nullptr) {
+    if (swatch) {
       const glm::vec2 min(at_.x, at_.y + ui_.px(5));
-      list.AddRectFilled(im(min), im(min + glm::vec2(ui_.px(10))), packed(region_colour(*region, palette)),
-                         ui_.px(3));
+      list.AddRectFilled(im(min), im(min + glm::vec2(ui_.px(10))), *swatch, ui_.px(3));
     }
-    draw_text(list, ui_.fonts.body, {at_.x + ui_.px(18), text_top}, colour, name);
+    draw_text(list, {ui_.fonts.body, colour}, {at_.x + ui_.px(18), text_top}, name);
     for (std::size_t k = 0; k < figures.size(); ++k) {
       const float right = at_.x + width_ - static_cast<float>(2 - k) * ui_.px(88);
-      draw_text_to(k == 2 ? ui_.fonts.strong : ui_.fonts.body, right, text_top,
-                   k == 2 ? ui_.colours->text : colour, figures[k]);
+      draw_text_to({k == 2 ? ui_.fonts.strong : ui_.fonts.body, k == 2 ? ui_.colours->text : colour}, right,
+                   text_top, figures[k]);
     }
     at_.y += ui_.px(k_row);
   }
@@ -67,18 +67,16 @@ void draw_comparison(const PanelContext& context) {
   ImGui::Begin("##Comparison", nullptr, k_card_window);
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   Rows rows(ui);
-  const Palette palette = state.settings.look.palette;
   const bool known = state.figures.shown && !state.figures.pale;
   const FigureColumn column(state.model->geometry.total_area);
-  rows.add("", {"left", fmt::format("right, {}", other.rank), "left − right"}, ui.colours->muted, nullptr,
-           palette);
+  rows.add("", {"left", fmt::format("right, {}", other.rank), "left − right"}, ui.colours->muted);
   for (const Region region : k_regions) {
     const double right = other.classification.areas[region];
     const double left = known ? state.figures.shown->areas[region] : 0.0;
     rows.add(facts(region).title,
              {known ? grouped(column.text(left)) : "…", grouped(column.text(right)),
               known ? with_sign(column, left - right) : "…"},
-             ui.colours->text, &region, palette);
+             ui.colours->text, packed(region_colour(region, state.settings.look.palette)));
   }
   rows.add("Undercut ±",
            {known ? error_text(state.figures.shown->uncertainty.total()) : "…",
@@ -86,10 +84,10 @@ void draw_comparison(const PanelContext& context) {
             known ? error_text(std::hypot(state.figures.shown->uncertainty.total(),
                                           other.classification.uncertainty.total()))
                   : "…"},
-           ui.colours->muted, nullptr, palette);
+           ui.colours->muted);
   rows.finish();
   ImGui::SetCursorScreenPos(ImVec2(start.x - ui.px(6), start.y - ui.px(3)));
-  if (icon_button(ui, "close comparison", Icon::close, "Back to one picture (Esc)")) {
+  if (icon_button(ui, {"close comparison", Icon::close, "Back to one picture (Esc)"})) {
     context.edits.sweep_choices.compared.reset();
   }
   ImGui::End();

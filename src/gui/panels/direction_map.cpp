@@ -163,10 +163,9 @@ float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float wi
     list.AddRectFilledMultiColor(ImVec2(left, at.y), ImVec2(right, at.y + height), a, b, b, a);
   }
   const float top = at.y + height + gap;
-  draw_text(list, ui.fonts.small, {at.x, top}, ui.colours->muted, "0");
-  const std::string worst = area_text(context.state, map.worst);
-  draw_text(list, ui.fonts.small, {at.x + width - text_size(ui.fonts.small, worst).x, top}, ui.colours->muted,
-            worst);
+  const Lettering lettering{ui.fonts.small, ui.colours->muted};
+  draw_text(list, lettering, {at.x, top}, "0");
+  draw_text_to(lettering, at.x + width, top, area_text(context.state, map.worst));
   return height + gap + ui.fonts.small.size;
 }
 
@@ -186,7 +185,7 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   ImGui::AlignTextToFramePadding();
   heading(ui, "Undercut by direction");
   ImGui::SameLine(ImGui::GetContentRegionAvail().x + ui.px(12) - ui.px(k_row_height));
-  if (icon_button(ui, "close ball", Icon::close, "Close the large ball")) {
+  if (icon_button(ui, {"close ball", Icon::close, "Close the large ball"})) {
     context.edits.sweep_choices.large_ball = false;
   }
   draw_ball(context, drag, size);

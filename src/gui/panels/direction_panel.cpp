@@ -41,7 +41,7 @@ void draw_bookmarks(const PanelContext& context) {
   if (button(ui, "Keep this direction", {.width = ui.px(232)})) context.edits.keep_bookmark();
   for (std::size_t k = 0; k < bookmarks.size(); ++k) {
     ImGui::PushID(static_cast<int>(k));
-    if (icon_button(ui, "go", Icon::bookmark, "Take this direction")) {
+    if (icon_button(ui, {"go", Icon::bookmark, "Take this direction"})) {
       context.edits.settings.method.direction = bookmarks[k].direction;
     }
     ImGui::SameLine();
@@ -50,7 +50,7 @@ void draw_bookmarks(const PanelContext& context) {
     ImGui::SetNextItemWidth(ui.px(172));
     if (ImGui::InputTextWithHint("##note", "note", note.data(), note.size())) bookmarks[k].note = note.data();
     ImGui::SameLine();
-    const bool removed = icon_button(ui, "remove", Icon::close, "Forget it");
+    const bool removed = icon_button(ui, {"remove", Icon::close, "Forget it"});
     ImGui::PopID();
     if (removed) {
       bookmarks.erase(bookmarks.begin() + static_cast<std::ptrdiff_t>(k));
@@ -92,16 +92,16 @@ void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
     ImGui::SameLine(0.0F, ui.px(12));
     ImGui::BeginGroup();
     draw_axis_buttons(context);
-    if (icon_button(ui, "flip", Icon::flip, "Flip: core and cavity change sides (X)")) {
+    if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"})) {
       context.edits.settings.method.direction = tidy(-context.edits.settings.method.direction);
     }
     ImGui::SameLine(0.0F, ui.px(4));
-    if (icon_button(ui, "along", Icon::up, "Look along the parting direction (0)")) {
+    if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"})) {
       context.edits.ask(&Commands::look_along_direction);
     }
     ImGui::SameLine(0.0F, ui.px(4));
-    if (icon_button(ui, "bookmark", Icon::bookmark, "Bookmarks of directions",
-                    !context.state.bookmarks.empty())) {
+    if (icon_button(
+            ui, {"bookmark", Icon::bookmark, "Bookmarks of directions", !context.state.bookmarks.empty()})) {
       ImGui::OpenPopup("bookmarks");
     }
     draw_bookmarks(context);

@@ -38,18 +38,18 @@ void ExportDialog::draw(const PanelContext& context) {
     hint(ui, "Files are named after this path:");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::InputText("##base", base_.data(), base_.size());
-    toggle(ui, "Result as JSON", json_, false);
-    toggle(ui, "Table of facets (CSV)", facets_, false);
+    toggle(ui, {"Result as JSON"}, json_);
+    toggle(ui, {"Table of facets (CSV)"}, facets_);
     if (!context.state.model->part.facet_source.empty()) {
-      toggle(ui, "Table of the file's faces (CSV)", faces_, false);
+      toggle(ui, {"Table of the file's faces (CSV)"}, faces_);
     }
-    toggle(ui, "Mesh with coloured regions", mesh_, false);
+    toggle(ui, {"Mesh with coloured regions"}, mesh_);
     std::vector<std::string_view> extensions;
     for (const auto& format : mesh_formats()) extensions.push_back(format.extension);
-    if (mesh_) choice(ui, "Format of the mesh", extensions, mesh_format_, false);
-    toggle(ui, "One STL a region, in a folder", split_, false);
-    toggle(ui, "Lines between regions (OBJ)", borders_, false);
-    toggle(ui, "Picture with legend", picture_, false);
+    if (mesh_) choice(ui, {"Format of the mesh"}, extensions, mesh_format_);
+    toggle(ui, {"One STL a region, in a folder"}, split_);
+    toggle(ui, {"Lines between regions (OBJ)"}, borders_);
+    toggle(ui, {"Picture with legend"}, picture_);
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     if (context.state.figures.measuring) hint(ui, "Measuring; the files can be written when it is done.");
     ImGui::BeginDisabled(context.state.figures.measuring || !context.state.figures.shown || base_[0] == 0);

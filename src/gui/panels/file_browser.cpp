@@ -28,8 +28,13 @@ std::string size_text(std::uintmax_t bytes) {
   return bytes < 1000000000 ? fmt::format("{:.1f} MB", value / 1e6) : fmt::format("{:.1f} GB", value / 1e9);
 }
 
-/// A line of the list, clicked or not.
-bool list_line(const Ui& ui, const char* id, Icon icon, std::string_view name, std::string_view note) {
+struct ListLine {
+  Icon icon;
+  std::string_view name, note;
+};
+
+/// Draws a line of the list, clicked or not.
+bool list_line(const Ui& ui, const char* id, const ListLine& line) {
   const bool clicked =
       ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_row_height)));
   if (!ImGui::IsItemVisible()) return clicked;
@@ -37,12 +42,12 @@ bool list_line(const Ui& ui, const char* id, Icon icon, std::string_view name, s
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, ui.colours->field_hovered, ui.px(6));
   const float middle = 0.5F * (min.y + max.y);
-  draw_icon(list, icon, {min.x + ui.px(14), middle}, ui.px(13), ui.colours->muted);
-  const float note_width = text_size(ui.fonts.small, note).x;
-  draw_text(list, ui.fonts.body, {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size}, ui.colours->text,
-            fitted(ui.fonts.body, name, max.x - min.x - ui.px(50) - note_width));
-  draw_text(list, ui.fonts.small, {max.x - ui.px(10) - note_width, middle - 0.5F * ui.fonts.small.size},
-            ui.colours->muted, note);
+  draw_icon(list, line.icon, {min.x + ui.px(14), middle}, ui.px(13), ui.colours->muted);
+  const float note_width = text_size(ui.fonts.small, line.note).x;
+  draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size},
+            fitted(ui.fonts.body, line.name, max.x - min.x - ui.px(50) - note_width));
+  draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(10), middle - 0.5F * ui.fonts.small.size,
+               line.note);
   return clicked;
 }
 
@@ -73,10 +78,10 @@ void FileBrowser::draw_head(const PanelContext& context) {
   const Ui& ui = context.ui;
   heading(ui, "Open a part");
   ImGui::Dummy(ImVec2(1, ui.px(2)));
-  if (icon_button(ui, "up", Icon::up, "The folder above")) enter(folder_.parent_path());
+  if (icon_button(ui, {"up", Icon::up, "The folder above"})) enter(folder_.parent_path());
   ImGui::SameLine();
   const float room = ImGui::GetContentRegionAvail().x;
-  row_text(ui, ui.fonts.body, room, ui.colours->muted, fitted(ui.fonts.body, folder_.string(), room));
+  row_text(ui, {ui.fonts.body, ui.colours->muted}, room, fitted(ui.fonts.body, folder_.string(), room));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(110));
   ImGui::InputTextWithHint("##filter", "filter by name", filter_.data(), filter_.size());
   ImGui::SameLine();
@@ -91,8 +96,9 @@ void FileBrowser::draw_list(const PanelContext& context) {
     hint(ui, "RECENT");
     for (std::size_t k = 0; k < std::min<std::size_t>(context.state.recent.size(), 5); ++k) {
       const fs::path path = context.state.recent[k];
-      if (list_line(ui, fmt::format("recent {}", k).c_str(), Icon::file, path.filename().string(),
-                    fitted(ui.fonts.small, path.parent_path().string(), ui.px(260)))) {
+      if (list_line(ui, fmt::format("recent {}", k).c_str(),
+                    {Icon::file, path.filename().string(),
+                     fitted(ui.fonts.small, path.parent_path().string(), ui.px(260))})) {
         context.edits.ask(&Commands::open_part, path.string());
         context.edits.dialogs.browser = false;
       }
@@ -104,8 +110,9 @@ void FileBrowser::draw_list(const PanelContext& context) {
   for (const Entry& entry : entries_) {
     if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
     if (!filter.empty() && lower(entry.name).find(filter) == std::string::npos) continue;
-    if (!list_line(ui, entry.name.c_str(), entry.folder ? Icon::folder : Icon::file, entry.name,
-                   entry.folder ? std::string() : size_text(entry.bytes))) {
+    if (!list_line(ui, entry.name.c_str(),
+                   {entry.folder ? Icon::folder : Icon::file, entry.name,
+                    entry.folder ? std::string() : size_text(entry.bytes)})) {
       continue;
     }
     if (entry.folder) {

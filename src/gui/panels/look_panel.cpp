@@ -49,10 +49,10 @@ void draw_draft_key(const PanelContext& context) {
   for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
     const double limit = scale.limits_deg[k];
     const std::string text = fmt::format("{}{:.3g}°", limit < 0.0 ? "−" : "", std::abs(limit));
-    draw_text(list, ui.fonts.small,
+    draw_text(list, {ui.fonts.small, ui.colours->muted},
               start + glm::vec2(static_cast<float>(k + 1) * step - 0.5F * text_size(ui.fonts.small, text).x,
                                 height + ui.px(3)),
-              ui.colours->muted, text);
+              text);
   }
   ImGui::Dummy(ImVec2(1.0F, height + ui.px(6) + ui.fonts.small.size));
 }

@@ -29,9 +29,9 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(6));
-    draw_picture(list, plus ? textures.plus : textures.minus, from_im(min), from_im(max), ui.px(6));
-    draw_text(list, ui.fonts.small, {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size},
-              ui.colours->muted, caption(plus));
+    draw_picture(list, plus ? textures.plus : textures.minus, {from_im(min), from_im(max)}, ui.px(6));
+    draw_text(list, {ui.fonts.small, ui.colours->muted},
+              {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size}, caption(plus));
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
             "Second depths: the surface that faces away from this side. Click to see it large.");
     if (clicked) context.edits.dialogs.large_map = plus;
@@ -91,7 +91,7 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
     ImGui::SameLine();
     hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");
     const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
-    draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, min, min + side,
+    draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, {min, min + side},
                  ui.px(6));
     if (ImGui::InvisibleButton("close", ImVec2(side, side))) context.edits.dialogs.large_map.reset();
   }

@@ -71,13 +71,13 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
     spec.text = [&](double v) { return value_text(v, decimals, option.unit); };
     const float width = ImGui::GetContentRegionAvail().x;
     if (typed.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
-                      : slider(ui, option.label, number, spec, modified))
+                      : slider(ui, {option.label, modified}, number, spec))
       after = real_text(number);
   };
   const auto words_row = [&](const Words& words) {
     const auto word = std::find(words.begin(), words.end(), before);
     int index = word == words.end() ? -1 : static_cast<int>(word - words.begin());
-    if (choice(ui, option.label, words, index, modified)) after = words[static_cast<std::size_t>(index)];
+    if (choice(ui, {option.label, modified}, words, index)) after = words[static_cast<std::size_t>(index)];
   };
   std::visit(moldlight::detail::Overloaded{
                  [&](const RealKind<S>& kind) {
@@ -107,7 +107,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                  },
                  [&](const SwitchKind<S>& kind) {
                    bool on = kind.value(settings);
-                   if (toggle(ui, option.label, on, modified)) after = on ? "on" : "off";
+                   if (toggle(ui, {option.label, modified}, on)) after = on ? "on" : "off";
                  },
                  [&](const ChoiceKind<S>& kind) { words_row(kind.words); },
                  [&](const SetKind<S>& kind) {

@@ -56,7 +56,7 @@ Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colou
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
   const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
-  draw_text(list, ui.fonts.body, {min.x + ui.px(26), top}, colour, name);
+  draw_text(list, {ui.fonts.body, colour}, {min.x + ui.px(26), top}, name);
   return {min, max.x - ui.px(6), top};
 }
 
@@ -67,9 +67,9 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   const Line line = begin_line(ui, name.c_str(), facts(region).title, ui.colours->text);
   draw_swatch(ui, region, context.state.settings.look, line.min + glm::vec2(ui.px(6), ui.px(6)));
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
-  draw_text_to(ui.fonts.strong, line.right, line.top, strong,
+  draw_text_to({ui.fonts.strong, strong}, line.right, line.top,
                fmt::format("{:.1f} %", 100.0 * share(area, legend.result.total_area)));
-  draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, quiet, grouped(legend.column.text(area)));
+  draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top, grouped(legend.column.text(area)));
   tooltip(ui, facts(region).title,
           fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));
   copy_menu(name.c_str(), area);
@@ -83,8 +83,8 @@ void draw_total(const PanelContext& context, const Legend& legend) {
                                       ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.px(1)),
                                       ui.colours->line);
   const Line line = begin_line(ui, "total", "Total", ui.colours->muted);
-  draw_text_to(ui.fonts.body, line.right, line.top, ui.colours->muted, legend.unit);
-  draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, ui.colours->muted,
+  draw_text_to({ui.fonts.body, ui.colours->muted}, line.right, line.top, legend.unit);
+  draw_text_to({ui.fonts.body, ui.colours->muted}, line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
   copy_menu("total", legend.result.total_area);
 }
@@ -107,7 +107,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
             line.min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
             faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
   if (in_doubt)
-    draw_text_to(ui.fonts.body, line.right - ui.px(60), line.top, faded(ui.colours->text, legend.alpha),
+    draw_text_to({ui.fonts.body, faded(ui.colours->text, legend.alpha)}, line.right - ui.px(60), line.top,
                  grouped(error));
   std::string text = fmt::format(
       "The area of the part's shadow, found in two ways: {} as it is seen along +d, {} along −d. {}",
@@ -130,7 +130,7 @@ void draw_by(const PanelContext& context) {
   int index = kind.get(look);
   const Ui& ui = context.ui;
   ImGui::Indent(ui.px(18));  // below the regions' names
-  if (choice(ui, "by", kind.words, index, false)) kind.set(look, index);
+  if (choice(ui, {"by"}, kind.words, index)) kind.set(look, index);
   ImGui::Unindent(ui.px(18));
   tooltip(ui, option.label, option.help);
 }

@@ -28,7 +28,7 @@ void draw_drop_zone(const PanelContext& context) {
                      ui.px(10));
   list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
   const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
-    draw_text(list, font, {min.x + 0.5F * (size.x - text_size(font, text).x), min.y + ui.px(top)}, colour,
+    draw_text(list, {font, colour}, {min.x + 0.5F * (size.x - text_size(font, text).x), min.y + ui.px(top)},
               text);
   };
   draw_icon(list, Icon::open, min + glm::vec2(0.5F * size.x, ui.px(38)), ui.px(30), ui.colours->muted);
@@ -52,12 +52,10 @@ void draw_recent(const PanelContext& context) {
     const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
     const std::string name = fitted(ui.fonts.body, path.filename().string(), ui.px(220));
     draw_icon(list, Icon::file, {min.x + ui.px(14), 0.5F * (min.y + max.y)}, ui.px(13), ui.colours->muted);
-    draw_text(list, ui.fonts.body, {min.x + ui.px(30), top}, ui.colours->text, name);
+    draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), top}, name);
     const std::string folder = fitted(ui.fonts.small, path.parent_path().string(), ui.px(240));
-    draw_text(list, ui.fonts.small,
-              {max.x - ui.px(8) - text_size(ui.fonts.small, folder).x,
-               0.5F * (min.y + max.y - ui.fonts.small.size)},
-              ui.colours->faint, folder);
+    draw_text_to({ui.fonts.small, ui.colours->faint}, max.x - ui.px(8),
+                 0.5F * (min.y + max.y - ui.fonts.small.size), folder);
     if (clicked) context.edits.ask(&Commands::open_part, path.string());
     ImGui::PopID();
   }
@@ -80,12 +78,12 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
     list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(8));
     if (k < thumbnails.size())
-      draw_picture(list, thumbnails[k], from_im(min), {max.x, max.y - ui.px(10)}, ui.px(8));
+      draw_picture(list, thumbnails[k], {from_im(min), {max.x, max.y - ui.px(10)}}, ui.px(8));
     std::string name = fs::path(shipped[k]).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');
     const glm::vec2 text = text_size(ui.fonts.small, name);
-    draw_text(list, ui.fonts.small, {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y},
-              ui.colours->muted, name);
+    draw_text(list, {ui.fonts.small, ui.colours->muted},
+              {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y}, name);
     if (clicked) context.edits.ask(&Commands::open_part, shipped[k]);
     ImGui::PopID();
   }

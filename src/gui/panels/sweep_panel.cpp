@@ -121,8 +121,9 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
     ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
     if (heading.name.empty()) continue;
     const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
-    draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, cell + glm::vec2(inset, ui.px(3)),
-              sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted, heading.name);
+    draw_text(*ImGui::GetWindowDrawList(),
+              {ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
+              cell + glm::vec2(inset, ui.px(3)), heading.name);
     ui.memory->controls[fmt::format("sort by {}", heading.name)] = {from_im(ImGui::GetItemRectMin()),
                                                                     from_im(ImGui::GetItemRectMax())};
     if (!heading.help.empty()) tooltip(ui, {}, heading.help);
@@ -155,7 +156,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
   const float middle = start.y + 0.5F * height;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, ui.fonts.strong, {start.x, middle - 0.5F * ui.fonts.strong.size}, ui.colours->text,
+  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
             "Sweep");
 
   // From the right: chevron, options, ball, start or cancel, bar; what is left is text.
@@ -166,17 +167,17 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
     right -= ui.px(4);
   };
   place(height);
-  if (icon_button(ui, "fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"))
+  if (icon_button(ui, {"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
     context.layout.fold(open);
   place(height);
-  if (icon_button(ui, "options", Icon::settings, "Options of the sweep", open && options_)) {
+  if (icon_button(ui, {"options", Icon::settings, "Options of the sweep", open && options_})) {
     options_ = !(open && options_);
     context.layout.fold(false);
   }
   if (sweep.map) {
     place(height);
     SweepChoices& choices = context.edits.sweep_choices;
-    if (icon_button(ui, "ball", Icon::sphere, "The map of directions, large", choices.large_ball))
+    if (icon_button(ui, {"ball", Icon::sphere, "The map of directions, large", choices.large_ball}))
       choices.large_ball = !choices.large_ball;
   }
   const char* action = sweep.running ? "Cancel" : "Find directions";
@@ -205,7 +206,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   } else {
     text = "which way should the mold open?";
   }
-  draw_text(list, ui.fonts.body, {left, middle - 0.5F * ui.fonts.body.size}, colour,
+  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
             fitted(ui.fonts.body, text, right - left - ui.px(8)));
   ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
   ImGui::Dummy(ImVec2(width, 0.0F));
@@ -293,12 +294,12 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const glm::vec2 pixels(candidate_picture_size(ui.scale));
   const glm::vec2 at(corner.x, std::round(0.5F * (min.y + max.y - pixels.y)));
-  draw_picture(list, picture, at, at + pixels, ui.px(4));
+  draw_picture(list, picture, {at, at + pixels}, ui.px(4));
 
   const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
     const float inset = to_the_right ? ImGui::GetContentRegionAvail().x - text_size(font, text).x : 0.0F;
-    draw_text(list, font, {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, colour,
-              text);
+    draw_text(list, {font, colour},
+              {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, text);
   };
   const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
   ImGui::TableNextColumn();
@@ -343,10 +344,8 @@ void SweepPanel::draw_footer(const PanelContext& context, bool more) {
   }
   if (result.remarks.empty()) return;
   const std::string remark = fitted(ui.fonts.small, result.remarks.front(), width - used - ui.px(8));
-  draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-            {start.x + width - ui.px(8) - text_size(ui.fonts.small, remark).x,
-             start.y + 0.5F * (ui.px(k_row_height) - ui.fonts.small.size)},
-            ui.colours->muted, remark);
+  draw_text_to({ui.fonts.small, ui.colours->muted}, start.x + width - ui.px(8),
+               start.y + 0.5F * (ui.px(k_row_height) - ui.fonts.small.size), remark);
   std::string all;
   for (const std::string& each : result.remarks) all += (all.empty() ? "" : "\n") + each;
   tooltip(ui, {}, all);

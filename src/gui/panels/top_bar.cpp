@@ -47,16 +47,16 @@ void draw_part_name(const PanelContext& context) {
   const Part& part = state.model->part;
   const std::string facts = fmt::format("{} facets   {}", grouped(std::to_string(part.mesh.facets.size())),
                                         part.unit.empty() ? "" : part.unit);
-  row_text(ui, ui.fonts.small, text_size(ui.fonts.small, facts).x, ui.colours->muted, facts);
+  row_text(ui, {ui.fonts.small, ui.colours->muted}, text_size(ui.fonts.small, facts).x, facts);
   if (!state.model->warnings.empty()) {
     ImGui::SameLine(0.0F, ui.px(6));
-    icon_button(ui, "warnings", Icon::alert, fmt::format("{}", fmt::join(state.model->warnings, "\n")));
+    icon_button(ui, {"warnings", Icon::alert, fmt::format("{}", fmt::join(state.model->warnings, "\n"))});
   }
 }
 
 void draw_left(const PanelContext& context) {
   const Ui& ui = context.ui;
-  row_text(ui, ui.fonts.strong, text_size(ui.fonts.strong, "moldlight").x, ui.colours->text, "moldlight");
+  row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
   ImGui::SameLine(0.0F, ui.px(16));
   draw_part_name(context);
 }
@@ -70,11 +70,11 @@ void draw_right(const PanelContext& context) {
   ImGui::SameLine(0.0F, 0.0F);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
                        static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
-  if (icon_button(ui, "open", Icon::open, "Open a part (Ctrl+O)")) edits.dialogs.browser = true;
+  if (icon_button(ui, {"open", Icon::open, "Open a part (Ctrl+O)"})) edits.dialogs.browser = true;
   float gap = step;
   const auto item = [&](const char* id, Icon icon, std::string_view tip, bool chosen = false) {
     ImGui::SameLine(0.0F, std::exchange(gap, step));
-    return icon_button(ui, id, icon, tip, chosen);
+    return icon_button(ui, {id, icon, tip, chosen});
   };
   if (part) {
     if (item("export", Icon::export_file, "Export what was measured (Ctrl+E)"))

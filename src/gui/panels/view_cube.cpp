@@ -30,6 +30,7 @@ const std::array<Side, 6> k_sides = {{
 /// Where a side lies on the screen: a parallelogram.
 struct Face {
   glm::vec2 centre{0.0F}, right{0.0F}, up{0.0F};  // pixels; half edges
+  float half = 1.0F;                              // of an edge that is seen straight on
   double facing = 0.0;
 
   [[nodiscard]] std::array<glm::vec2, 4> corners() const {
@@ -49,22 +50,21 @@ Face face_of(const Side& side, const Camera& camera, const glm::vec2& centre, fl
     const glm::dvec3 seen = glm::conjugate(camera.orientation) * v;
     return glm::vec2(seen.x, -seen.y) * half;
   };
-  return {centre + screen(side.normal), screen(side.right), screen(side.up),
+  return {centre + screen(side.normal), screen(side.right), screen(side.up), half,
           (glm::conjugate(camera.orientation) * side.normal).z};
 }
 
 /// Text that lies on the face: drawn flat, then its vertices are moved onto the parallelogram.
-void draw_name(const Ui& ui, ImDrawList& list, const Face& face, float half, std::string_view name,
-               ImU32 colour) {
+void draw_name(ImDrawList& list, const Lettering& lettering, const Face& face, std::string_view name) {
   const int first = list.VtxBuffer.Size;
-  const glm::vec2 size = text_size(ui.fonts.small, name);
+  const glm::vec2 size = text_size(lettering.font, name);
   // Drawn in place, as what lies outside the window is left out.
   const glm::vec2 corner = face.centre - 0.5F * size;
-  list.AddText(ui.fonts.small.font, ui.fonts.small.size, im(corner), colour, name.data(),
+  list.AddText(lettering.font.font, lettering.font.size, im(corner), lettering.colour, name.data(),
                name.data() + name.size());
   for (int k = first; k < list.VtxBuffer.Size; ++k) {
     ImVec2& at = list.VtxBuffer[k].pos;
-    const glm::vec2 on_face((at.x - face.centre.x) / half, (face.centre.y - at.y) / half);
+    const glm::vec2 on_face((at.x - face.centre.x) / face.half, (face.centre.y - at.y) / face.half);
     at = im(face.centre + on_face.x * face.right + on_face.y * face.up);
   }
 }
@@ -99,7 +99,8 @@ void draw_view_cube(const PanelContext& context) {
                        under_mouse ? ui.colours->accent : lit);
     list.AddQuad(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]), IM_COL32(0, 0, 0, 60), 1.0F);
     if (face.facing > 0.25) {
-      draw_name(ui, list, face, half, side.name, under_mouse ? ui.colours->on_accent : ui.colours->text);
+      draw_name(list, {ui.fonts.small, under_mouse ? ui.colours->on_accent : ui.colours->text}, face,
+                side.name);
     }
     if (under_mouse && clicked) context.edits.ask(&Commands::look_from, standard_orientation(side.view));
   }

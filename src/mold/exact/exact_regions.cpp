@@ -338,16 +338,16 @@ Splitters splitters_for(const ProjectedPart& projected, const ExactQuery& query,
   return Splitters([&] { return FacetSplitter(projected, query, progress); });
 }
 
-/// Splits these facets; visit(splitter, facet, outcome) is called from several threads.
+/// Calls visit(splitter, facet) for these facets from several threads, each with a splitter of its own.
 template <typename Visit>
-void split_facets(Splitters& splitters, std::span<const FacetIndex> facets, bool keep_cells,
-                  const Progress& progress, const Visit& visit) {
+void visit_facets(Splitters& splitters, std::span<const FacetIndex> facets, const Progress& progress,
+                  const Visit& visit) {
   tbb::parallel_for(std::size_t{0}, (facets.size() + k_grain - 1) / k_grain, [&](std::size_t task) {
     FacetSplitter& splitter = splitters.local();
     splitter.begin_task();
     const std::size_t end = std::min((task + 1) * k_grain, facets.size());
     for (std::size_t k = task * k_grain; k < end && !progress.cancelled(); ++k) {
-      visit(splitter, facets[k], splitter.split(facets[k], keep_cells));
+      visit(splitter, facets[k]);
     }
   });
   progress.report("computing regions", 1.0);
@@ -401,9 +401,9 @@ ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Pro
   Splitters splitters = splitters_for(projected, query, progress);
   std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
   SplitAssembly assembly(part);
-  split_facets(splitters, facet_order(outcomes.size(), {}), true, progress,
-               [&](const FacetSplitter& splitter, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
-                 outcomes[facet] = outcome;
+  visit_facets(splitters, facet_order(outcomes.size(), {}), progress,
+               [&](FacetSplitter& splitter, FacetIndex facet) {
+                 outcomes[facet] = splitter.split(facet, true);
                  assembly.add(facet, splitter.cells());
                });
   return {summed(part, outcomes), assembly.finish(progress)};
@@ -423,10 +423,9 @@ std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQ
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     end = std::isfinite(most) ? std::min(begin + k_block, order.size()) : order.size();
     const std::span<const FacetIndex> block(order.data() + begin, end - begin);
-    split_facets(splitters, block, false, progress,
-                 [&](const FacetSplitter&, FacetIndex facet, const FacetSplitter::Outcome& outcome) {
-                   outcomes[facet] = outcome;
-                 });
+    visit_facets(splitters, block, progress, [&](FacetSplitter& splitter, FacetIndex facet) {
+      outcomes[facet] = splitter.split(facet, false);
+    });
     for (const FacetIndex facet : block)
       undercut += outcomes[facet].areas[static_cast<std::size_t>(Region::undercut)];
     if (undercut > most) return std::nullopt;

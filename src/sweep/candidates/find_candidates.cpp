@@ -8,9 +8,9 @@
 
 namespace moldlight {
 
-std::vector<Candidate> find_candidates(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                                       const Adjacency& adjacency, const CandidateOptions& options,
+std::vector<Candidate> find_candidates(const PartModel& model, const CandidateOptions& options,
                                        const Progress& progress) {
+  const FacetGeometry& geometry = model.geometry;
   const bool has_area = geometry.total_area > 0.0;
   const std::vector<NormalCell> cells = normal_histogram(geometry);
   const auto ask = [&](CandidateKind kind) -> std::vector<Candidate> {
@@ -22,16 +22,16 @@ std::vector<Candidate> find_candidates(const TriangleMesh& mesh, const FacetGeom
       case CandidateKind::axis:
         return coordinate_axis_candidates();
       case CandidateKind::revolution:
-        return has_area ? revolution_candidates(geometry, adjacency, options.most_per_kind)
+        return has_area ? revolution_candidates(geometry, model.adjacency, options.most_per_kind)
                         : std::vector<Candidate>();
       case CandidateKind::plane:
         return plane_candidates(cells, geometry.total_area, options.most_per_kind);
       case CandidateKind::perpendicular:
         return perpendicular_candidates(cells, geometry.total_area, options.most_per_kind);
       case CandidateKind::hull:
-        return hull_candidates(mesh, options.most_per_kind);
+        return hull_candidates(model.part.mesh, options.most_per_kind);
       case CandidateKind::principal:
-        return principal_axis_candidates(mesh, geometry);
+        return principal_axis_candidates(model.part.mesh, geometry);
       case CandidateKind::uniform:
         return uniform_candidates(options.uniform_count);
     }

@@ -6,9 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.hpp"
-#include "mesh/adjacency.hpp"
-#include "mesh/facet_geometry.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "classify/part_model.hpp"
 #include "sweep/candidates/candidate.hpp"
 
 namespace moldlight {
@@ -24,9 +22,7 @@ struct CandidateOptions {
 
 /// Reports the stage "candidates" between sources. The result depends on the part and the options alone; see
 /// merge_candidates for its order. Empty only if nothing was asked for.
-[[nodiscard]] std::vector<Candidate> find_candidates(const TriangleMesh& mesh, const FacetGeometry& geometry,
-                                                     const Adjacency& adjacency,
-                                                     const CandidateOptions& options,
+[[nodiscard]] std::vector<Candidate> find_candidates(const PartModel& model, const CandidateOptions& options,
                                                      const Progress& progress);
 
 }  // namespace moldlight

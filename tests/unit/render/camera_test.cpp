@@ -9,6 +9,8 @@
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
+#include "support/sight_line.hpp"
+
 namespace moldlight {
 namespace {
 
@@ -35,7 +37,7 @@ TEST(Camera, MatricesProjectAndSightLineAgree) {
   for (const Projection projection : k_projections) {
     const Camera camera = some_camera(projection);
     for (const glm::dvec2& pixel : {glm::dvec2(0.5, 0.5), glm::dvec2(900.25, 100.0), glm::dvec2(640, 360)}) {
-      const SightLine line = sight_line(camera, k_size, pixel);
+      const test::SightLine line = test::sight_line(camera, k_size, pixel);
       const glm::dvec3 point = line.origin + (camera.eye_distance() + 0.13) * line.direction;
       const auto seen = project(camera, k_size, point);
       ASSERT_TRUE(seen);
@@ -129,7 +131,7 @@ TEST(Camera, PanAndZoomKeepWhatIsUnderTheHand) {
   for (const Projection projection : k_projections) {
     const Camera start = some_camera(projection);
     const glm::dvec2 pixel(300.0, 500.0);
-    const SightLine line = sight_line(start, k_size, pixel);
+    const test::SightLine line = test::sight_line(start, k_size, pixel);
     const double along = glm::dot(start.target - line.origin, start.toward_viewer()) /
                          glm::dot(line.direction, start.toward_viewer());
     const glm::dvec3 under = line.origin + along * line.direction;

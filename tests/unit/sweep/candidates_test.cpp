@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
@@ -17,7 +18,7 @@ namespace {
 using test::Shape;
 
 std::vector<Candidate> candidates_of(const TriangleMesh& mesh, const CandidateOptions& options) {
-  return find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), options, Progress());
+  return find_candidates(*test::model_of(mesh), options, Progress());
 }
 
 double nearest_deg(const std::vector<Candidate>& candidates, const glm::dvec3& direction) {
@@ -160,11 +161,10 @@ TEST(Candidates, FlatPartHasNoHull) {
 }
 
 TEST(Candidates, CancelEndsTheSearch) {
-  const TriangleMesh mesh = test::box_shape({}).mesh;
+  const auto model = test::model_of(test::box_shape({}).mesh);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW((void)find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, progress),
-               Cancelled);
+  EXPECT_THROW((void)find_candidates(*model, {}, progress), Cancelled);
 }
 
 TEST(Fibonacci, CoversTheHalfSphereEvenly) {
@@ -200,20 +200,16 @@ TEST(CurvedPatches, AreCylindersAndConesButNotPlanes) {
 }
 
 TEST(FindCandidates, EndsBetweenSourcesWhenCancelled) {
-  const TriangleMesh mesh = test::cup({}).mesh;
+  const auto model = test::model_of(test::cup({}).mesh);
   int reports = 0;
   Progress* cancelled = nullptr;
   Progress progress([&](std::string_view, double) {
     if (++reports == 3) cancelled->cancel();
   });
   cancelled = &progress;
-  EXPECT_THROW(
-      static_cast<void>(find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, progress)),
-      Cancelled);
+  EXPECT_THROW(static_cast<void>(find_candidates(*model, {}, progress)), Cancelled);
   EXPECT_EQ(reports, 3);
-  EXPECT_THROW(static_cast<void>(
-                   find_candidates(mesh, facet_geometry(mesh), build_adjacency(mesh), {}, Progress(&progress))),
-               Cancelled);
+  EXPECT_THROW(static_cast<void>(find_candidates(*model, {}, Progress(&progress))), Cancelled);
   EXPECT_EQ(reports, 3) << "it tells nobody";
 }
 
