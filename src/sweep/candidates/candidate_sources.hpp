@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -60,7 +61,9 @@ struct CurvedPatch {
                                                               double total_area, std::size_t most);
 
 /// Normals of the largest facets of the convex hull, at most `most`; none for a part without volume.
-[[nodiscard]] std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most);
+/// Throws Cancelled.
+[[nodiscard]] std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most,
+                                                     const Progress& progress);
 
 /// `count` directions of even density with z > 0 (Fibonacci lattice), the same in every run.
 [[nodiscard]] std::vector<glm::dvec3> fibonacci_half_sphere(std::size_t count);

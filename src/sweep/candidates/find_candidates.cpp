@@ -29,7 +29,7 @@ std::vector<Candidate> find_candidates(const PartModel& model, const CandidateOp
       case CandidateKind::perpendicular:
         return perpendicular_candidates(cells, geometry.total_area, options.most_per_kind);
       case CandidateKind::hull:
-        return hull_candidates(model.part.mesh, options.most_per_kind);
+        return hull_candidates(model.part.mesh, options.most_per_kind, progress);
       case CandidateKind::principal:
         return principal_axis_candidates(model.part.mesh, geometry);
       case CandidateKind::uniform:

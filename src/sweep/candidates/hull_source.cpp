@@ -1,7 +1,12 @@
 // Normals of the convex hull's large facets (Qhull): a part can rest on them, and many are good pulls.
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <memory>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -56,10 +61,30 @@ FacetGeometry hull_geometry(std::vector<double> points) {
   return geometry;
 }
 
+/// Qhull takes half a minute for ten thousand points on a circle and cannot be interrupted: it works on a
+/// thread of its own, which is left to itself once nobody waits for it any more.
+FacetGeometry interruptible_hull(std::vector<double> points, const Progress& progress) {
+  constexpr std::chrono::milliseconds k_patience(20);
+  std::packaged_task<FacetGeometry(std::vector<double>)> task(hull_geometry);
+  std::future<FacetGeometry> hull = task.get_future();
+  try {
+    std::thread(std::move(task), points).detach();
+  } catch (const std::system_error&) {  // no more threads
+    return hull_geometry(std::move(points));
+  }
+  while (hull.wait_for(k_patience) != std::future_status::ready) {
+    if (progress.cancelled()) throw Cancelled();
+  }
+  return hull.get();
+}
+
 }  // namespace
 
-std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most) {
-  const FacetGeometry hull = hull_geometry(used_points(mesh));
+std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most, const Progress& progress) {
+  constexpr std::size_t k_quick = 3 * 5000;  // coordinates
+  std::vector<double> points = used_points(mesh);
+  const FacetGeometry hull = points.size() < k_quick ? hull_geometry(std::move(points))
+                                                     : interruptible_hull(std::move(points), progress);
   std::vector<Candidate> candidates;
   for (const NormalCell& cell : normal_histogram(hull)) {
     const double share = cell.area / hull.total_area;

@@ -157,7 +157,7 @@ TEST(Candidates, FlatPartHasNoHull) {
   TriangleMesh flat;
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
   flat.facets = {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}};
-  EXPECT_TRUE(hull_candidates(flat, 10).empty());
+  EXPECT_TRUE(hull_candidates(flat, 10, Progress()).empty());
 }
 
 TEST(Candidates, CancelEndsTheSearch) {
