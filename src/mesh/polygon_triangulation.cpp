@@ -160,7 +160,9 @@ std::array<std::size_t, 2> PolygonTriangulator::cell_of(const Point& point) cons
   std::array<std::size_t, 2> cell{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double cells = (point[axis] - origin_[axis]) * cells_per_length_[axis];
-    cell[axis] = std::min(static_cast<std::size_t>(std::max(cells, 0.0)), cells_[axis] - 1);
+    // False for what is no number, too, as in outlines of hardly any extent.
+    if (cells > 0.0)
+      cell[axis] = static_cast<std::size_t>(std::min(cells, static_cast<double>(cells_[axis] - 1)));
   }
   return cell;
 }

@@ -91,6 +91,17 @@ TEST(PolygonTriangulation, AStarOfTenThousandCornersTakesLittleWork) {
   EXPECT_NEAR(area_of(outline, triangles), 10000 * std::sin(2.0 * std::numbers::pi / 10000), 1e-9);
 }
 
+TEST(PolygonTriangulation, ExtentDoesNotMatter) {
+  for (const double scale : {1e-310, 1e-160, 1e-20, 1e20, 1e120}) {
+    Outline outline = star(40);
+    for (glm::dvec3& corner : outline) corner *= scale;
+    PolygonTriangulator triangulator(k_much_work);
+    Triangles triangles;
+    static_cast<void>(triangulator.triangulate(outline, triangles));
+    EXPECT_EQ(triangles.size(), 38U) << scale;
+  }
+}
+
 TEST(PolygonTriangulation, WorkEndsAtItsLimit) {
   PolygonTriangulator triangulator(1000);
   Triangles triangles;
