@@ -38,13 +38,6 @@ std::shared_ptr<const PartModel> known_part() {
   return prepare_part(std::move(part), Progress{});
 }
 
-std::unique_ptr<gl::Context> checked(std::unique_ptr<gl::Context> context) {
-  if (const std::string fault = driver_fault(*context); !fault.empty()) {
-    throw Error(fmt::format("the driver {} ({}) {}", context->renderer(), context->backend(), fault));
-  }
-  return context;
-}
-
 }  // namespace
 
 std::string driver_fault(const gl::Context& context) {
@@ -74,16 +67,10 @@ std::string driver_fault(const gl::Context& context) {
 }
 
 std::unique_ptr<gl::Context> create_context(Backend backend) {
-  if (backend != Backend::automatic) return checked(gl::create_headless_context(backend));
-  std::string reasons;
-  for (const Backend one : {Backend::egl, Backend::osmesa}) {
-    try {
-      return checked(gl::create_headless_context(one));
-    } catch (const Error& error) {
-      reasons += (reasons.empty() ? "" : "; ") + std::string(error.what());
-    }
-  }
-  throw Error(reasons);
+  return gl::create_headless_context(backend, {}, [](const gl::Context& context) {
+    const std::string fault = driver_fault(context);
+    if (!fault.empty()) throw Error(fmt::format("the driver {} {}", context.renderer(), fault));
+  });
 }
 
 std::vector<BackendReport> backend_reports() {

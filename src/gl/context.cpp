@@ -77,8 +77,8 @@ void Context::initialise(std::string backend, const Functions::ProcAddress& addr
   }
 }
 
-std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
-                                                 const HeadlessLibraries& libraries) {
+std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const HeadlessLibraries& libraries,
+                                                 const std::function<void(const Context&)>& inspect) {
   using Create = std::unique_ptr<Context> (*)(const std::vector<std::string>&);
   struct Attempt {
     const char* name;
@@ -98,7 +98,9 @@ std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
   for (const Attempt& attempt : attempts) {
     if (backend != HeadlessBackend::automatic && backend != attempt.belongs_to) continue;
     try {
-      return attempt.create(attempt.names);
+      std::unique_ptr<Context> context = attempt.create(attempt.names);
+      if (inspect) inspect(*context);
+      return context;
     } catch (const Error& error) {
       reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", attempt.name, error.what());
     }

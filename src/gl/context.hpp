@@ -2,6 +2,7 @@
 // surfaceless, OSMesa), and the making of the latter.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -61,9 +62,11 @@ struct HeadlessLibraries {
 };
 
 /// Creates a context and makes it current. Automatic tries EGL device, EGL surfaceless and OSMesa in this
-/// order; egl the first two. No X server is contacted. Throws std::bad_alloc where drivers would hardly find
+/// order; egl the first two. No X server is contacted. `inspect`, if there is one, throws Error for a context
+/// that is not to be used, and the next one is tried. Throws std::bad_alloc where drivers would hardly find
 /// room, Error that lists what was tried and why each failed.
-[[nodiscard]] std::unique_ptr<Context> create_headless_context(HeadlessBackend backend,
-                                                               const HeadlessLibraries& libraries = {});
+[[nodiscard]] std::unique_ptr<Context> create_headless_context(
+    HeadlessBackend backend, const HeadlessLibraries& libraries = {},
+    const std::function<void(const Context&)>& inspect = {});
 
 }  // namespace moldlight::gl

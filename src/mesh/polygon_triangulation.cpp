@@ -83,7 +83,7 @@ bool PolygonTriangulator::clip_ears(std::vector<std::array<std::uint32_t, 3>>& t
     if (!is_ear(tip, take_straight_corners)) {
       tip = after;
       if (++refused < left) continue;
-      if (take_straight_corners || work_left_ == 0) return false;
+      if (take_straight_corners) return false;
       take_straight_corners = true;
       refused = 0;
       continue;

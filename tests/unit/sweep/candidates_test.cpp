@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -158,6 +159,21 @@ TEST(Candidates, FlatPartHasNoHull) {
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
   flat.facets = {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}};
   EXPECT_TRUE(hull_candidates(flat, 10, Progress()).empty());
+}
+
+TEST(Candidates, AHullOfManyPointsIsGivenUp) {
+  // On a circle no point is inside, and the hull takes seconds.
+  constexpr VertexIndex k_points = 6000;
+  TriangleMesh wheel;
+  wheel.vertices = {{0, 0, 0}, {0, 0, 1}};
+  for (VertexIndex i = 0; i < k_points; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / k_points;
+    wheel.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    wheel.facets.push_back({0, 1, i + 2});
+  }
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(static_cast<void>(hull_candidates(wheel, 10, progress)), Cancelled);
 }
 
 TEST(Candidates, CancelEndsTheSearch) {
