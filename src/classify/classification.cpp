@@ -33,9 +33,10 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
   }
 }
 
-Classification classification_of(const PartModel& model, const MethodSettings& settings,
-                                 const ExactPart& part, ExactAreas found) {
-  const ExactQuery query = exact_query(model, settings);
+Classification classification_of(const PartModel& model, const Query& asked, const ExactPart& part,
+                                 ExactAreas found) {
+  const ExactQuery query = exact_query(model, asked);
+  const MethodSettings& settings = asked.method;
   Classification result;
   result.settings = settings;
   result.direction = query.direction;
@@ -65,31 +66,31 @@ Timings timings_of(const PartModel& model, double regions_ms) {
 
 }  // namespace
 
-ExactQuery exact_query(const PartModel& model, const MethodSettings& settings) {
-  return {.direction = unit_direction(settings.direction),
-          .tau_deg = settings.tau_deg,
-          .lateral = lateral_tolerance(settings, model.frame.diagonal) / model.frame.diagonal};
+ExactQuery exact_query(const PartModel& model, const Query& query) {
+  return {.direction = query.direction.unit(),
+          .tau_deg = query.method.tau_deg,
+          .lateral = lateral_tolerance(query.method, model.frame.diagonal) / model.frame.diagonal};
 }
 
-Classification classify_exact(const PartModel& model, const MethodSettings& settings,
-                              const Progress& progress, bool with_split) {
-  if (!with_split) return *classify_exact_within(model, settings, {}, progress);
+Classification classify_exact(const PartModel& model, const Query& query, const Progress& progress,
+                              bool with_split) {
+  if (!with_split) return *classify_exact_within(model, query, {}, progress);
   const Stopwatch stopwatch;
   const ExactPart& part = model.exact(progress);
-  ExactSplit split = exact_split(part, exact_query(model, settings), progress);
-  Classification result = classification_of(model, settings, part, std::move(split.areas));
+  ExactSplit split = exact_split(part, exact_query(model, query), progress);
+  Classification result = classification_of(model, query, part, std::move(split.areas));
   result.timings = timings_of(model, stopwatch.elapsed_ms());
   result.split = std::make_shared<const SplitMesh>(std::move(split.mesh));
   return result;
 }
 
-std::optional<Classification> classify_exact_within(const PartModel& model, const MethodSettings& settings,
+std::optional<Classification> classify_exact_within(const PartModel& model, const Query& query,
                                                     const UndercutLimit& limit, const Progress& progress) {
   const Stopwatch stopwatch;
   const ExactPart& part = model.exact(progress);
-  std::optional<ExactAreas> found = exact_areas_within(part, exact_query(model, settings), limit, progress);
+  std::optional<ExactAreas> found = exact_areas_within(part, exact_query(model, query), limit, progress);
   if (!found) return std::nullopt;
-  Classification result = classification_of(model, settings, part, std::move(*found));
+  Classification result = classification_of(model, query, part, std::move(*found));
   result.timings = timings_of(model, stopwatch.elapsed_ms());
   return result;
 }

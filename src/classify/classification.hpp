@@ -40,7 +40,7 @@ struct Timings {
 
 /// Lengths and areas are in the part's unit.
 struct Classification {
-  MethodSettings settings;        // as given
+  MethodSettings settings;
   glm::dvec3 direction{0, 0, 1};  // unit
   std::string backend;            // "EGL device", "OSMesa", …; empty where no GL was needed
   std::string renderer;           // GL_RENDERER
@@ -58,21 +58,25 @@ struct Classification {
   std::vector<std::string> warnings;
   std::shared_ptr<const SplitMesh> split;  // exact regions, whatever the readout; none if not asked for
   std::optional<MapComparison> maps;       // against the exact regions, if asked for
+
+  [[nodiscard]] Query query() const { return {direction, settings}; }
+  [[nodiscard]] bool answers(const Query& asked) const {
+    return direction == asked.direction.unit() && settings == asked.method;
+  }
 };
 
-/// What exact regions are asked for by these settings.
-[[nodiscard]] ExactQuery exact_query(const PartModel& model, const MethodSettings& settings);
+/// What exact regions are asked for.
+[[nodiscard]] ExactQuery exact_query(const PartModel& model, const Query& query);
 
 /// Classifies by exact regions, whatever the readout; needs no GL. Uses all cores of the calling thread's
 /// TBB arena; the result is the same to the bit for any number of threads, timings apart. Throws UsageError
 /// for settings that make no sense, Cancelled.
-[[nodiscard]] Classification classify_exact(const PartModel& model, const MethodSettings& settings,
+[[nodiscard]] Classification classify_exact(const PartModel& model, const Query& query,
                                             const Progress& progress, bool with_split = false);
 
 /// The same without the split mesh, to the bit; nothing as soon as the undercut area is certain to be above
 /// the limit.
-[[nodiscard]] std::optional<Classification> classify_exact_within(const PartModel& model,
-                                                                  const MethodSettings& settings,
+[[nodiscard]] std::optional<Classification> classify_exact_within(const PartModel& model, const Query& query,
                                                                   const UndercutLimit& limit,
                                                                   const Progress& progress);
 

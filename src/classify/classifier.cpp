@@ -55,21 +55,21 @@ PartMaps::PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> 
       buffers_(part_buffers(context, *model_)),
       maps_(context.functions()) {}
 
-void PartMaps::draw_maps(const MethodSettings& settings) {
-  const MapFrame frame = map_frame(settings.direction);
-  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);
-  maps_.draw({buffers_, frame, classes}, map_settings(settings, model_->frame.diagonal));
+void PartMaps::draw_maps(const Query& query) {
+  const MapFrame frame = map_frame(query.direction.unit());
+  const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, query.method.tau_deg);
+  maps_.draw({buffers_, frame, classes}, map_settings(query.method, model_->frame.diagonal));
 }
 
-Classification Classifier::classify(const MethodSettings& settings, const Progress& progress,
-                                    bool with_split) {
-  Classification result = classify_exact(*model_, settings, progress, with_split);
+Classification Classifier::classify(const Query& query, const Progress& progress, bool with_split) {
+  Classification result = classify_exact(*model_, query, progress, with_split);
+  const MethodSettings& settings = query.method;
   if (settings.readout == Readout::exact) return result;
   const Stopwatch stopwatch;
   result.backend = context_->backend();
   result.renderer = context_->renderer();
   progress.report("drawing the maps", 0.0);
-  draw_maps(settings);
+  draw_maps(query);
   progress.report("measuring", 0.0);
   result.facet_fractions = settings.readout == Readout::samples ? fractions_by_samples(settings.samples)
                                                                 : fractions_by_facet_id(settings);
@@ -86,7 +86,7 @@ void Classifier::compare_maps(Classification& result, const Progress& progress) 
   progress.report("comparing the maps", 0.0);
   result.backend = context_->backend();
   result.renderer = context_->renderer();
-  draw_maps(result.settings);
+  draw_maps(result.query());
   const PieceSamples samples =
       sample_pieces(*result.split, model_->frame, static_cast<std::size_t>(result.settings.samples));
   result.maps = moldlight::compare_maps(samples, look_up(samples.samples));

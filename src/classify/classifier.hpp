@@ -35,9 +35,8 @@ class PartMaps {
   PartMaps(const gl::Context& context, std::shared_ptr<const PartModel> model);
   PartMaps(const PartMaps&) = delete;
 
-  /// Draws the maps of the settings' direction. Throws UsageError for settings that make no sense, Error
-  /// where the GL fails.
-  void draw_maps(const MethodSettings& settings);
+  /// Throws UsageError for settings that make no sense, Error where the GL fails.
+  void draw_maps(const Query& query);
 
   [[nodiscard]] const PartBuffers& buffers() const { return buffers_; }
   [[nodiscard]] const ShadowMaps& maps() const { return maps_; }
@@ -59,7 +58,7 @@ class Classifier : public PartMaps {
   /// classify_exact(), and for another readout its areas in place of the exact ones; their difference is part
   /// of the uncertainty. The split mesh is that of the exact regions. Throws UsageError for settings that
   /// make no sense, Error where the GL fails, Cancelled.
-  [[nodiscard]] Classification classify(const MethodSettings& settings, const Progress& progress,
+  [[nodiscard]] Classification classify(const Query& query, const Progress& progress,
                                         bool with_split = false);
 
   /// Adds to a result that has a split mesh how the maps of its settings differ from that, by as many samples

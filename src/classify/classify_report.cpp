@@ -19,7 +19,6 @@ Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
 Json settings_json(const Classification& result) {
   Json settings = options_json(method_options(), result.settings);
-  settings.erase("direction");
   const auto if_used = [](const std::string& name) { return name.empty() ? Json() : Json(name); };
   settings["backend"] = if_used(result.backend);
   settings["renderer"] = if_used(result.renderer);

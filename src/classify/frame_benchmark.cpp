@@ -26,7 +26,7 @@ constexpr int k_rounds = 5, k_turns = 8, k_warm_up = 2;
 }  // namespace
 
 FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<const PartModel>& model,
-                          const MethodSettings& method, const glm::ivec2& size, const Progress& progress) {
+                          const Query& asked, const glm::ivec2& size, const Progress& progress) {
   const gl::Functions& gl = context.functions();
   const gl::ColourTarget picture(gl, size);
   const ViewGeometry geometry =
@@ -37,8 +37,8 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
   start.orientation = standard_orientation(StandardView::isometric);
   start = fitted(start, geometry.extremes, size);
   const ExactPart part(model->part.mesh, model->geometry, model->frame, progress);
-  const ExactQuery query = exact_query(*model, method);
-  resting.take_split(exact_split(part, query, progress).mesh, geometry, method);
+  const ExactQuery query = exact_query(*model, asked);
+  resting.take_split(exact_split(part, query, progress).mesh, geometry, asked);
 
   const auto frame_ms = [&](const auto& draw) {
     const Stopwatch stopwatch;
@@ -78,9 +78,9 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     LatestJob<glm::dvec3, ExactAreas> beside({.work = measure, .pause_s = figure_pause_s});
     const Stopwatch stopwatch;
     for (int turn = -k_warm_up; turn < k_turns; ++turn) {
-      MethodSettings moved = method;
+      Query moved = asked;
       moved.direction = glm::dvec3(0.02 * (k_turns * round + turn), 0.1, 1.0);
-      beside.request(unit_direction(moved.direction));
+      beside.request(moved.direction.unit());
       const double change = frame_ms([&] {
         changing.draw_moving(moved);
         draw(changing, turn, ColourMode::regions);

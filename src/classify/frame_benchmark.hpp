@@ -28,9 +28,8 @@ struct FrameTimes {
 /// Pictures as the window draws them while the camera moves, without its panels. `context` must be current.
 /// Throws Error, Cancelled.
 [[nodiscard]] FrameTimes measure_frames(const gl::Context& context,
-                                        const std::shared_ptr<const PartModel>& model,
-                                        const MethodSettings& method, const glm::ivec2& size,
-                                        const Progress& progress);
+                                        const std::shared_ptr<const PartModel>& model, const Query& asked,
+                                        const glm::ivec2& size, const Progress& progress);
 
 /// Three lines of name=value pairs: live_plain, live_rest, live_changing.
 [[nodiscard]] std::string frame_times_text(const FrameTimes& times);

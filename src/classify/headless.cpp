@@ -44,11 +44,11 @@ std::string driver_fault(const gl::Context& context) {
   constexpr double k_most_differing = 0.02;  // of the covered texels: roundings at the facets' edges
   static const std::shared_ptr<const PartModel> part = known_part();
   MethodSettings settings;
-  settings.direction = {0.3, 0.2, 1.0};
   settings.resolution = 128;
+  const Query query{glm::dvec3(0.3, 0.2, 1.0), settings};
   PartMaps drawn(context, part);
-  drawn.draw_maps(settings);
-  const MapFrame frame = map_frame(settings.direction);
+  drawn.draw_maps(query);
+  const MapFrame frame = map_frame(query.direction.unit());
   SecondDepthMaps known(settings.resolution);
   known.draw({part->part.mesh, unit_positions(part->part.mesh, part->frame), part->geometry.normals,
               part->edges.concave},

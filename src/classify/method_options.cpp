@@ -9,8 +9,6 @@ namespace moldlight {
 std::span<const Option<MethodSettings>> method_options() {
   using S = MethodSettings;
   static const std::vector<Option<S>> k_options = {
-      {"direction", "--direction", "Direction", "",
-       "Parting direction +d, in which the core's side opens; any length.", DirectionKind<S>{&S::direction}},
       {"tau_deg", "--tau", "Draft tolerance", "deg",
        "Facets whose draft angle is smaller than this count as near-vertical and are looked up from both "
        "sides.",

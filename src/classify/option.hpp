@@ -30,6 +30,7 @@ struct GivenText {
 [[nodiscard]] double parse_positive(const GivenText& given, double max);
 [[nodiscard]] int parse_integer(const GivenText& given, int min, int max, bool odd);
 [[nodiscard]] bool parse_switch(const GivenText& given);
+/// Three finite numbers, not all zero, "X,Y,Z".
 [[nodiscard]] glm::dvec3 parse_direction(const GivenText& given);
 [[nodiscard]] std::vector<glm::dvec3> parse_directions(const GivenText& given);
 [[nodiscard]] int parse_word(const GivenText& given, const Words& words);
@@ -112,15 +113,7 @@ template <auto k_member>
       .set = [](Struct& settings, int index) { settings.*k_member = static_cast<Enum>(index); }};
 }
 
-/// Three finite numbers, not all zero, "X,Y,Z".
-template <typename S>
-struct DirectionKind {
-  glm::dvec3 S::*member;
-
-  glm::dvec3 value(const S& s) const { return s.*member; }
-  void parse(S& s, const GivenText& given) const { s.*member = parse_direction(given); }
-};
-/// Any number of them, a line each; the window has no control for it.
+/// Any number of directions, a line each; the window has no control for it.
 template <typename S>
 struct DirectionsKind {
   std::vector<glm::dvec3> S::*member;
@@ -157,8 +150,8 @@ struct Option {
   std::string_view label;  // in the window
   std::string_view unit;   // "deg", "texel", "part's unit"; empty where there is none
   std::string_view help;   // one or two sentences
-  std::variant<RealKind<S>, PositiveKind<S>, IntegerKind<S>, SwitchKind<S>, ChoiceKind<S>, DirectionKind<S>,
-               DirectionsKind<S>, SetKind<S>, TextKind<S>>
+  std::variant<RealKind<S>, PositiveKind<S>, IntegerKind<S>, SwitchKind<S>, ChoiceKind<S>, DirectionsKind<S>,
+               SetKind<S>, TextKind<S>>
       kind;
 };
 

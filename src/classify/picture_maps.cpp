@@ -23,26 +23,25 @@ MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
   return moving;
 }
 
-void PictureMaps::draw_moving(const MethodSettings& settings) {
-  const MethodSettings moving = moving_method(settings, model_->frame.diagonal);
-  if (context_->draws_on_cpu() && moving.kernel_shape == KernelShape::one_sided) {
+void PictureMaps::draw_moving(const Query& query) {
+  const Query moving{query.direction, moving_method(query.method, model_->frame.diagonal)};
+  if (context_->draws_on_cpu() && moving.method.kernel_shape == KernelShape::one_sided) {
     scan(moving);
   } else {
     draw_resting(moving);
   }
 }
 
-void PictureMaps::draw_resting(const MethodSettings& settings) {
-  draw_maps(settings);
+void PictureMaps::draw_resting(const Query& query) {
+  draw_maps(query);
   direction_ = maps_.frame().z;
   lacks_depths_ = false;
 }
 
-void PictureMaps::take_split(const SplitMesh& split, const ViewGeometry& view,
-                             const MethodSettings& settings) {
-  direction_ = split_direction_ = unit_direction(settings.direction);
+void PictureMaps::take_split(const SplitMesh& split, const ViewGeometry& view, const Query& query) {
+  direction_ = split_direction_ = query.direction.unit();
   split_.emplace(context_->functions(), split_geometry(split, model_->part.mesh, view, model_->frame),
-                 facet_classes(model_->geometry, direction_, settings.tau_deg));
+                 facet_classes(model_->geometry, direction_, query.method.tau_deg));
 }
 
 ViewSubject PictureMaps::subject() const {
@@ -54,11 +53,12 @@ ViewSubject PictureMaps::subject() const {
           .split = split ? &*split_ : nullptr};
 }
 
-void PictureMaps::scan(const MethodSettings& settings) {
+void PictureMaps::scan(const Query& query) {
+  const MethodSettings& settings = query.method;
   const TriangleMesh& mesh = model_->part.mesh;
   if (positions_.empty()) positions_ = unit_positions(mesh, model_->frame);
   if (!scanned_ || scanned_->resolution() != settings.resolution) scanned_.emplace(settings.resolution);
-  const MapFrame frame = map_frame(settings.direction);
+  const MapFrame frame = map_frame(query.direction.unit());
   direction_ = frame.z;
   const MapSettings map = map_settings(settings, model_->frame.diagonal);
   const std::vector<FacetClass> classes = facet_classes(model_->geometry, frame.z, settings.tau_deg);

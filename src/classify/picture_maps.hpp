@@ -28,13 +28,12 @@ class PictureMaps : PartMaps {
  public:
   using PartMaps::buffers, PartMaps::maps, PartMaps::PartMaps;
 
-  /// Draws the maps of the settings' direction. Throws UsageError for settings that make no sense, Error
-  /// where the GL fails.
-  void draw_moving(const MethodSettings& settings);
-  void draw_resting(const MethodSettings& settings);
+  /// Draws the maps. Throws UsageError for settings that make no sense, Error where the GL fails.
+  void draw_moving(const Query& query);
+  void draw_resting(const Query& query);
 
-  /// Takes the exact regions for the settings, for pictures of a direction at rest; `view` is the part's.
-  void take_split(const SplitMesh& split, const ViewGeometry& view, const MethodSettings& settings);
+  /// Takes the exact regions, for pictures of a direction at rest; `view` is the part's.
+  void take_split(const SplitMesh& split, const ViewGeometry& view, const Query& query);
   void drop_split() { split_.reset(); }
 
   /// What there is of the direction that was given last. Valid until the next call.
@@ -44,7 +43,7 @@ class PictureMaps : PartMaps {
   void complete_depths();
 
  private:
-  void scan(const MethodSettings& settings);
+  void scan(const Query& query);
 
   glm::dvec3 direction_{0.0, 0.0, 1.0}, split_direction_{0.0};
   std::optional<SplitSurface> split_;

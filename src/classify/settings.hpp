@@ -1,12 +1,11 @@
-// Everything a user can set about the method, with its defaults. Options (options.hpp) describe each member
-// once for help, command line, JSON and window.
+// What is asked of a part: a parting direction, and everything a user can set about the method that answers,
+// with its defaults. Options (option.hpp) describe each setting once for help, command line, JSON and window.
 #pragma once
 
 #include <cstdint>
 
-#include <glm/vec3.hpp>
-
 #include "gl/context.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight {
 
@@ -20,10 +19,9 @@ enum class Readout : std::uint8_t { exact, samples, facet_id };
 
 using Backend = gl::HeadlessBackend;
 
-/// Settings of the classification for one parting direction.
+/// How regions are told, whatever the direction.
 struct MethodSettings {
-  glm::dvec3 direction{0.0, 0.0, 1.0};  // any length but zero
-  double tau_deg = 1.0;                 // [0, 10]
+  double tau_deg = 1.0;  // [0, 10]
   int kernel = 0;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance; 0: unset
   double tolerance = 0.0;  // lateral tolerance in model units; replaces the kernel width; 0: unset
   KernelShape kernel_shape = KernelShape::one_sided;
@@ -34,6 +32,14 @@ struct MethodSettings {
   Backend backend = Backend::automatic;
 
   bool operator==(const MethodSettings&) const = default;
+};
+
+/// The question: what becomes of the part when the mold opens along this direction?
+struct Query {
+  Direction direction;
+  MethodSettings method;
+
+  bool operator==(const Query&) const = default;
 };
 
 /// The lateral tolerance that the settings mean for a part of this diagonal, both in model units: where they

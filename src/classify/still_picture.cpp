@@ -153,7 +153,7 @@ glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm
 std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
                                                const Progress& progress) {
   if (result.split) return result.split;
-  const ExactQuery query = exact_query(model, result.settings);
+  const ExactQuery query = exact_query(model, result.query());
   return std::make_shared<const SplitMesh>(exact_split(model.exact(progress), query, progress).mesh);
 }
 
@@ -225,8 +225,8 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   const glm::ivec2& size = settings.size;
   const LookSettings& look = settings.look;
   const auto split = exact_regions(*model_, result, progress);
-  if (look.regions_by == RegionsBy::maps || look.mark_difference) maps_.draw_resting(result.settings);
-  maps_.take_split(*split, geometry_, result.settings);
+  if (look.regions_by == RegionsBy::maps || look.mark_difference) maps_.draw_resting(result.query());
+  maps_.take_split(*split, geometry_, result.query());
 
   const LegendContent content = legend_content(*model_, result);
   const StillLayout places = still_layout(size, settings.legend ? &content : nullptr);

@@ -16,7 +16,7 @@ namespace {
 
 struct ClassifyFlags {
   PartFlags part;
-  MethodSettings method;
+  Query query;
   OutputPaths files;  // JSON is among the part's flags
   std::string image;
   bool compare_maps = false;
@@ -45,22 +45,22 @@ void log_result(const Classification& result, Console& console) {
 }
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
-  validate(flags.method);
+  validate(flags.query.method);
   check_files(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  validate(flags.method, model->frame.diagonal);
+  validate(flags.query.method, model->frame.diagonal);
   // Exact regions need no GL, the maps and pictures do.
-  const bool looks_at_maps = flags.method.readout != Readout::exact || flags.compare_maps;
+  const bool looks_at_maps = flags.query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
-  if (looks_at_maps || !flags.image.empty()) context = create_context(flags.method.backend);
+  if (looks_at_maps || !flags.image.empty()) context = create_context(flags.query.method.backend);
   const bool with_split = !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
   Classification result;
   if (looks_at_maps) {
     Classifier classifier(*context, model);
-    result = classifier.classify(flags.method, progress, with_split);
+    result = classifier.classify(flags.query, progress, with_split);
     if (flags.compare_maps) classifier.compare_maps(result, progress);
   } else {
-    result = classify_exact(*model, flags.method, progress, with_split);
+    result = classify_exact(*model, flags.query, progress, with_split);
   }
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
@@ -83,7 +83,9 @@ void add_classify_command(CLI::App& program, Request& request) {
       "Find out for a parting direction which surface each mold half forms and what is an undercut");
   const auto flags = std::make_shared<ClassifyFlags>();
   add_part_flags(*command, flags->part, request);
-  add_method_flags(*command, flags->method, DirectionFlag::required);
+  CLI::Option* direction = add_direction_flag(*command, flags->query.direction)->required();
+  direction->description(direction->get_description() + " [required]");
+  add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;
   add_file_flag(*command, files.facets,
                 {"--facets", "FILE.csv", "Write a table of facets: area and share of each region"});

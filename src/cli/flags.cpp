@@ -47,15 +47,16 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
 }
 
-void add_method_flags(CLI::App& command, MethodSettings& settings, DirectionFlag direction) {
-  for (const Option<MethodSettings>& option : method_options()) {
-    const bool is_direction = option.key == "direction";
-    if (is_direction && direction == DirectionFlag::left_out) continue;
-    CLI::Option* flag = add_option_flag(command, option, settings);
-    if (is_direction && direction == DirectionFlag::required) {
-      flag->required()->description(std::string(option.help) + " [required]");
-    }
-  }
+CLI::Option* add_direction_flag(CLI::App& command, Direction& direction) {
+  return add_text_flag(
+      command, {"--direction", "X,Y,Z", "Parting direction +d, in which the core's side opens; any length."},
+      [&direction](const std::string& text) {
+        direction = parse_direction({text, "--direction"});
+      });
+}
+
+void add_method_flags(CLI::App& command, MethodSettings& settings) {
+  add_option_flags(command, method_options(), settings);
   command.get_option("--kernel")->excludes(command.get_option("--tolerance"));
 }
 

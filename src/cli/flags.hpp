@@ -54,7 +54,6 @@ template <typename S>
     return fmt::format("{}", fmt::join(choice->words, "|"));
   }
   if (std::holds_alternative<SwitchKind<S>>(option.kind)) return "on|off";
-  if (std::holds_alternative<DirectionKind<S>>(option.kind)) return "X,Y,Z";
   if (std::holds_alternative<DirectionsKind<S>>(option.kind)) return "X,Y,Z ...";
   if (std::holds_alternative<SetKind<S>>(option.kind)) return "LIST";
   if (const auto* text = std::get_if<TextKind<S>>(&option.kind)) return std::string(text->name);
@@ -118,13 +117,12 @@ void add_option_flags(CLI::App& command, std::span<const Option<S>> options, S& 
 /// The flags of still pictures but for their size.
 std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings);
 
-/// How a command takes the parting direction.
-enum class DirectionFlag : std::uint8_t { required, optional, left_out };
+/// --direction.
+CLI::Option* add_direction_flag(CLI::App& command, Direction& direction);
 
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.
-void add_method_flags(CLI::App& command, MethodSettings& settings,
-                      DirectionFlag direction = DirectionFlag::optional);
+void add_method_flags(CLI::App& command, MethodSettings& settings);
 
 /// Breaks the lines of descriptions.
 class HelpFormatter : public CLI::Formatter {

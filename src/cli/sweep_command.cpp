@@ -198,7 +198,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
   for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
-  add_method_flags(*command, sweep.method, DirectionFlag::left_out);
+  add_method_flags(*command, sweep.method);
   set_work(*command, request, flags, run);
 }
 

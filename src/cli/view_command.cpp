@@ -41,8 +41,8 @@ std::string read_whole(const std::string& path) {
 int print_frame_times(const ViewFlags& flags, Console& console, const Progress& progress) {
   if (flags.part.empty()) throw UsageError("--benchmark needs a PART");
   const auto model = load_part(flags.part, flags.reading, progress);
-  const auto context = create_context(flags.notes.method.backend);
-  const FrameTimes times = measure_frames(*context, model, flags.notes.method, flags.size, progress);
+  const auto context = create_context(flags.notes.settings.method.backend);
+  const FrameTimes times = measure_frames(*context, model, flags.notes.settings, flags.size, progress);
   console.result(fmt::format("# {}, {}, {}x{}\n{}", context->backend(), context->renderer(), flags.size.x,
                              flags.size.y, frame_times_text(times)));
   return 0;
@@ -108,8 +108,10 @@ void add_view_command(CLI::App& program, Request& request) {
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
       "with the direction at rest, and with a direction that changes every frame");
   add_option_flags(*command, reading_options(), flags->reading);
-  add_method_flags(*command, flags->notes.method);
-  add_option_flags(*command, look_options(), flags->notes.look);
+  CLI::Option* direction = add_direction_flag(*command, flags->notes.settings.direction);
+  direction->description(direction->get_description() + " [default 0,0,1]");
+  add_method_flags(*command, flags->notes.settings.method);
+  add_option_flags(*command, look_options(), flags->notes.settings.look);
   add_option_flags(*command, gui::window_options(), flags->window);
   command->callback([command, flags, &request] {
     const auto window = options_json(gui::window_options(), flags->window);
@@ -121,8 +123,9 @@ void add_view_command(CLI::App& program, Request& request) {
       const std::string name = option->get_name();
       const auto names = [&](const auto& entry) { return entry.flag == name; };
       flags->settings_given =
-          flags->settings_given || (option->count() > 0 && (std::ranges::any_of(method_options(), names) ||
-                                                            std::ranges::any_of(look_options(), names)));
+          flags->settings_given ||
+          (option->count() > 0 && (name == "--direction" || std::ranges::any_of(method_options(), names) ||
+                                   std::ranges::any_of(look_options(), names)));
     }
     request.body = [flags](Console& console, const Progress& progress) {
       return run(*flags, console, progress);

@@ -65,7 +65,7 @@ void App::open(const std::string& path) {
 
 void App::set_notes(const PartNotes& notes) {
   notes_to_set_ = notes;
-  state_.settings = {notes.method, notes.look};
+  state_.settings = notes.settings;
   if (!notes.bookmarks.empty()) state_.bookmarks = notes.bookmarks;
   history_.reset(state_.settings);
 }
@@ -208,7 +208,7 @@ void App::install(LoadedPart part) {
   }
   saved_notes_ = notes;
   state_.notes_beside = !notes_file.empty() && notes_file == notes_path_beside(part.path);
-  state_.settings = {notes.method, notes.look};
+  state_.settings = notes.settings;
   state_.bookmarks = notes.bookmarks;
   history_.reset(state_.settings);
   flight_.stop();
@@ -223,8 +223,7 @@ void App::pick() {
   const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   const auto split = split_view();
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= (split ? split->left : size_.x) || pixel.y >= size_.y) return;
-  if (const auto point = scene_->pick(pixel))
-    state_.hover = describe(*state_.model, state_.settings.method, *point);
+  if (const auto point = scene_->pick(pixel)) state_.hover = describe(*state_.model, state_.settings, *point);
 }
 
 void App::apply(const Edits& edits) {
@@ -246,7 +245,7 @@ void App::apply(const Edits& edits) {
   }
   const bool turning = edits.dragging || turn_.flying();
   turn_direction(held);
-  direction_moves_ = turning && state_.settings.method.direction != former.settings.method.direction;
+  direction_moves_ = turning && state_.settings.direction != former.settings.direction;
   Commands commands{*this};
   for (const auto& command : edits.commands) {
     command(commands);
@@ -266,13 +265,13 @@ void App::apply(const Edits& edits) {
 }
 
 void App::set_direction(const glm::dvec3& direction) {
-  state_.settings.method.direction = tidy(direction);
+  state_.settings.direction = tidy(direction);
   history_.settle(state_.settings);
 }
 
 SceneSettings App::scene_settings() const {
   SceneSettings scene;
-  scene.method = state_.settings.method;
+  scene.query = state_.settings;
   const LookSettings& look = state_.settings.look;
   ViewSettings& shown = scene.view.settings;
   shown = {look};
@@ -280,7 +279,8 @@ SceneSettings App::scene_settings() const {
   shown.tau_deg = state_.settings.method.tau_deg;
   shown.open_mold = opening_.at(now_s_);
   shown.pixel_scale = scale_;
-  if (look.section) shown.cut_at = scene_->section_height(state_.settings.direction(), look.section_height);
+  if (look.section)
+    shown.cut_at = scene_->section_height(state_.settings.direction.unit(), look.section_height);
   scene.view.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
@@ -349,7 +349,7 @@ void App::turn_direction(bool held) {
     turn_.stop();
     return;
   }
-  state_.settings.method.direction = turn_.at(now_s_);
+  state_.settings.direction = turn_.at(now_s_);
   if (!turn_.flying()) history_.settle(state_.settings);
   settle_frames_ = k_settle_frames;
 }
@@ -392,7 +392,7 @@ void App::save() {
     options_.user.sweep = state_.sweep_choices.options;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
-    const PartNotes notes{state_.settings.method, state_.settings.look, state_.bookmarks};
+    const PartNotes notes{state_.settings, state_.bookmarks};
     if (!state_.model || notes == saved_notes_) return;
     const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
     if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));

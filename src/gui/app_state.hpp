@@ -17,16 +17,6 @@
 
 namespace moldlight::gui {
 
-/// What undo and redo go through.
-struct EditedSettings {
-  MethodSettings method;
-  LookSettings look;
-
-  /// The parting direction at unit length; the method's has the length that was typed.
-  [[nodiscard]] glm::dvec3 direction() const { return unit_direction(method.direction); }
-  bool operator==(const EditedSettings&) const = default;
-};
-
 /// The measured figures and how far they may be trusted.
 struct Figures {
   std::optional<Classification> shown = {};

@@ -38,7 +38,7 @@ void Commands::look_from(const glm::dquat& orientation) {
 }
 
 void Commands::look_along_direction() {
-  look_from(looking_along(-app.state_.settings.method.direction, app.state_.camera.up()));
+  look_from(looking_along(-app.state_.settings.direction.unit(), app.state_.camera.up()));
 }
 
 void Commands::toggle_projection() {
@@ -59,15 +59,14 @@ void Commands::take_axis() {
     return;
   }
   // Of its two senses the one that leaves the core where it is.
-  app.set_direction(glm::dot(*axis, app.state_.settings.method.direction) < 0.0 ? -*axis : *axis);
+  app.set_direction(glm::dot(*axis, app.state_.settings.direction.unit()) < 0.0 ? -*axis : *axis);
 }
 
 void Commands::fly_to_direction(const glm::dvec3& direction) {
-  glm::dvec3& present = app.state_.settings.method.direction;
   if (app.state_.window.motion) {
-    app.turn_.start(app.state_.settings.direction(), direction, app.now_s_);
+    app.turn_.start(app.state_.settings.direction.unit(), direction, app.now_s_);
   } else {
-    present = direction;
+    app.state_.settings.direction = direction;
     app.history_.settle(app.state_.settings);
   }
 }
@@ -132,7 +131,7 @@ void Commands::say(const std::string& text, bool failure) { app.say(text, failur
 void Commands::quit() { app.quitting_ = true; }
 
 void Edits::keep_bookmark() {
-  const glm::dvec3& direction = settings.method.direction;
+  const glm::dvec3& direction = settings.direction.given();
   bookmarks.push_back({.note = direction_text(direction, 3), .direction = tidy(direction)});
 }
 
@@ -146,7 +145,7 @@ struct Pressed {
   const AppState& state;
   Edits& edits;
   LookSettings& look = edits.settings.look;
-  glm::dvec3& direction = edits.settings.method.direction;
+  Direction& direction = edits.settings.direction;
 };
 
 template <typename Enum>
@@ -174,7 +173,7 @@ void nudge(const Pressed& p) {
                             : p.key.key == GLFW_KEY_UP    ? camera.up()
                                                           : -camera.up();
   const double angle_deg = p.key.shift ? k_fine_nudge_deg : k_nudge_deg;
-  p.direction = nudged(p.edits.settings.direction(), toward, camera.toward_viewer(), angle_deg);
+  p.direction = nudged(p.edits.settings.direction.unit(), toward, camera.toward_viewer(), angle_deg);
 }
 
 void keep_bookmark(const Pressed& p) {
@@ -229,7 +228,7 @@ const std::vector<Shortcut>& shortcuts() {
        part,
        {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
        nudge},
-      {{direction, "X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction); }},
+      {{direction, "X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction.given()); }},
       {{direction, "B", "bookmark the direction"}, part_no_ctrl, {'B'}, keep_bookmark},
       {{direction, "W", "sweep: find directions, or cancel"},
        part_no_ctrl,

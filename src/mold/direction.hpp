@@ -10,6 +10,22 @@ namespace moldlight {
 /// direction.
 [[nodiscard]] glm::dvec3 unit_direction(const glm::dvec3& direction);
 
+/// A parting direction +d, in which the core's side opens: as it was given, which a field goes on showing,
+/// and at length one, which everything else asks for.
+class Direction {
+ public:
+  Direction() = default;  // +z
+  /// Of any length; throws as unit_direction() does.
+  Direction(const glm::dvec3& given) : given_(given), unit_(unit_direction(given)) {}
+
+  [[nodiscard]] const glm::dvec3& given() const { return given_; }
+  [[nodiscard]] const glm::dvec3& unit() const { return unit_; }
+  [[nodiscard]] bool operator==(const Direction& other) const { return given_ == other.given_; }
+
+ private:
+  glm::dvec3 given_{0.0, 0.0, 1.0}, unit_{0.0, 0.0, 1.0};
+};
+
 /// The direction or its opposite, whichever has z > 0; on the equator y > 0; on the x-axis x > 0. A component
 /// below 1e-9 counts as 0.
 [[nodiscard]] glm::dvec3 half_sphere(const glm::dvec3& direction);

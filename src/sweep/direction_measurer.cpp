@@ -12,9 +12,7 @@ namespace moldlight {
 std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3& direction,
                                                                 const UndercutLimit& limit,
                                                                 const Progress& progress) const {
-  MethodSettings method = method_;
-  method.direction = direction;
-  std::optional<Classification> found = classify_exact_within(model_, method, limit, progress);
+  std::optional<Classification> found = classify_exact_within(model_, {direction, method_}, limit, progress);
   if (!found) return std::nullopt;
   const FacetFractions fractions = std::exchange(found->facet_fractions, {});
   MeasuredDirection measured{.classification = std::move(*found),

@@ -24,7 +24,7 @@ struct MeasuredDirection {
 
 class DirectionMeasurer {
  public:
-  /// `method`'s direction is not used; `jobs` is the number of threads.
+  /// `jobs`: the number of threads.
   DirectionMeasurer(const PartModel& model, const MethodSettings& method, int jobs)
       : model_(model), method_(method), arena_(jobs) {}
 

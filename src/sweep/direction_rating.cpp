@@ -35,7 +35,7 @@ Classification DirectionRating::classification(const glm::dvec3& direction,
                                                const DirectionScore& score) const {
   Classification told;
   told.settings = settings_.method;
-  told.settings.direction = told.direction = direction;
+  told.direction = direction;
   told.areas = score.areas;
   told.total_area = model_.geometry.total_area;
   told.shadow_area = score.shadow_area;

@@ -23,7 +23,7 @@ Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 Json settings_json(const SweepResult& result) {
   Json settings = options_json(method_options(), result.settings.method);
   // The direction is what is searched for, and the figures are exact.
-  for (const char* key : {"direction", "readout", "samples"}) settings.erase(key);
+  for (const char* key : {"readout", "samples"}) settings.erase(key);
   settings.update(options_json(sweep_options(), result.settings));
   // The report is the same whatever the number of threads.
   settings.erase("jobs");

@@ -34,7 +34,7 @@ struct Objective {
 [[nodiscard]] Objective parse_objective(std::string_view text);
 
 struct SweepSettings {
-  MethodSettings method;  // of the final figures; its direction is not used
+  MethodSettings method;  // of the final figures
   int directions = 500;   // uniform directions over the half-sphere, [0, 100000]
   std::vector<CandidateKind> kinds = all_candidate_kinds();  // sources of candidates
   std::vector<glm::dvec3> user_directions;                   // any length but zero

@@ -34,7 +34,6 @@ class Controls : public WindowWithPart {
                      const auto other = static_cast<std::size_t>(kind.get(settings) == 0 ? 1 : 0);
                      click(label + "=" + std::string(kind.words[other]));
                    },
-                   [&](const DirectionKind<S>&) { click("+X"); },
                    [&](const DirectionsKind<S>&) {},
                    [&](const SetKind<S>& kind) { click(std::string(kind.words.front())); },
                    [&](const TextKind<S>& kind) { click(label + "=" + std::string(kind.words.back())); },

@@ -15,32 +15,32 @@ TEST_F(WindowWithPart, TheArrowsTipFollowsTheMouse) {
   const glm::vec2 tip = window.control("core arrow").centre();
   const glm::vec2 to = tip + glm::vec2(70, 25);
   drag(tip, to);
-  EXPECT_GT(angle_deg(method().direction, {0, 0, 1}), 5.0);
-  EXPECT_NEAR(glm::length(method().direction), 1.0, 1e-12);
+  EXPECT_GT(angle_deg(direction(), {0, 0, 1}), 5.0);
+  EXPECT_NEAR(glm::length(direction()), 1.0, 1e-12);
   EXPECT_LT(glm::distance(window.control("core arrow").centre(), to), 2.0F);
 }
 
 TEST_F(WindowWithPart, ADragIsOneStepOfUndo) {
   const glm::vec2 tip = window.control("core arrow").centre();
   drag(tip, tip + glm::vec2(70, 25));
-  const glm::dvec3 turned = method().direction;
+  const glm::dvec3 turned = direction();
   EXPECT_TRUE(state().can_undo);
   undo();
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
   EXPECT_FALSE(state().can_undo);
   key({.key = 'Y', .ctrl = true});
-  EXPECT_EQ(method().direction, turned);
+  EXPECT_EQ(direction(), turned);
 }
 
 TEST_F(WindowWithPart, EscapeGivesADragUp) {
   const glm::vec2 tip = window.control("core arrow").centre();
   drag(tip, tip + glm::vec2(70, 25), false);
-  EXPECT_NE(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_NE(direction(), glm::dvec3(0, 0, 1));
   key({.key = k_escape});
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
   window.move_mouse(tip + glm::vec2(-40, 40));
   window.frames(2);
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1)) << "the drag goes on";
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1)) << "the drag goes on";
   window.set_button(0, false);
   window.frames(2);
   EXPECT_FALSE(state().can_undo);
@@ -49,7 +49,7 @@ TEST_F(WindowWithPart, EscapeGivesADragUp) {
 TEST_F(WindowWithPart, AClickOnTheArrowChangesNothing) {
   move_to(window.control("core arrow").centre() + glm::vec2(3, 2));
   press();
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
 }
 
 TEST_F(WindowWithPart, CtrlSnapsToThePartsDirections) {
@@ -60,10 +60,10 @@ TEST_F(WindowWithPart, CtrlSnapsToThePartsDirections) {
   EXPECT_FALSE(state().features.empty());
   const bool snapped =
       std::any_of(state().features.begin(), state().features.end(), [&](const auto& feature) {
-        return feature.direction == method().direction || -feature.direction == method().direction;
+        return feature.direction == direction() || -feature.direction == direction();
       });
   EXPECT_TRUE(snapped);
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1)) << "a small drag stays with the nearest";
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1)) << "a small drag stays with the nearest";
 }
 
 TEST_F(WindowWithPart, CtrlSnapsToTheNearestFromAnywhere) {
@@ -72,14 +72,14 @@ TEST_F(WindowWithPart, CtrlSnapsToTheNearestFromAnywhere) {
   // Down to the right on the screen: x as it is seen from the first view.
   drag(tip, tip + glm::vec2(180, 330));
   window.hold_modifiers(false, false, false);
-  EXPECT_EQ(method().direction, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(direction(), glm::dvec3(1, 0, 0));
 }
 
 TEST_F(WindowWithPart, TheBallTurnsTheDirection) {
   const ScreenBox ball = window.control("ball");
   drag(ball.centre(), ball.centre() + glm::vec2(10, 0));
   // From the ball's middle towards the viewer, turned to the right.
-  const glm::dvec3 seen = glm::conjugate(state().camera.orientation) * method().direction;
+  const glm::dvec3 seen = glm::conjugate(state().camera.orientation) * direction();
   EXPECT_GT(seen.x, 0.1);
   EXPECT_NEAR(seen.y, 0.0, 1e-9);
   EXPECT_GT(seen.z, 0.9);
@@ -87,14 +87,14 @@ TEST_F(WindowWithPart, TheBallTurnsTheDirection) {
 
 TEST_F(WindowWithPart, ButtonsSetTheAxes) {
   click("−X");
-  EXPECT_EQ(method().direction, glm::dvec3(-1, 0, 0));
+  EXPECT_EQ(direction(), glm::dvec3(-1, 0, 0));
   click("+Y");
-  EXPECT_EQ(method().direction, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(direction(), glm::dvec3(0, 1, 0));
   click("flip");
-  EXPECT_EQ(method().direction, glm::dvec3(0, -1, 0));
+  EXPECT_EQ(direction(), glm::dvec3(0, -1, 0));
   undo();
   undo();
-  EXPECT_EQ(method().direction, glm::dvec3(-1, 0, 0));
+  EXPECT_EQ(direction(), glm::dvec3(-1, 0, 0));
 }
 
 TEST_F(WindowWithPart, FieldsTakeNumbers) {
@@ -102,12 +102,12 @@ TEST_F(WindowWithPart, FieldsTakeNumbers) {
   window.type("1");
   window.frame();
   key({.key = k_enter});
-  EXPECT_EQ(method().direction, glm::dvec3(1, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(1, 0, 1));
   click("elevation");
   window.type("30");
   window.frame();
   key({.key = k_enter});
-  EXPECT_NEAR(method().direction.z, 0.5, 1e-12);
+  EXPECT_NEAR(direction().z, 0.5, 1e-12);
 }
 
 TEST_F(WindowWithPart, FieldsRefuseWhatIsNoDirection) {
@@ -115,20 +115,20 @@ TEST_F(WindowWithPart, FieldsRefuseWhatIsNoDirection) {
   window.type("0");
   window.frame();
   key({.key = k_enter});
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
   click("z");
   window.type("nan");
   window.frame();
   key({.key = k_enter});
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
 }
 
 TEST_F(WindowWithPart, ArrowKeysNudge) {
   key({.key = k_right});
-  EXPECT_NEAR(angle_deg(method().direction, {0, 0, 1}), 1.0, 1e-9);
+  EXPECT_NEAR(angle_deg(direction(), {0, 0, 1}), 1.0, 1e-9);
   undo();
   key({.key = k_up, .shift = true});
-  EXPECT_NEAR(angle_deg(method().direction, {0, 0, 1}), 0.1, 1e-9);
+  EXPECT_NEAR(angle_deg(direction(), {0, 0, 1}), 0.1, 1e-9);
 }
 
 TEST_F(WindowWithPart, BookmarksAreKept) {

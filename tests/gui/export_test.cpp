@@ -10,13 +10,13 @@ class Exports : public WindowWithPart {};
 TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
   // Along a direction that cuts facets.
   PartNotes notes;
-  notes.method = method();
-  notes.method.direction = {0.36, 0.48, 0.8};
+  notes.settings.method = method();
+  notes.settings.direction = glm::dvec3(0.36, 0.48, 0.8);
   window.app().set_notes(notes);
   window.app().open(part.file());
   window.wait_until_loaded();
   window.wait_until_measured();
-  ASSERT_EQ(method(), notes.method);
+  ASSERT_EQ(state().settings, notes.settings);
   ASSERT_GT(state().figures.split->pieces.size(), state().model->part.mesh.facets.size());
   key({.key = 'E', .ctrl = true});
   window.frames(3);
@@ -30,7 +30,7 @@ TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
   expected.mesh = part.output("expected.ply");
   expected.split_folder = part.output("expected");
   expected.borders = part.output("expected.obj");
-  write_outputs(expected, *state().model, classify_exact(*state().model, method(), Progress{}, true),
+  write_outputs(expected, *state().model, classify_exact(*state().model, state().settings, Progress{}, true),
                 state().settings.look.palette);
   const auto same = [&](const std::string& ours, const std::string& theirs) {
     const std::string bytes = moldlight::test::file_bytes(part.output(ours));

@@ -46,7 +46,7 @@ TEST_F(Faces, AClickChoosesTheWholeFace) {
   ASSERT_EQ(table.size(), 6U);
   for (const Region region : k_regions)
     EXPECT_EQ(state().face->figures->areas[region], table[1].areas[region]);
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1)) << "a click leaves the direction";
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1)) << "a click leaves the direction";
   EXPECT_FALSE(state().can_undo);
   const std::vector<std::uint8_t> chosen = settled_pixels();
   EXPECT_NE(chosen, bare);

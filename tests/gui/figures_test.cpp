@@ -26,7 +26,7 @@ TEST_F(WindowWithPart, LegendEqualsClassify) {
   const auto model = load_part(part.file(), ReadOptions{}, Progress{});
   const auto context = create_context(Backend::automatic);
   Classifier classifier(*context, model);
-  const Classification expected = classifier.classify(method(), Progress{});
+  const Classification expected = classifier.classify(state().settings, Progress{});
   EXPECT_GT(expected.areas[Region::undercut], 0.0);
   EXPECT_EQ(report(*state().model, *state().figures.shown).dump(), report(*model, expected).dump());
   for (const Region region : k_regions)
@@ -39,7 +39,7 @@ TEST_F(WindowWithPart, FiguresAreOfTheOldSettingsUntilThereAreOthers) {
   key({.key = 'X'});
   window.wait_until_measured();
   EXPECT_FALSE(state().figures.stale);
-  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_TRUE(state().figures.shown->answers(state().settings));
   // Reversing the direction swaps core and cavity.
   EXPECT_NEAR(state().figures.shown->areas[Region::core], before[Region::cavity], 1e-12 * before.total());
   EXPECT_NEAR(state().figures.shown->areas[Region::cavity], before[Region::core], 1e-12 * before.total());
@@ -53,7 +53,7 @@ TEST_F(WindowWithPart, AChangeWhileMeasuringIsMeasuredLast) {
     window.frames(12);  // the measuring of one change has begun when the next one comes
   }
   window.wait_until_measured();
-  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_TRUE(state().figures.shown->answers(state().settings));
 }
 
 /// Turns the direction by its arrow, a little a frame, and keeps it in the hand.
@@ -80,12 +80,12 @@ TEST_F(Dragging, FiguresFollowTheHandAndAreNeverPale) {
   constexpr int k_steps = 60;
   const auto start = std::chrono::steady_clock::now();
   std::uint64_t revision = state().figures.revision;
-  glm::dvec3 shown = state().figures.shown->direction, direction = method().direction;
+  glm::dvec3 shown = state().figures.shown->direction, former = direction();
   int followed = 0;
   for (int step = 0; step < k_steps; ++step) {
     turn_to(step);
-    EXPECT_NE(method().direction, direction) << "the direction waits for something";
-    direction = method().direction;
+    EXPECT_NE(direction(), former) << "the direction waits for something";
+    former = direction();
     EXPECT_FALSE(state().figures.pale);
     if (state().figures.revision == revision) continue;
     revision = state().figures.revision;
@@ -97,7 +97,7 @@ TEST_F(Dragging, FiguresFollowTheHandAndAreNeverPale) {
   EXPECT_GE(followed, std::min(10.0 * took.count(), 0.5 * k_steps)) << "in " << took.count() << " s";
   window.set_button(0, false);
   window.wait_until_measured();
-  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_TRUE(state().figures.shown->answers(state().settings));
 }
 
 TEST_F(Dragging, TheSplitMeshComesWhenTheHandRests) {
@@ -107,7 +107,7 @@ TEST_F(Dragging, TheSplitMeshComesWhenTheHandRests) {
   EXPECT_FALSE(state().figures.shown->split) << "while it moves";
   // Still held, but at rest.
   window.wait_until_measured();
-  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_TRUE(state().figures.shown->answers(state().settings));
   ASSERT_TRUE(state().figures.shown->split);
   const RegionValues at_rest = state().figures.shown->areas;
   const auto split = state().figures.shown->split;
@@ -135,7 +135,7 @@ TEST_F(WindowWithPart, FiguresByAnotherReadoutComeWhenTheSettingsRest) {
   EXPECT_TRUE(state().figures.pale);
   window.set_button(0, false);
   window.wait_until_measured();
-  EXPECT_EQ(state().figures.shown->settings, method());
+  EXPECT_TRUE(state().figures.shown->answers(state().settings));
   EXPECT_FALSE(state().figures.pale);
 }
 

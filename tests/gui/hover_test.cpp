@@ -53,8 +53,8 @@ TEST_F(Hovering, TellsTheFacet) {
   EXPECT_EQ(state().hover->point.facet, found);
   EXPECT_EQ(state().hover->point.region, Region::core);
   EXPECT_FALSE(state().hover->blocker);
-  EXPECT_NEAR(state().hover->draft_deg,
-              draft_angle_deg(state().model->geometry.normals[found], method().direction), 1e-12);
+  EXPECT_NEAR(state().hover->draft_deg, draft_angle_deg(state().model->geometry.normals[found], direction()),
+              1e-12);
 }
 
 TEST_F(Hovering, TellsWhatBlocksAnUndercut) {
@@ -68,7 +68,7 @@ TEST_F(Hovering, TellsWhatBlocksAnUndercut) {
   // The blocker lies on the line along the direction, at the distance that is told, and faces the point.
   const Blocker& blocker = *state().hover->blocker;
   const PartModel& model = *state().model;
-  const glm::dvec3 along = method().direction * (blocker.above ? 1.0 : -1.0);
+  const glm::dvec3 along = direction() * (blocker.above ? 1.0 : -1.0);
   const glm::dvec3 point =
       glm::dvec3(state().hover->point.position) * model.frame.diagonal + model.frame.center;
   const glm::dvec3& normal = model.geometry.normals[blocker.facet];
@@ -97,9 +97,9 @@ TEST_F(Hovering, ADoubleClickTakesTheNormal) {
   press();
   press();
   const glm::dvec3& normal = state().model->geometry.normals[found];
-  EXPECT_NEAR(glm::dot(method().direction, normal), 1.0, 1e-9);
+  EXPECT_NEAR(glm::dot(direction(), normal), 1.0, 1e-9);
   undo();
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
 }
 
 TEST_F(Hovering, AnAltDoubleClickTakesTheAxis) {
@@ -114,9 +114,9 @@ TEST_F(Hovering, AnAltDoubleClickTakesTheAxis) {
   press();
   press();
   window.hold_modifiers(false, false, false);
-  EXPECT_NEAR(std::abs(method().direction.y), 1.0, 1e-9);
+  EXPECT_NEAR(std::abs(direction().y), 1.0, 1e-9);
   undo();
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
 }
 
 TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
@@ -125,7 +125,7 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
   press();
   press();
   window.hold_modifiers(false, false, false);
-  EXPECT_EQ(method().direction, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(direction(), glm::dvec3(0, 0, 1));
   ASSERT_EQ(state().toasts.size(), 1U);
   EXPECT_NE(state().toasts[0].text.find("no round wall"), std::string::npos);
 }

@@ -92,10 +92,10 @@ class MapsAreCompared : public RegionsAre {
   /// What is to be said of the present settings, from the part's file on.
   [[nodiscard]] std::string expected(std::size_t samples) {
     const auto model = load_part(part.file(), ReadOptions{}, Progress{});
-    const Classification exact = classify_exact(*model, method(), Progress{}, true);
+    const Classification exact = classify_exact(*model, state().settings, Progress{}, true);
     const PieceSamples set = sample_pieces(*exact.split, model->frame, samples);
     Classifier classifier(window.context(), model);
-    classifier.draw_maps(method());
+    classifier.draw_maps(state().settings);
     SamplePass pass(window.context().functions());
     return comparison_text(compare_maps(set, pass.run(set.samples, classifier.maps())));
   }

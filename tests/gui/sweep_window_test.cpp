@@ -56,7 +56,7 @@ SweepSettings long_sweep() {
 class SweepWindow : public testing::Test {
  protected:
   explicit SweepWindow(const SweepSettings& sweep = quick_sweep()) : window_(options(sweep)) {
-    window_.app().set_notes({.method = quick_method(), .look = {}, .bookmarks = {}});
+    window_.app().set_notes({.settings = {{{}, quick_method()}, {}}, .bookmarks = {}});
     open(test::snap_hook({}).mesh, "hook.stl");
   }
 
@@ -128,9 +128,8 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
     EXPECT_EQ(a.candidate.direction, b.candidate.direction);
     EXPECT_EQ(a.tie_group, b.tie_group);
     EXPECT_EQ(a.figures, b.figures);
-    MethodSettings method = settings.method;
-    method.direction = a.candidate.direction;
-    const Classification classified = classify_exact(*window_.state().model, method, Progress{});
+    const Classification classified =
+        classify_exact(*window_.state().model, {a.candidate.direction, settings.method}, Progress{});
     for (const Region region : k_regions) {
       EXPECT_EQ(a.classification.areas[region], b.classification.areas[region]);
       EXPECT_EQ(a.classification.areas[region], classified.areas[region]);
@@ -160,7 +159,7 @@ TEST_F(SweepWindow, ColoursTheBallByTheScoredDirections) {
 TEST_F(SweepWindow, TurnsToTheRowThatIsClicked) {
   sweep();
   ASSERT_GE(state().result->candidates.size(), 3U);
-  const auto direction = [&] { return window_.state().settings.method.direction; };
+  const auto direction = [&] { return window_.state().settings.direction.given(); };
   const auto click = [&](const std::string& control) {
     window_.move_mouse(window_.control(control).centre());
     window_.frames(2);
@@ -221,12 +220,10 @@ TEST_F(SweepWindow, SaysWhenTheMethodHasChanged) {
   sweep();
   MethodSettings method = quick_method();
   method.tau_deg = 2.0;
-  window_.app().set_notes({.method = method, .look = {}, .bookmarks = {}});
+  window_.app().set_notes({.settings = {{{}, method}, {}}, .bookmarks = {}});
   window_.frames(2);
   EXPECT_TRUE(state().stale);
-  method = quick_method();
-  method.direction = {1, 0, 0};
-  window_.app().set_notes({.method = method, .look = {}, .bookmarks = {}});
+  window_.app().set_notes({.settings = {{glm::dvec3(1, 0, 0), quick_method()}, {}}, .bookmarks = {}});
   window_.frames(2);
   EXPECT_FALSE(state().stale) << "the direction is what is searched for";
 }

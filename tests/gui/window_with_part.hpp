@@ -18,8 +18,8 @@ class WindowWithPart : public ::testing::Test {
  protected:
   WindowWithPart() : window(options()) {
     PartNotes notes;
-    notes.method.resolution = 512;
-    notes.method.samples = 20'000;
+    notes.settings.method.resolution = 512;
+    notes.settings.method.samples = 20'000;
     window.app().set_notes(notes);
     window.app().open(part.file());
     window.wait_until_loaded();
@@ -34,6 +34,7 @@ class WindowWithPart : public ::testing::Test {
 
   [[nodiscard]] const AppState& state() const { return window.state(); }
   [[nodiscard]] const MethodSettings& method() const { return state().settings.method; }
+  [[nodiscard]] const glm::dvec3& direction() const { return state().settings.direction.given(); }
 
   void move_to(const glm::vec2& place) {
     window.move_mouse(place);

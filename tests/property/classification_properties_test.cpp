@@ -17,12 +17,12 @@ constexpr int k_cases = 6;
 // ten digits after the part's size.
 constexpr double k_rounding = 1e-9;  // of the part's area
 
-MethodSettings settings_for(const test::Shape& shape) {
-  MethodSettings settings;
-  settings.direction = shape.direction;
-  settings.tau_deg = shape.settings.tau_deg;
-  settings.tolerance = shape.settings.lateral_tolerance;
-  return settings;
+Query query_for(const test::Shape& shape) {
+  Query query;
+  query.direction = shape.direction;
+  query.method.tau_deg = shape.settings.tau_deg;
+  query.method.tolerance = shape.settings.lateral_tolerance;
+  return query;
 }
 
 void expect_same_areas(const Classification& a, const Classification& b, const std::string& name) {
@@ -46,17 +46,17 @@ std::vector<test::Shape> cases(std::uint32_t seed) {
 TEST(ClassificationProperties, PartAndDirectionTurnTogether) {
   for (const test::Shape& shape : cases(1)) {
     const test::Shape turned = test::turned(shape, test::random_rotation(77));
-    expect_same_areas(test::classify_mesh(shape.mesh, settings_for(shape)),
-                      test::classify_mesh(turned.mesh, settings_for(turned)), shape.name);
+    expect_same_areas(test::classify_mesh(shape.mesh, query_for(shape)),
+                      test::classify_mesh(turned.mesh, query_for(turned)), shape.name);
   }
 }
 
 TEST(ClassificationProperties, ReversedDirectionSwapsCoreAndCavity) {
   for (const test::Shape& shape : cases(2)) {
-    MethodSettings settings = settings_for(shape);
-    const Classification forward = test::classify_mesh(shape.mesh, settings);
-    settings.direction = -settings.direction;
-    Classification reversed = test::classify_mesh(shape.mesh, settings);
+    Query query = query_for(shape);
+    const Classification forward = test::classify_mesh(shape.mesh, query);
+    query.direction = -query.direction.unit();
+    Classification reversed = test::classify_mesh(shape.mesh, query);
     std::swap(reversed.areas[Region::core], reversed.areas[Region::cavity]);
     expect_same_areas(forward, reversed, shape.name);
   }
@@ -65,10 +65,10 @@ TEST(ClassificationProperties, ReversedDirectionSwapsCoreAndCavity) {
 TEST(ClassificationProperties, ScalingByAFactorScalesAreasByItsSquare) {
   for (const test::Shape& shape : cases(3)) {
     for (const double factor : {1e-3, 25.4, 1e4}) {
-      MethodSettings settings = settings_for(shape);
-      const Classification before = test::classify_mesh(shape.mesh, settings);
-      settings.tolerance = settings.tolerance * factor;
-      Classification after = test::classify_mesh(test::scaled(shape.mesh, factor), settings);
+      Query query = query_for(shape);
+      const Classification before = test::classify_mesh(shape.mesh, query);
+      query.method.tolerance = query.method.tolerance * factor;
+      Classification after = test::classify_mesh(test::scaled(shape.mesh, factor), query);
       for (double& area : after.areas.values) area /= factor * factor;
       expect_same_areas(before, after, shape.name);
     }
@@ -77,25 +77,24 @@ TEST(ClassificationProperties, ScalingByAFactorScalesAreasByItsSquare) {
 
 TEST(ClassificationProperties, FarFromTheOriginNothingChanges) {
   for (const test::Shape& shape : cases(4)) {
-    const MethodSettings settings = settings_for(shape);
-    expect_same_areas(test::classify_mesh(shape.mesh, settings),
-                      test::classify_mesh(test::translated(shape.mesh, {1e6, -2e6, 5e5}), settings),
-                      shape.name);
+    const Query query = query_for(shape);
+    expect_same_areas(test::classify_mesh(shape.mesh, query),
+                      test::classify_mesh(test::translated(shape.mesh, {1e6, -2e6, 5e5}), query), shape.name);
   }
 }
 
 TEST(ClassificationProperties, OrderOfFacetsAndVerticesDoesNotMatter) {
   for (const test::Shape& shape : cases(5)) {
-    const MethodSettings settings = settings_for(shape);
-    expect_same_areas(test::classify_mesh(shape.mesh, settings),
-                      test::classify_mesh(test::permuted(shape.mesh, 99), settings), shape.name);
+    const Query query = query_for(shape);
+    expect_same_areas(test::classify_mesh(shape.mesh, query),
+                      test::classify_mesh(test::permuted(shape.mesh, 99), query), shape.name);
   }
 }
 
 TEST(ClassificationProperties, AreasAddUpAndFractionsAreShares) {
   for (const test::Shape& shape : cases(6)) {
     const auto model = test::model_of(shape.mesh);
-    const Classification result = classify_exact(*model, settings_for(shape), Progress{});
+    const Classification result = classify_exact(*model, query_for(shape), Progress{});
     EXPECT_NEAR(result.areas.total(), result.total_area, 1e-9 * result.total_area);
     RegionValues summed;
     for (std::size_t facet = 0; facet < result.facet_fractions.size(); ++facet) {
@@ -117,9 +116,9 @@ TEST(ClassificationProperties, AreasAddUpAndFractionsAreShares) {
 TEST(ClassificationProperties, TheShadowIsTheSameFromBothSidesOfAClosedPart) {
   std::uint32_t seed = 0;
   for (const test::Shape& shape : cases(7)) {
-    MethodSettings settings = settings_for(shape);
-    settings.direction = test::random_rotation(500 + seed++) * glm::dvec3(0, 0, 1);
-    const Classification result = test::classify_mesh(shape.mesh, settings);
+    Query query = query_for(shape);
+    query.direction = test::random_rotation(500 + seed++) * glm::dvec3(0, 0, 1);
+    const Classification result = test::classify_mesh(shape.mesh, query);
     EXPECT_TRUE(result.identity.agrees())
         << shape.name << ": gap " << result.identity.gap << ", limit " << result.identity.gap_limit;
     EXPECT_GT(result.identity.core, 0.01 * result.total_area);
@@ -130,11 +129,11 @@ TEST(ClassificationProperties, TheShadowIsTheSameFromBothSidesOfAClosedPart) {
 
 TEST(ClassificationProperties, TheShadowExposesAnOpenPart) {
   TriangleMesh open = test::box_mesh({0, 0, 0}, {20, 20, 10});
-  MethodSettings settings;
-  settings.direction = {0.1, 0.2, 1.0};
-  EXPECT_TRUE(test::classify_mesh(open, settings).identity.agrees());
+  Query query;
+  query.direction = glm::dvec3(0.1, 0.2, 1.0);
+  EXPECT_TRUE(test::classify_mesh(open, query).identity.agrees());
   open.facets.pop_back();
-  const Classification result = test::classify_mesh(open, settings);
+  const Classification result = test::classify_mesh(open, query);
   EXPECT_FALSE(result.identity.agrees());
   EXPECT_FALSE(result.warnings.empty());
   // Half of a side is missing; all that it could hide is in doubt.
@@ -146,8 +145,8 @@ TEST(ClassificationProperties, TheShadowExposesAnOpenPart) {
 TEST(ClassificationProperties, WhatOverlapsIsInDoubt) {
   const TriangleMesh block = test::box_mesh({0, 0, 0}, {20, 20, 10}),
                      boss = test::box_mesh({8, 8, 9}, {12, 12, 15});
-  MethodSettings settings;
-  const Classification result = test::classify_mesh(test::joined(block, boss), settings);
+  Query query;
+  const Classification result = test::classify_mesh(test::joined(block, boss), query);
   EXPECT_TRUE(result.identity.agrees());
   EXPECT_NEAR(result.areas[Region::undercut], 4 * 4 + 4 * 4 * 1 + 4 * 4, 1e-9 * result.total_area);
   EXPECT_NEAR(result.uncertainty.mesh, result.areas[Region::undercut], 1e-9 * result.total_area);
@@ -157,9 +156,9 @@ TEST(ClassificationProperties, WhatOverlapsIsInDoubt) {
 
 TEST(ClassificationProperties, TheShadowOfAThinBoxIsExact) {
   for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1)}) {
-    MethodSettings settings;
-    settings.direction = direction;
-    const Classification result = test::classify_mesh(test::box_mesh({0, 0, 0}, {1, 1000, 1}), settings);
+    Query query;
+    query.direction = direction;
+    const Classification result = test::classify_mesh(test::box_mesh({0, 0, 0}, {1, 1000, 1}), query);
     EXPECT_DOUBLE_EQ(result.shadow_area, 1000.0);
     EXPECT_TRUE(result.identity.agrees());
     EXPECT_EQ(result.areas[Region::undercut], 0.0);
@@ -168,24 +167,24 @@ TEST(ClassificationProperties, TheShadowOfAThinBoxIsExact) {
 }
 
 TEST(ClassificationProperties, TheToleranceIsALengthWhateverTheMaps) {
-  MethodSettings settings;
+  Query query;
   for (const int resolution : {64, 512, 2048, 8192}) {
-    settings.resolution = resolution;
-    EXPECT_DOUBLE_EQ(lateral_tolerance(settings, 100.0), 100.0 / 2048.0) << resolution;
+    query.method.resolution = resolution;
+    EXPECT_DOUBLE_EQ(lateral_tolerance(query.method, 100.0), 100.0 / 2048.0) << resolution;
   }
-  settings.resolution = 512;
-  settings.kernel = 5;
-  EXPECT_DOUBLE_EQ(lateral_tolerance(settings, 100.0), 2.0 * 100.0 / 512.0);
-  settings.kernel = 1;
-  EXPECT_EQ(lateral_tolerance(settings, 100.0), 0.0);
-  settings.tolerance = 0.25;
-  EXPECT_EQ(lateral_tolerance(settings, 100.0), 0.25);
+  query.method.resolution = 512;
+  query.method.kernel = 5;
+  EXPECT_DOUBLE_EQ(lateral_tolerance(query.method, 100.0), 2.0 * 100.0 / 512.0);
+  query.method.kernel = 1;
+  EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.0);
+  query.method.tolerance = 0.25;
+  EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.25);
 }
 
 TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {
   for (const test::Shape& shape : cases(8)) {
-    const Classification a = test::classify_mesh(shape.mesh, settings_for(shape));
-    const Classification b = test::classify_mesh(shape.mesh, settings_for(shape));
+    const Classification a = test::classify_mesh(shape.mesh, query_for(shape));
+    const Classification b = test::classify_mesh(shape.mesh, query_for(shape));
     EXPECT_EQ(a.facet_fractions, b.facet_fractions) << shape.name;
     EXPECT_EQ(a.areas.values, b.areas.values) << shape.name;
     EXPECT_EQ(a.uncertainty.total(), b.uncertainty.total()) << shape.name;
@@ -195,14 +194,14 @@ TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {
 
 TEST(ClassificationProperties, OtherReadoutsSayHowFarTheyAreOffExactRegions) {
   const test::Shape shape = test::cup_with_side_hole({});
-  MethodSettings settings = settings_for(shape);
-  settings.direction = {0.3, 0.2, 1.0};  // many a facet is partly an undercut
-  settings.resolution = 256;
-  settings.samples = 20'000;
-  const Classification exact = test::classify_mesh(shape.mesh, settings);
+  Query query = query_for(shape);
+  query.direction = glm::dvec3(0.3, 0.2, 1.0);  // many a facet is partly an undercut
+  query.method.resolution = 256;
+  query.method.samples = 20'000;
+  const Classification exact = test::classify_mesh(shape.mesh, query);
   for (const Readout readout : {Readout::samples, Readout::facet_id}) {
-    settings.readout = readout;
-    const Classification other = test::classify_mesh(shape.mesh, settings);
+    query.method.readout = readout;
+    const Classification other = test::classify_mesh(shape.mesh, query);
     const double off = std::abs(other.areas[Region::undercut] - exact.areas[Region::undercut]);
     EXPECT_EQ(other.uncertainty.readout, off);
     EXPECT_GT(off, 0.0);

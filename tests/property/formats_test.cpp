@@ -21,14 +21,14 @@ constexpr int k_samples = 200'000;
 
 /// Shares of the four regions; the tolerance is a share of the part's diagonal, so that no unit matters.
 std::array<double, k_region_count> shares_of(Part part, const glm::dvec3& direction) {
-  MethodSettings settings;
-  settings.direction = direction;
-  settings.resolution = k_resolution;
-  settings.samples = k_samples;
-  settings.tolerance = 1e-3 * bounds(part.mesh).diagonal();
+  Query query;
+  query.direction = direction;
+  query.method.resolution = k_resolution;
+  query.method.samples = k_samples;
+  query.method.tolerance = 1e-3 * bounds(part.mesh).diagonal();
   const auto model = prepare_part(std::move(part), Progress());
   Classifier classifier(test::shared_context(), model);
-  const Classification result = classifier.classify(settings, Progress());
+  const Classification result = classifier.classify(query, Progress());
   std::array<double, k_region_count> shares{};
   for (const Region region : k_regions)
     shares[static_cast<std::size_t>(region)] = result.areas[region] / result.total_area;

@@ -76,9 +76,8 @@ void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& di
   settings.refine = 2;
   settings.top = 4;
   const SweepResult result = run_sweep(model, settings, Progress{}, {});
-  MethodSettings method = settings.method;
-  method.direction = glm::normalize(rotation * direction);
-  const Classification pull = classify_exact(*model, method, Progress{});
+  const Query query{rotation * direction, settings.method};
+  const Classification pull = classify_exact(*model, query, Progress{});
 
   const Classification& best = result.candidates.front().classification;
   const double found = best.areas[Region::undercut], known = pull.areas[Region::undercut];
@@ -87,7 +86,7 @@ void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& di
   double nearest = 90.0;
   for (const SweepCandidate& candidate : result.candidates) {
     if (candidate.tie_group > 1) break;
-    nearest = std::min(nearest, line_angle_deg(candidate.classification.direction, method.direction));
+    nearest = std::min(nearest, line_angle_deg(candidate.classification.direction, query.direction.unit()));
   }
   if (known <= found + slack) {
     EXPECT_LT(nearest, 0.1) << file;

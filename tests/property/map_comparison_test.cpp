@@ -14,17 +14,17 @@ namespace {
 /// The comparison's samples are not those of the readout; both are off by this at most, of the area.
 constexpr double k_readouts_apart = 2e-3;
 
-MethodSettings quick(const glm::dvec3& direction, int resolution, int samples) {
-  MethodSettings settings;
-  settings.direction = direction;
-  settings.resolution = resolution;
-  settings.samples = samples;
-  return settings;
+Query quick(const glm::dvec3& direction, int resolution, int samples) {
+  Query query;
+  query.direction = direction;
+  query.method.resolution = resolution;
+  query.method.samples = samples;
+  return query;
 }
 
-Classification compared(const std::shared_ptr<const PartModel>& model, const MethodSettings& settings) {
+Classification compared(const std::shared_ptr<const PartModel>& model, const Query& query) {
   Classifier classifier(test::shared_context(), model);
-  Classification result = classifier.classify(settings, Progress{}, true);
+  Classification result = classifier.classify(query, Progress{}, true);
   classifier.compare_maps(result, Progress{});
   return result;
 }
@@ -41,9 +41,9 @@ TEST(MapComparisonProperties, RowsAreTheExactAreas) {
   for (const test::Shape& shape : test::all_shapes({})) {
     const auto model = test::model_of(shape.mesh);
     for (const KernelShape kernel : {KernelShape::one_sided, KernelShape::symmetric}) {
-      MethodSettings settings = quick(shape.direction, 256, 20'000);
-      settings.kernel_shape = kernel;
-      expect_exact_rows(compared(model, settings), shape.name);
+      Query query = quick(shape.direction, 256, 20'000);
+      query.method.kernel_shape = kernel;
+      expect_exact_rows(compared(model, query), shape.name);
     }
   }
 }
@@ -68,10 +68,10 @@ TEST(MapComparisonProperties, FinerMapsDifferLess) {
 TEST(MapComparisonProperties, ColumnsAreThoseOfTheReadoutBySamples) {
   const auto model =
       load_part((test::asset_folder() / "parts" / "cable_clip.stl").string(), ReadOptions{}, Progress{});
-  MethodSettings settings = quick({0, 0, 1}, 512, 300'000);
-  settings.readout = Readout::samples;
-  const Classification result = compared(model, settings);
-  const Classification exact = classify_exact(*model, result.settings, Progress{});
+  Query query = quick({0, 0, 1}, 512, 300'000);
+  query.method.readout = Readout::samples;
+  const Classification result = compared(model, query);
+  const Classification exact = classify_exact(*model, query, Progress{});
   for (const Region region : k_regions) {
     EXPECT_NEAR(exact.areas[region] + result.maps->excess(region), result.areas[region],
                 k_readouts_apart * result.total_area)
@@ -82,10 +82,10 @@ TEST(MapComparisonProperties, ColumnsAreThoseOfTheReadoutBySamples) {
 TEST(MapComparisonProperties, MoreSamplesAgreeWithinTheError) {
   const auto model =
       load_part((test::asset_folder() / "parts" / "tilted_bracket.stl").string(), ReadOptions{}, Progress{});
-  MethodSettings settings = quick({0.36, 0.48, 0.8}, 512, 4'000'000);
-  const MapComparison fine = *compared(model, settings).maps;
-  settings.samples = 50'000;
-  const MapComparison coarse = *compared(model, settings).maps;
+  Query query = quick({0.36, 0.48, 0.8}, 512, 4'000'000);
+  const MapComparison fine = *compared(model, query).maps;
+  query.method.samples = 50'000;
+  const MapComparison coarse = *compared(model, query).maps;
   EXPECT_LT(std::abs(fine.differing() - coarse.differing()), fine.error + coarse.error);
   EXPECT_LT(fine.error, coarse.error);
 }

@@ -153,11 +153,11 @@ class FacetsNear {
   std::map<std::array<int, 3>, std::vector<FacetIndex>> cells_;
 };
 
-MethodSettings along(const glm::dvec3& direction, double tolerance = 0.0) {
-  MethodSettings settings;
-  settings.direction = direction;
-  settings.tolerance = tolerance;
-  return settings;
+Query along(const glm::dvec3& direction, double tolerance = 0.0) {
+  Query query;
+  query.direction = direction;
+  query.method.tolerance = tolerance;
+  return query;
 }
 
 struct Totals {
@@ -169,13 +169,12 @@ struct Totals {
   }
 };
 
-void check_files(const PartModel& model, const MethodSettings& settings, const std::string& name,
-                 Totals& totals) {
+void check_files(const PartModel& model, const Query& query, const std::string& name, Totals& totals) {
   const test::ScratchFolder folder;
   OutputPaths paths;
   paths.split_folder = folder.file("split");
   paths.borders = folder.file("borders.csv");
-  write_outputs(paths, model, classify_exact(model, settings, Progress{}, true));
+  write_outputs(paths, model, classify_exact(model, query, Progress{}, true));
 
   WeldedFacets whole, pieces;
   whole.add(model.part.mesh);

@@ -85,9 +85,8 @@ TEST_F(SweepEndedEarly, WhileItPolishesWhatIsMeasuredIsListed) {
   ASSERT_EQ(result.candidates.size(), 4U);
   EXPECT_EQ(measured(result), 4);
   for (const SweepCandidate& candidate : result.candidates) {
-    MethodSettings method = settings_.method;
-    method.direction = candidate.candidate.direction;
-    EXPECT_EQ(candidate.classification.areas.values, classify_exact(*model_, method, {}).areas.values);
+    const Query query{candidate.candidate.direction, settings_.method};
+    EXPECT_EQ(candidate.classification.areas.values, classify_exact(*model_, query, {}).areas.values);
     EXPECT_FALSE(candidate.tilt);
   }
   EXPECT_LE(whole.candidates.front().classification.areas[Region::undercut],

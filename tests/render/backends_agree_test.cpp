@@ -18,20 +18,20 @@ struct Drawn {
 Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   const auto context = gl::create_headless_context(backend);
   Classifier classifier(*context, test::model_of(shape.mesh));
-  MethodSettings settings;
-  settings.direction = shape.direction;
-  settings.resolution = 512;
-  settings.samples = 100'000;
-  settings.readout = Readout::samples;
+  Query query;
+  query.direction = shape.direction;
+  query.method.resolution = 512;
+  query.method.samples = 100'000;
+  query.method.readout = Readout::samples;
   Drawn drawn;
-  drawn.samples = classifier.classify(settings, Progress{});
+  drawn.samples = classifier.classify(query, Progress{});
   drawn.plus = classifier.maps().read(true);
   drawn.minus = classifier.maps().read(false);
-  settings.readout = Readout::facet_id;
-  drawn.facet_ids = classifier.classify(settings, Progress{});
-  settings.readout = Readout::samples;
-  settings.kernel_shape = KernelShape::symmetric;
-  drawn.symmetric = classifier.classify(settings, Progress{});
+  query.method.readout = Readout::facet_id;
+  drawn.facet_ids = classifier.classify(query, Progress{});
+  query.method.readout = Readout::samples;
+  query.method.kernel_shape = KernelShape::symmetric;
+  drawn.symmetric = classifier.classify(query, Progress{});
   return drawn;
 }
 

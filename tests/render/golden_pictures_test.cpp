@@ -78,7 +78,7 @@ TEST(GoldenPictures, FacetEdgesLevelLinesAndContourEdges) {
   const Shape shape = cup(ShapeSettings{});
   ShapePicture picture(test::shared_context(), shape);
   const PartModel& model = *picture.model;
-  const auto classes = facet_classes(model.geometry, shape.direction, picture.method.tau_deg);
+  const auto classes = facet_classes(model.geometry, shape.direction, picture.query.method.tau_deg);
   picture.view.set_contour_edges(contour_edges(model.part.mesh, model.edges.convex, classes, model.frame),
                                  contour_edges(model.part.mesh, model.edges.concave, classes, model.frame));
   EXPECT_TRUE(matches_golden(picture.draw(picture.camera(), settings), "cup_edges"));
@@ -86,7 +86,7 @@ TEST(GoldenPictures, FacetEdgesLevelLinesAndContourEdges) {
 
 TEST(GoldenPictures, PerspectiveAndSymmetricKernel) {
   ShapePicture picture(test::shared_context(), plate_with_side_pocket(ShapeSettings{}));
-  picture.method.kernel_shape = KernelShape::symmetric;
+  picture.query.method.kernel_shape = KernelShape::symmetric;
   picture.find_regions();
   Camera camera = picture.camera();
   camera.projection = Projection::perspective;
@@ -101,8 +101,8 @@ TEST(GoldenPictures, DifferenceOfCoarseMapsFromExactRegions) {
   ViewSettings settings = flat_backdrop();
   settings.mark_difference = true;
   ShapePicture picture(test::shared_context(), oblique_l_bracket(ShapeSettings{}));
-  picture.method.resolution = 64;
-  picture.method.kernel = 3;
+  picture.query.method.resolution = 64;
+  picture.query.method.kernel = 3;
   picture.find_regions();
   Camera camera = panned(picture.camera(), {0.0, -30.0}, picture.target().size);
   camera.height *= 0.25;

@@ -20,11 +20,11 @@ TEST_P(KnownAreas, AreMet) {
   ASSERT_GE(shapes.size(), 24U);
   double worst = 0.0, worst_stated = 0.0;
   for (const test::Shape& shape : shapes) {
-    MethodSettings settings;
-    settings.direction = shape.direction;
-    settings.tau_deg = shape.settings.tau_deg;
-    settings.tolerance = shape.settings.lateral_tolerance;
-    const Classification result = test::classify_mesh(shape.mesh, settings);
+    Query query;
+    query.direction = shape.direction;
+    query.method.tau_deg = shape.settings.tau_deg;
+    query.method.tolerance = shape.settings.lateral_tolerance;
+    const Classification result = test::classify_mesh(shape.mesh, query);
     const double off = test::worst_region_error(result, shape.expected);
     EXPECT_LE(off, k_bound) << shape.name;
     EXPECT_LE(off * result.total_area, result.uncertainty.total()) << shape.name;

@@ -60,7 +60,7 @@ PixelErrors pixel_errors(ShapePicture& picture, const Camera& camera, RegionsBy 
       const glm::dvec3 corner(model.frame.to_unit(model.part.mesh.corner(facet, 0)));
       const glm::dvec3 point = line.origin + line.direction * (glm::dot(normal, corner - line.origin) /
                                                                glm::dot(normal, line.direction));
-      const FacetClass own = facet_class(normal, direction, picture.method.tau_deg);
+      const FacetClass own = facet_class(normal, direction, picture.query.method.tau_deg);
       const auto accessible = [&](bool plus) {
         const glm::vec3 along(plus ? direction : -direction), from(point);
         if (own == FacetClass::near_vertical)
@@ -203,7 +203,7 @@ TEST(PartView, MarksLieOnTop) {
 
 TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
   ShapePicture picture(test::shared_context(), oblique_l_bracket(ShapeSettings{}));
-  picture.method.resolution = 64;
+  picture.query.method.resolution = 64;
   picture.find_regions();
   const Camera camera = picture.camera();
   ViewSettings settings = one_sample();
@@ -245,7 +245,7 @@ TEST(PartView, ASplitSurfaceHasTheLightOfAWholeOne) {
   for (const Shape& shape : {spool(ShapeSettings{}), hollow_sphere(ShapeSettings{}),
                              test::turned(ring(ShapeSettings{}), glm::dquat(0.8, 0.2, -0.3, 0.1))}) {
     ShapePicture picture(test::shared_context(), shape);
-    picture.method.direction = glm::dvec3(0.4, 0.3, 0.8);
+    picture.query.direction = glm::dvec3(0.4, 0.3, 0.8);
     picture.find_regions();
     ViewSettings settings = one_sample();
     settings.colour_mode = ColourMode::draft_angle;

@@ -42,11 +42,11 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
     camera = fitted(camera, unit_positions(model->part.mesh, model->frame), k_size);
     std::size_t pixels = 0, differing = 0;
     for (const glm::dvec3& direction : {shape.direction, glm::dvec3(0.3, -0.5, 0.8)}) {
-      MethodSettings method;
-      method.direction = direction;
-      method.kernel_shape = GetParam();
-      moving.draw_moving(method);
-      drawn.draw_resting(moving_method(method, model->frame.diagonal));
+      Query query;
+      query.direction = direction;
+      query.method.kernel_shape = GetParam();
+      moving.draw_moving(query);
+      drawn.draw_resting({direction, moving_method(query.method, model->frame.diagonal)});
       const auto regions = [&](const PictureMaps& maps) {
         ViewSettings settings;
         settings.samples = 1;
@@ -116,8 +116,8 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
     camera.orientation = standard_orientation(StandardView::isometric);
     camera = fitted(camera, geometry.extremes, k_size);
     for (const glm::dvec3& direction : {glm::dvec3(0, 0, 1), glm::dvec3(0.3, -0.5, 0.8)}) {
-      MethodSettings method;
-      method.direction = direction;
+      Query query;
+      query.direction = direction;
       const auto regions = [&] {
         ViewSettings settings;
         settings.samples = 1;
@@ -125,10 +125,10 @@ TEST(PictureMaps, TheMovingViewDiffersFromThePictureAtRestByHalfATexelAlongBorde
         return view.read_regions();
       };
       maps.drop_split();
-      maps.draw_moving(method);
+      maps.draw_moving(query);
       const auto moving = regions();
       const double texel_px = 1.0 / (maps.maps().settings().resolution * pixel_length(camera, k_size));
-      maps.take_split(test::exact_regions(*model, method), geometry, method);
+      maps.take_split(test::exact_regions(*model, query), geometry, query);
       const auto resting = regions();
       const PixelCounts counts = counted(view);
       std::size_t differing = 0;
@@ -157,14 +157,14 @@ TEST_P(Moving, HasTheDepthsOfMapsDrawnByTheGl) {
   part.mesh = test::snap_hook({}).mesh;
   const auto model = prepare_part(std::move(part), {});
   PictureMaps moving(context, model), drawn(context, model);
-  MethodSettings method;
-  method.resolution = 256;
-  method.kernel_shape = GetParam();
+  Query query;
+  query.method.resolution = 256;
+  query.method.kernel_shape = GetParam();
   for (const glm::dvec3& direction : {glm::dvec3(0.1, 0.2, 1.0), glm::dvec3(0.3, -0.5, 0.8)}) {
-    method.direction = direction;
-    moving.draw_moving(method);
+    query.direction = direction;
+    moving.draw_moving(query);
     moving.complete_depths();
-    drawn.draw_resting(method);
+    drawn.draw_resting(query);
     for (const bool plus : {true, false}) {
       const auto expected = depths(context.functions(), drawn.maps(), plus);
       const auto found = depths(context.functions(), moving.maps(), plus);

@@ -38,10 +38,10 @@ class BothMaps {
   explicit BothMaps(std::shared_ptr<const PartModel> model)
       : model_(std::move(model)), classifier_(test::shared_context(), model_) {}
 
-  void draw(const MethodSettings& settings) {
-    settings_ = settings;
-    classifier_.draw_maps(settings);
-    scan_.emplace(model_, settings);
+  void draw(const Query& query) {
+    query_ = query;
+    classifier_.draw_maps(query);
+    scan_.emplace(model_, query);
   }
 
   struct Comparison {
@@ -63,13 +63,13 @@ class BothMaps {
   std::shared_ptr<const PartModel> model_;
   Classifier classifier_;
   std::optional<test::ScannedMaps> scan_;
-  MethodSettings settings_;
+  Query query_;
 };
 
 /// True if an edge of the facet passes within rounding of the texel's centre.
 bool BothMaps::is_near_edge(FacetIndex facet, double x, double y) const {
   const MapFrame& frame = scan_->frame;
-  const double size = settings_.resolution;
+  const double size = query_.method.resolution;
   glm::dvec2 corners[3];
   for (int k = 0; k < 3; ++k) {
     const glm::dvec3 p(model_->frame.to_unit(model_->part.mesh.corner(facet, k)));
@@ -92,7 +92,7 @@ bool BothMaps::is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t 
   if (gl_entry == 0 || scan_entry == 0) return false;
   // Two facets at the same depth, as far as their slopes let the snapped corners tell.
   const MapFrame& frame = scan_->frame;
-  const double u = (x + 0.5) / settings_.resolution - 0.5, v = (y + 0.5) / settings_.resolution - 0.5;
+  const double u = (x + 0.5) / query_.method.resolution - 0.5, v = (y + 0.5) / query_.method.resolution - 0.5;
   double heights[2] = {}, slope = 0.0;
   for (int k = 0; k < 2; ++k) {
     const FacetIndex facet = (k == 0 ? gl_entry : scan_entry) - 1;
@@ -105,17 +105,17 @@ bool BothMaps::is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t 
     slope = std::max(slope, std::sqrt(1.0 - sine * sine) / std::abs(sine));
   }
   return std::abs(heights[0] - heights[1]) <=
-         k_depth_rounding + slope * k_edge_rounding / settings_.resolution;
+         k_depth_rounding + slope * k_edge_rounding / query_.method.resolution;
 }
 
 BothMaps::Comparison BothMaps::compare() const {
   Comparison result;
   for (const bool plus : {true, false}) {
     const std::vector<std::uint32_t> gl_map = classifier_.maps().read(plus);
-    for (int y = 0; y < settings_.resolution; ++y) {
-      for (int x = 0; x < settings_.resolution; ++x) {
+    for (int y = 0; y < query_.method.resolution; ++y) {
+      for (int x = 0; x < query_.method.resolution; ++x) {
         const std::uint32_t by_gl =
-            gl_map[static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.resolution) +
+            gl_map[static_cast<std::size_t>(y) * static_cast<std::size_t>(query_.method.resolution) +
                    static_cast<std::size_t>(x)];
         const std::uint32_t by_scan = scan_->entry(plus, x, y);
         result.covered += by_gl != 0 || by_scan != 0 ? 1 : 0;
@@ -174,17 +174,17 @@ TEST(SecondDepth, AreThoseOfTheGlTexelByTexel) {
     BothMaps both(part.model);
     for (const int resolution : {512, 251}) {
       for (const glm::dvec3& direction : directions()) {
-        MethodSettings settings;
-        settings.direction = direction;
-        settings.resolution = resolution;
+        Query query;
+        query.direction = direction;
+        query.method.resolution = resolution;
         // Without the thick edges every difference has its reason.
-        settings.edge_thickness = 0.0;
-        both.draw(settings);
+        query.method.edge_thickness = 0.0;
+        both.draw(query);
         const BothMaps::Comparison bare = both.compare();
         EXPECT_TRUE(bare.unexplained.empty()) << part.name << ": " << bare.unexplained.size()
                                               << " texels, the first " << bare.unexplained.front();
-        settings.edge_thickness = 2.0;
-        both.draw(settings);
+        query.method.edge_thickness = 2.0;
+        both.draw(query);
         // The strips have edges of their own.
         const BothMaps::Comparison thick = both.compare();
         EXPECT_LE(static_cast<double>(thick.unexplained.size()),
@@ -205,10 +205,10 @@ TEST(SecondDepth, GiveTheSameVerdictsAsTheGl) {
   for (const NamedModel& part : models()) {
     BothMaps both(part.model);
     for (const glm::dvec3& direction : directions()) {
-      MethodSettings settings;
-      settings.direction = direction;
-      settings.resolution = 512;
-      both.draw(settings);
+      Query query;
+      query.direction = direction;
+      query.method.resolution = 512;
+      both.draw(query);
       const BothMaps::Verdicts verdicts = both.compare_verdicts(pass);
       const auto most = 8.0 * k_most_other_verdicts * static_cast<double>(verdicts.samples);
       EXPECT_LE(static_cast<double>(verdicts.other), most) << part.name;

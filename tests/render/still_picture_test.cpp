@@ -21,11 +21,11 @@ using test::ShapeSettings;
 struct Classified {
   explicit Classified(const Shape& shape) : model(test::model_of(shape.mesh)) {
     Classifier classifier(test::shared_context(), model);
-    MethodSettings settings;
-    settings.direction = shape.direction;
-    settings.samples = 20'000;
-    settings.resolution = 512;
-    result = classifier.classify(settings, Progress{});
+    Query query;
+    query.direction = shape.direction;
+    query.method.samples = 20'000;
+    query.method.resolution = 512;
+    result = classifier.classify(query, Progress{});
   }
   [[nodiscard]] Image picture(const StillSettings& settings) {
     return StillPainter(test::shared_context(), model).draw(result, settings, {});
@@ -62,8 +62,8 @@ TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
   Classified part(shape);
   const Camera camera{
-      .orientation = revealing_orientation(
-          *part.model, test::exact_regions(*part.model, part.result.settings), part.result.direction)};
+      .orientation = revealing_orientation(*part.model, test::exact_regions(*part.model, part.result.query()),
+                                           part.result.direction)};
   EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
   const StillSettings settings{.size = {300, 200}};

@@ -11,14 +11,14 @@ namespace {
 
 /// Undercut area that the maps alone find, less the true one, as a share of the part's area.
 double undercut_bias(const test::Shape& shape, double edge_thickness) {
-  MethodSettings settings;
-  settings.direction = shape.direction;
-  settings.tau_deg = shape.settings.tau_deg;
-  settings.tolerance = shape.settings.lateral_tolerance;
-  settings.resolution = 64;
-  settings.readout = Readout::samples;
-  settings.edge_thickness = edge_thickness;
-  const Classification result = test::classify_mesh(shape.mesh, settings);
+  Query query;
+  query.direction = shape.direction;
+  query.method.tau_deg = shape.settings.tau_deg;
+  query.method.tolerance = shape.settings.lateral_tolerance;
+  query.method.resolution = 64;
+  query.method.readout = Readout::samples;
+  query.method.edge_thickness = edge_thickness;
+  const Classification result = test::classify_mesh(shape.mesh, query);
   return (result.areas[Region::undercut] - shape.expected[Region::undercut]) / result.total_area;
 }
 
@@ -44,14 +44,14 @@ TEST(ThickEdges, CloseTheLeakAtSlantedNeighbours) {
 // With the paper's symmetric kernel, positions inside the wall pass unless the edge at its foot covers them.
 TEST(ThickEdges, KeepTheSymmetricKernelOutOfTheSolid) {
   const test::Shape cup = test::cup({.tau_deg = 1.0, .lateral_tolerance = 0.02});
-  MethodSettings settings;
-  settings.direction = cup.direction;
-  settings.resolution = 256;
-  settings.readout = Readout::samples;
-  settings.kernel_shape = KernelShape::symmetric;
+  Query query;
+  query.direction = cup.direction;
+  query.method.resolution = 256;
+  query.method.readout = Readout::samples;
+  query.method.kernel_shape = KernelShape::symmetric;
   const auto wrong = [&](double edge_thickness) {
-    settings.edge_thickness = edge_thickness;
-    return test::worst_region_error(test::classify_mesh(cup.mesh, settings), cup.expected);
+    query.method.edge_thickness = edge_thickness;
+    return test::worst_region_error(test::classify_mesh(cup.mesh, query), cup.expected);
   };
   EXPECT_GT(wrong(0.0), 0.1);
   EXPECT_LT(wrong(4.0), 0.04);

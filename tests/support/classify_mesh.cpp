@@ -21,8 +21,8 @@ std::shared_ptr<const PartModel> model_of(TriangleMesh mesh) {
   return prepare_part(std::move(part), Progress{});
 }
 
-Classification classify_mesh(TriangleMesh mesh, const MethodSettings& settings) {
-  return Classifier(shared_context(), model_of(std::move(mesh))).classify(settings, Progress{});
+Classification classify_mesh(TriangleMesh mesh, const Query& query) {
+  return Classifier(shared_context(), model_of(std::move(mesh))).classify(query, Progress{});
 }
 
 double worst_region_error(const Classification& result, const RegionValues& expected) {

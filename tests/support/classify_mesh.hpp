@@ -13,7 +13,7 @@ namespace moldlight::test {
 
 [[nodiscard]] std::shared_ptr<const PartModel> model_of(TriangleMesh mesh);
 
-[[nodiscard]] Classification classify_mesh(TriangleMesh mesh, const MethodSettings& settings);
+[[nodiscard]] Classification classify_mesh(TriangleMesh mesh, const Query& query);
 
 /// Largest difference of a region's area, as a share of the part's area.
 [[nodiscard]] double worst_region_error(const Classification& result, const RegionValues& expected);

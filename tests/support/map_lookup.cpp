@@ -26,16 +26,16 @@ bool outside_of(const PartModel& model, std::uint32_t entry, const glm::vec3& po
 
 }  // namespace
 
-ScannedMaps::ScannedMaps(std::shared_ptr<const PartModel> of_model, const MethodSettings& settings)
+ScannedMaps::ScannedMaps(std::shared_ptr<const PartModel> of_model, const Query& query)
     : model(std::move(of_model)),
-      frame(map_frame(settings.direction)),
-      resolution(settings.resolution),
-      lateral(static_cast<float>(map_settings(settings, model->frame.diagonal).lateral)),
-      classes(facet_classes(model->geometry, frame.z, settings.tau_deg)) {
+      frame(map_frame(query.direction.unit())),
+      resolution(query.method.resolution),
+      lateral(static_cast<float>(map_settings(query.method, model->frame.diagonal).lateral)),
+      classes(facet_classes(model->geometry, frame.z, query.method.tau_deg)) {
   const std::vector<glm::vec3> positions = unit_positions(model->part.mesh, model->frame);
   SecondDepthMaps maps(resolution);
   maps.draw({model->part.mesh, positions, model->geometry.normals, model->edges.concave}, frame, classes,
-            settings.edge_thickness);
+            query.method.edge_thickness);
   facets = {maps.facets(false), maps.facets(true)};
 }
 

@@ -17,9 +17,9 @@
 
 namespace moldlight::test {
 
-/// The second-depth maps of a direction, scan converted with the method's settings.
+/// The second-depth maps of a direction, scan converted with the query's settings.
 struct ScannedMaps {
-  ScannedMaps(std::shared_ptr<const PartModel> of_model, const MethodSettings& settings);
+  ScannedMaps(std::shared_ptr<const PartModel> of_model, const Query& query);
 
   /// Facet + 1, 0 where there is none or outside the maps.
   [[nodiscard]] std::uint32_t entry(bool plus, int x, int y) const;

@@ -8,20 +8,20 @@ namespace moldlight::test {
 
 namespace {
 
-MethodSettings method_of(const Shape& shape) {
-  MethodSettings method;
-  method.direction = shape.direction;
-  method.tau_deg = shape.settings.tau_deg;
-  method.resolution = 1024;
-  method.kernel = 3;
-  return method;
+Query query_of(const Shape& shape) {
+  Query query;
+  query.direction = shape.direction;
+  query.method.tau_deg = shape.settings.tau_deg;
+  query.method.resolution = 1024;
+  query.method.kernel = 3;
+  return query;
 }
 
 }  // namespace
 
 ShapePicture::ShapePicture(const gl::Context& context, const Shape& shape, const glm::ivec2& size)
     : model(model_of(shape.mesh)),
-      method(method_of(shape)),
+      query(query_of(shape)),
       geometry(view_geometry(model->part.mesh, model->geometry, model->adjacency, model->frame)),
       maps(context, model),
       view(context.functions(), geometry),
@@ -36,8 +36,8 @@ Camera ShapePicture::camera() const {
 }
 
 void ShapePicture::find_regions() {
-  maps.draw_resting(method);
-  maps.take_split(exact_regions(*model, method), geometry, method);
+  maps.draw_resting(query);
+  maps.take_split(exact_regions(*model, query), geometry, query);
 }
 
 Image ShapePicture::draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks) {
@@ -45,12 +45,9 @@ Image ShapePicture::draw(const Camera& camera, const ViewSettings& settings, con
   return read();
 }
 
-SplitMesh exact_regions(const PartModel& model, const MethodSettings& method) {
+SplitMesh exact_regions(const PartModel& model, const Query& query) {
   const ExactPart part(model.part.mesh, model.geometry, model.frame, Progress{});
-  const ExactQuery query{.direction = unit_direction(method.direction),
-                         .tau_deg = method.tau_deg,
-                         .lateral = map_settings(method, model.frame.diagonal).lateral};
-  return exact_split(part, query, Progress{}).mesh;
+  return exact_split(part, exact_query(model, query), Progress{}).mesh;
 }
 
 }  // namespace moldlight::test

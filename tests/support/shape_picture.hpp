@@ -18,7 +18,7 @@ class ShapePicture {
 
   /// A camera from the front, the right and above that has the whole shape in view.
   [[nodiscard]] Camera camera() const;
-  /// The regions of `method`, maps and split mesh; the constructor finds them once.
+  /// The regions of `query`, maps and split mesh; the constructor finds them once.
   void find_regions();
   [[nodiscard]] ViewTarget target() const { return {picture.framebuffer(), picture.size()}; }
   /// What was drawn last. Waits for the GL.
@@ -26,14 +26,13 @@ class ShapePicture {
   [[nodiscard]] Image draw(const Camera& camera, const ViewSettings& settings, const ViewMarks& marks = {});
 
   std::shared_ptr<const PartModel> model;
-  MethodSettings method;
+  Query query;
   ViewGeometry geometry;
   PictureMaps maps;
   PartView view;
   gl::ColourTarget picture;
 };
 
-/// The exact regions of a part for these settings.
-[[nodiscard]] SplitMesh exact_regions(const PartModel& model, const MethodSettings& method);
+[[nodiscard]] SplitMesh exact_regions(const PartModel& model, const Query& query);
 
 }  // namespace moldlight::test

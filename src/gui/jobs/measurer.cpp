@@ -32,9 +32,9 @@ class Measurer::Worker {
     Outcome outcome{.request = request, .classification = {}, .samples = {}, .error = {}};
     try {
       outcome.classification =
-          request.settings.readout == Readout::exact
-              ? classify_exact(*request.model, request.settings, progress, request.with_split)
-              : classifier(request).classify(request.settings, progress, request.with_split);
+          request.query.method.readout == Readout::exact
+              ? classify_exact(*request.model, request.query, progress, request.with_split)
+              : classifier(request).classify(request.query, progress, request.with_split);
       if (const auto& split = outcome.classification->split)
         outcome.samples =
             std::make_shared<const PieceSamples>(sample_pieces(*split, request.model->frame, k_map_samples));
@@ -48,11 +48,11 @@ class Measurer::Worker {
 
  private:
   Classifier& classifier(const Request& request) {
-    if (!context_ || backend_ != request.settings.backend) {
+    if (!context_ || backend_ != request.query.method.backend) {
       classifier_.reset();
       context_.reset();
-      context_ = make_context_(request.settings.backend);
-      backend_ = request.settings.backend;
+      context_ = make_context_(request.query.method.backend);
+      backend_ = request.query.method.backend;
     }
     context_->make_current();
     if (!classifier_ || &classifier_->model() != request.model.get()) {
@@ -82,8 +82,8 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
     requested_.reset();
     figures = {.revision = figures.revision};
   }
-  if (wanted_.model != state.model || wanted_.settings != state.settings.method) {
-    wanted_ = {.model = state.model, .settings = state.settings.method, .with_split = false};
+  if (wanted_.model != state.model || wanted_.query != state.settings) {
+    wanted_ = {.model = state.model, .query = state.settings, .with_split = false};
     changed_s_ = now_s;
     figures.error.clear();
   }
@@ -93,30 +93,24 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
     take(std::move(*outcome), figures);
     fresh_s_ = now_s;
   }
-  if (split_of_ != exact_inputs(wanted_)) {
+  if (split_of_ != exact_query(*state.model, wanted_.query)) {
     figures.split.reset();
     figures.samples.reset();
   }
   const bool still = now_s >= changed_s_ + k_rest_s;
   if (!still) wake_s_ = changed_s_ + k_rest_s;
   wanted_.with_split = !figures.split && (still || !moving);
-  if (wanted_.settings.readout == Readout::exact || (still && !moving)) {
+  if (wanted_.query.method.readout == Readout::exact || (still && !moving)) {
     if (!requested_ || !requested_->covers(wanted_)) job_.request(*(requested_ = wanted_));
   } else if (requested_) {
     job_.cancel();
     requested_.reset();
   }
-  figures.stale = figures.error.empty() && !(figures.shown && figures.shown->settings == wanted_.settings);
+  figures.stale = figures.error.empty() && !(figures.shown && figures.shown->answers(wanted_.query));
   figures.measuring = figures.error.empty() && (figures.stale || !figures.split);
   if (!figures.stale) fresh_s_ = now_s;
   figures.pale = figures.stale && now_s >= fresh_s_ + k_pale_s;
   if (figures.stale && !figures.pale) wake_s_ = std::min(wake_s_, fresh_s_ + k_pale_s);
-}
-
-Measurer::ExactInputs Measurer::exact_inputs(const Request& request) {
-  return {.direction = unit_direction(request.settings.direction),
-          .tau_deg = request.settings.tau_deg,
-          .lateral_tolerance = lateral_tolerance(request.settings, request.model->frame.diagonal)};
 }
 
 void Measurer::take(Outcome outcome, Figures& figures) {
@@ -124,7 +118,7 @@ void Measurer::take(Outcome outcome, Figures& figures) {
   figures.error = std::move(outcome.error);
   ++figures.revision;
   if (!figures.shown) return;
-  const ExactInputs inputs = exact_inputs(outcome.request);
+  const ExactQuery inputs = exact_query(*outcome.request.model, outcome.request.query);
   if (figures.shown->split) {
     figures.split = figures.shown->split;
     figures.samples = std::move(outcome.samples);

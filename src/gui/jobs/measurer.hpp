@@ -31,12 +31,12 @@ class Measurer {
  private:
   struct Request {
     std::shared_ptr<const PartModel> model;
-    MethodSettings settings;
+    Query query;
     bool with_split = false;
 
     /// Whether its outcome is that of the other one too.
     [[nodiscard]] bool covers(const Request& other) const {
-      return model == other.model && settings == other.settings && (with_split || !other.with_split);
+      return model == other.model && query == other.query && (with_split || !other.with_split);
     }
   };
   struct Outcome {
@@ -46,19 +46,12 @@ class Measurer {
     std::string error;                            // one line, where there is no classification
   };
   class Worker;
-  /// All that exact regions of a part depend on.
-  struct ExactInputs {
-    glm::dvec3 direction{0.0};
-    double tau_deg = 0.0, lateral_tolerance = 0.0;
-    bool operator==(const ExactInputs&) const = default;
-  };
-  [[nodiscard]] static ExactInputs exact_inputs(const Request& request);
   void take(Outcome outcome, Figures& figures);
 
   LatestJob<Request, Outcome> job_;
   Request wanted_;  // of the settings that were seen last
   std::optional<Request> requested_;
-  ExactInputs split_of_;
+  ExactQuery split_of_;  // for which there is a split mesh
   double changed_s_ = 0.0, fresh_s_ = 0.0, wake_s_ = 0.0;
 };
 

@@ -106,10 +106,7 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
   take_directions(sweep);
   if (put_ < waiting_.size()) wake_s_ = now_s;
   if (sweep.map) {
-    // The direction is what is searched for.
-    MethodSettings method = state.settings.method;
-    method.direction = method_.direction;
-    sweep.stale = !(method == method_);
+    sweep.stale = state.settings.method != method_;
   }
 }
 

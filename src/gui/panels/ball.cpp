@@ -24,10 +24,9 @@ void draw_axis_names(const Ui& ui, const Ball& ball) {
 }
 
 void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
-  MethodSettings& method = context.edits.settings.method;
   const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
   if (ImGui::IsItemActivated()) {
-    const BallPoint marker = ball.point(context.edits.settings.direction());
+    const BallPoint marker = ball.point(context.edits.settings.direction.unit());
     const glm::vec2 to_marker = ball.screen(marker) - mouse;
     const bool gripped = glm::length(to_marker) < context.ui.px(10);
     drag = {.active = true,
@@ -43,7 +42,7 @@ void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
   if (drag.gripped && !ImGui::IsMouseDragging(0, 3.0F)) return;
   glm::dvec3 direction = ball_direction(ball.camera, {ball.disc(mouse + drag.grip), !drag.back});
   if (ImGui::GetIO().KeyCtrl) direction = snapped_to(context.state.features, direction);
-  method.direction = direction;
+  context.edits.settings.direction = direction;
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     }
   }
   if (mapped) draw_sweep_marks(ui, ball, sweep);
-  const BallPoint marker = ball.point(context.edits.settings.direction());
+  const BallPoint marker = ball.point(context.edits.settings.direction.unit());
   const glm::vec2 at = ball.screen(marker);
   list.AddLine(im(ball.centre), im(at), faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
   if (marker.front) {

@@ -17,7 +17,7 @@ constexpr float k_ball_size = 108.0F, k_bar_width = 120.0F;  // layout units
 
 void draw_axis_buttons(const PanelContext& context) {
   const Ui& ui = context.ui;
-  MethodSettings& method = context.edits.settings.method;
+  Direction& present = context.edits.settings.direction;
   const float gap = ui.px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F);
   for (const double sign : {1.0, -1.0}) {
@@ -26,8 +26,8 @@ void draw_axis_buttons(const PanelContext& context) {
       direction[axis] = sign;
       if (axis > 0) ImGui::SameLine(0.0F, gap);
       const std::string label = fmt::format("{}{}", sign > 0 ? "+" : "−", "XYZ"[axis]);
-      if (button(ui, label, {.width = width, .strong = false, .chosen = method.direction == direction})) {
-        method.direction = direction;
+      if (button(ui, label, {.width = width, .strong = false, .chosen = present.given() == direction})) {
+        present = direction;
       }
     }
   }
@@ -42,7 +42,7 @@ void draw_bookmarks(const PanelContext& context) {
   for (std::size_t k = 0; k < bookmarks.size(); ++k) {
     ImGui::PushID(static_cast<int>(k));
     if (icon_button(ui, {"go", Icon::bookmark, "Take this direction"})) {
-      context.edits.settings.method.direction = bookmarks[k].direction;
+      context.edits.settings.direction = bookmarks[k].direction;
     }
     ImGui::SameLine();
     std::array<char, 128> note{};
@@ -62,24 +62,24 @@ void draw_bookmarks(const PanelContext& context) {
 
 void draw_fields(const PanelContext& context) {
   const Ui& ui = context.ui;
-  MethodSettings& method = context.edits.settings.method;
+  Direction& present = context.edits.settings.direction;
   const float gap = ui.px(4), room = ImGui::GetContentRegionAvail().x;
   const float third = std::floor((room - 2.0F * gap) / 3.0F), half = std::floor((room - gap) / 2.0F);
-  glm::dvec3 direction = method.direction;
+  glm::dvec3 direction = present.given();
   bool typed = false;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) ImGui::SameLine(0.0F, gap);
     const std::string name(1, "xyz"[axis]);
     typed = number_field(ui, name.c_str(), direction[axis], {name, 3, third}) || typed;
   }
-  if (typed && direction != glm::dvec3(0.0)) method.direction = direction;
-  Angles angles = angles_of(context.edits.settings.direction());
+  if (typed && direction != glm::dvec3(0.0)) present = direction;
+  Angles angles = angles_of(present.unit());
   bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
   tooltip(ui, "Azimuth", "About z, from x towards y, in degrees.");
   ImGui::SameLine(0.0F, gap);
   turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
   tooltip(ui, "Elevation", "Above the xy plane, in degrees.");
-  if (turned) method.direction = direction_of(angles);
+  if (turned) present = direction_of(angles);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
     ImGui::BeginGroup();
     draw_axis_buttons(context);
     if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"})) {
-      context.edits.settings.method.direction = tidy(-context.edits.settings.method.direction);
+      context.edits.settings.direction = tidy(-context.edits.settings.direction.given());
     }
     ImGui::SameLine(0.0F, ui.px(4));
     if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"})) {

@@ -10,10 +10,7 @@ void draw_method_panel(const PanelContext& context) {
   if (context.layout.begin(ui, "Method")) {
     MethodSettings& method = context.edits.settings.method;
     for (const Option<MethodSettings>& option : method_options()) {
-      // The direction has a panel of its own too.
-      if (option.key == "direction" || is_among(k_map_options, option) ||
-          is_among(k_accuracy_options, option))
-        continue;
+      if (is_among(k_map_options, option) || is_among(k_accuracy_options, option)) continue;
       option_row(ui, option, method);
     }
     if (disclosure(ui, "Accuracy", false)) ImGui::OpenPopup("accuracy");

@@ -273,7 +273,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const Ui& ui = context.ui;
   const SweepCandidate& candidate = result_->candidates[index];
   const glm::dvec3& direction = candidate.candidate.direction;
-  const bool here = std::abs(glm::dot(context.state.settings.direction(), direction)) > 1.0 - 1e-10;
+  const bool here = std::abs(glm::dot(context.state.settings.direction.unit(), direction)) > 1.0 - 1e-10;
   ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_row));
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));

@@ -43,14 +43,29 @@ Bookmark parse_bookmark(const Json& json) {
   return bookmark;
 }
 
+Json settings_json(const Query& query) {
+  Json json = {{"direction", moldlight::detail::value_json(query.direction.given())}};
+  json.update(options_json(method_options(), query.method));
+  return json;
+}
+
+void set_settings(Query& query, Json json) {
+  if (json.is_object() && json.contains("direction")) {
+    const std::string text = moldlight::detail::json_text(json["direction"]);
+    query.direction = parse_direction({text, "--direction"});
+    json.erase("direction");
+  }
+  set_options(method_options(), query.method, json);
+}
+
 }  // namespace
 
 std::string part_notes_json(const PartNotes& notes, const std::string& part_path) {
   Json json;
   json["schema"] = k_schema;
   json["part"] = part_path;
-  json["settings"] = options_json(method_options(), notes.method);
-  json["look"] = options_json(look_options(), notes.look);
+  json["settings"] = settings_json(notes.settings);
+  json["look"] = options_json(look_options(), notes.settings.look);
   json["bookmarks"] = Json::array();
   for (const Bookmark& bookmark : notes.bookmarks) {
     const glm::dvec3& d = bookmark.direction;
@@ -64,7 +79,7 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   Json json = parse_json(text);
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
   if (!json.contains("schema")) {
-    set_options(method_options(), notes.method, json);
+    set_settings(notes.settings, json);
     return notes;
   }
   if (json["schema"] == k_older_schema) {
@@ -74,8 +89,8 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   } else if (json["schema"] != k_schema) {
     throw UsageError(fmt::format("settings: the schema is {}, not {}", json["schema"].dump(), k_schema));
   }
-  if (json.contains("settings")) set_options(method_options(), notes.method, json["settings"]);
-  if (json.contains("look")) set_options(look_options(), notes.look, json["look"]);
+  if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
+  if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
   if (json.contains("bookmarks")) {
     notes.bookmarks.clear();
     for (const Json& bookmark : json["bookmarks"]) notes.bookmarks.push_back(parse_bookmark(bookmark));

@@ -21,9 +21,15 @@ struct Bookmark {
   bool operator==(const Bookmark&) const = default;
 };
 
-struct PartNotes {
-  MethodSettings method;
+/// What undo and redo go through.
+struct EditedSettings : Query {
   LookSettings look;
+
+  bool operator==(const EditedSettings&) const = default;
+};
+
+struct PartNotes {
+  EditedSettings settings;
   std::vector<Bookmark> bookmarks;
 
   bool operator==(const PartNotes&) const = default;
@@ -31,7 +37,7 @@ struct PartNotes {
 
 /// Schema moldlight.view/2.
 [[nodiscard]] std::string part_notes_json(const PartNotes& notes, const std::string& part_path);
-/// Takes what part_notes_json writes, and an object of the method's settings alone. What the text does not
+/// Takes what part_notes_json writes, and an object of its settings alone. What the text does not
 /// say stays as in `notes`. Throws UsageError that says what is wrong.
 [[nodiscard]] PartNotes parse_part_notes(std::string_view json, PartNotes notes);
 

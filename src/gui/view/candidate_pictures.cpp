@@ -29,10 +29,10 @@ Camera telling_view(const PartModel& model, const glm::dvec3& direction, const g
   return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_fill);
 }
 
-std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const MethodSettings& method,
+std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const Query& query,
                                             const Progress& progress) {
   try {
-    return classify_exact(model, method, progress, true).split;
+    return classify_exact(model, query, progress, true).split;
   } catch (const UsageError&) {
     return nullptr;
   }
@@ -66,8 +66,8 @@ CandidatePictures::CandidatePictures(const gl::Context& context, const LoadedPar
       scene_(context, part),
       small_(result_->candidates.size()),
       job_({.work =
-                [model = part.model](const MethodSettings& method, const Progress& progress) {
-                  return Split{method, split_mesh(*model, method, progress)};
+                [model = part.model](const Query& query, const Progress& progress) {
+                  return Split{query, split_mesh(*model, query, progress)};
                 },
             .wake = std::move(wake)}) {}
 
@@ -84,15 +84,14 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   const SweepCandidate& candidate = result_->candidates[static_cast<std::size_t>(missing - small_.begin())];
   missing->emplace(context_->functions(), size_px);
   SceneSettings scene;
-  scene.method = result_->settings.method;
-  scene.method.direction = candidate.candidate.direction;
-  scene.method.resolution = std::min(scene.method.resolution, k_small_maps);
+  scene.query = {candidate.candidate.direction, result_->settings.method};
+  scene.query.method.resolution = std::min(scene.query.method.resolution, k_small_maps);
   scene.view.settings.theme = view.theme;
   scene.view.settings.palette = view.palette;
   scene.view.settings.tau_deg = view.tau_deg;
   scene.view.settings.pixel_scale = k_thin * view.pixel_scale;
   scene.view.settings.arrows = false;
-  scene.view.camera = telling_view(*scene_.part().model, scene.method.direction, size_px);
+  scene.view.camera = telling_view(*scene_.part().model, candidate.candidate.direction, size_px);
   for (int pass = 0; pass < k_refinements; ++pass) {
     if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
   }
@@ -106,15 +105,15 @@ std::vector<unsigned> CandidatePictures::textures() const {
 }
 
 bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settings) {
-  settings.method.direction = result_->candidates[split.candidate].candidate.direction;
+  settings.query.direction = result_->candidates[split.candidate].candidate.direction;
   settings.view.camera = split.camera;
   settings.view.marks = {};
-  if (wanted_ != settings.method) {
-    wanted_ = settings.method;
-    job_.request(settings.method);
+  if (wanted_ != settings.query) {
+    wanted_ = settings.query;
+    job_.request(settings.query);
   }
   if (auto found = job_.take()) split_ = std::move(found);
-  settings.split = split_ && split_->of == settings.method ? split_->mesh : nullptr;
+  settings.split = split_ && split_->of == settings.query ? split_->mesh : nullptr;
   static_cast<void>(beside(split.size));
   return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);
 }

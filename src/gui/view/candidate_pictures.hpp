@@ -56,16 +56,16 @@ class CandidatePictures {
   std::shared_ptr<const SweepResult> result_;
   Scene scene_;
   struct Split {
-    MethodSettings of;
+    Query of;
     std::shared_ptr<const SplitMesh> mesh;  // none where it was not found
   };
   std::vector<std::optional<gl::ColourTarget>> small_;
   std::optional<gl::ColourTarget> beside_;
   Theme theme_ = Theme::dark;
   Palette palette_ = Palette::paper;
-  std::optional<MethodSettings> wanted_;
+  std::optional<Query> wanted_;
   std::optional<Split> split_;
-  LatestJob<MethodSettings, Split> job_;
+  LatestJob<Query, Split> job_;
 };
 
 }  // namespace moldlight::gui

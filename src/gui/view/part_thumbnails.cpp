@@ -15,7 +15,7 @@ void draw_thumbnail(const gl::Context& context, const LoadedPart& part, Theme th
                     const gl::ColourTarget& target) {
   Scene scene(context, part);
   SceneSettings settings;
-  settings.method.resolution = k_map_resolution;
+  settings.query.method.resolution = k_map_resolution;
   settings.view.settings.theme = theme;
   settings.view.settings.backdrop = Backdrop::none;
   settings.view.settings.samples = 8;

@@ -38,18 +38,19 @@ double Scene::section_height(const glm::dvec3& direction, double share) {
 }
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
-  const MethodSettings& method = settings.method;
-  const MapInputs inputs{.direction = unit_direction(method.direction),
+  const Query& query = settings.query;
+  const MethodSettings& method = query.method;
+  const MapInputs inputs{.direction = query.direction.unit(),
                          .tau_deg = method.tau_deg,
                          .settings = map_settings(method, part_.model->frame.diagonal)};
   if (settings.split != split_) {
     split_ = settings.split;
-    split_ ? maps_.take_split(*split_, *part_.geometry, method) : maps_.drop_split();
+    split_ ? maps_.take_split(*split_, *part_.geometry, query) : maps_.drop_split();
   }
   // Coarse maps do until the split mesh is there, which comes at once.
   const bool fine = settings.maps_looked_at && !settings.direction_moves;
   if (maps_of_ != inputs || (fine && maps_are_coarse_)) {
-    fine ? maps_.draw_resting(method) : maps_.draw_moving(method);
+    fine ? maps_.draw_resting(query) : maps_.draw_moving(query);
     maps_of_ = inputs;
     maps_are_coarse_ = !fine;
     thumbnails_stale_ = true;
@@ -108,7 +109,7 @@ MapTextures Scene::map_pictures(int size_px) {
 
 Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, const EditedSettings& settings,
                  const FreeArea& area) {
-  const glm::dvec3 direction = settings.direction();
+  const glm::dvec3& direction = settings.direction.unit();
   const double open_mold = settings.look.open_mold;
   std::vector<glm::vec3> points(extremes.begin(), extremes.end());
   if (open_mold > 0.0) {

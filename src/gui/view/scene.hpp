@@ -20,11 +20,11 @@ namespace moldlight::gui {
 
 /// What the picture shows, beside the part.
 struct SceneSettings {
-  MethodSettings method;
+  Query query;
   View view;
   bool direction_moves = false;                 // maps may be coarser than the method's
   bool maps_looked_at = false;                  // they are to be the method's own once the direction rests
-  std::shared_ptr<const SplitMesh> split;       // for the method's settings; none where it is not known yet
+  std::shared_ptr<const SplitMesh> split;       // for the query; none where it is not known yet
   std::shared_ptr<const PieceSamples> samples;  // of it, where maps looked at are to be compared with it
 };
 

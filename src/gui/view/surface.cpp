@@ -11,15 +11,15 @@
 
 namespace moldlight::gui {
 
-Hover describe(const PartModel& model, const MethodSettings& method, const PickedPoint& point) {
+Hover describe(const PartModel& model, const Query& query, const PickedPoint& point) {
   const glm::dvec3& normal = model.geometry.normals[point.facet];
-  const glm::dvec3 direction = unit_direction(method.direction);
+  const glm::dvec3& direction = query.direction.unit();
   Hover hover{.point = point,
               .draft_deg = draft_angle_deg(normal, direction),
-              .facet_class = facet_class(normal, direction, method.tau_deg),
+              .facet_class = facet_class(normal, direction, query.method.tau_deg),
               .blocker = {}};
   if (point.region != Region::undercut) return hover;
-  const double lateral = map_settings(method, model.frame.diagonal).lateral;
+  const double lateral = map_settings(query.method, model.frame.diagonal).lateral;
   const glm::vec3 origin =
       hover.facet_class == FacetClass::near_vertical
           ? lateral_point(point.position, normal, {.direction = direction, .lateral = lateral})

@@ -30,7 +30,7 @@ struct Hover {
 };
 
 /// Draft, class and, for an undercut, what blocks it: found by exact rays, so that it names one facet.
-[[nodiscard]] Hover describe(const PartModel& model, const MethodSettings& method, const PickedPoint& point);
+[[nodiscard]] Hover describe(const PartModel& model, const Query& query, const PickedPoint& point);
 
 /// A CAD face: its facets and figures.
 struct ChosenFace {

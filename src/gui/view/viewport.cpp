@@ -20,7 +20,7 @@ constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
 constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
 
 PartingArrow arrow_in_scene(const AppState& state, const SceneFrame& frame, bool core) {
-  const glm::dvec3 direction = state.settings.direction();
+  const glm::dvec3 direction = state.settings.direction.unit();
   return parting_arrow(state.extremes, core ? direction : -direction, frame.open_mold);
 }
 
@@ -157,7 +157,7 @@ void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits&
   if (!centre || !ImGui::IsMouseDragging(0, k_click_reach)) return;
   const glm::dvec2 tip = glm::dvec2(from_im(ImGui::GetIO().MousePos) + drag_->grip) - *centre;
   // How far out the tip stands depends on where it points: that is found by going round a few times.
-  glm::dvec3 direction = state.settings.direction() * (drag_->core ? 1.0 : -1.0);
+  glm::dvec3 direction = state.settings.direction.unit() * (drag_->core ? 1.0 : -1.0);
   for (int round = 0; round < 6; ++round) {
     const double distance = glm::length(parting_arrow(state.extremes, direction, frame.open_mold).tip);
     const double radius = distance / pixel_length(state.camera, frame.size);
@@ -165,7 +165,7 @@ void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits&
   }
   if (!drag_->core) direction = -direction;
   if (ImGui::GetIO().KeyCtrl) direction = snapped_to(state.features, direction);
-  edits.settings.method.direction = tidy(direction);
+  edits.settings.direction = tidy(direction);
   edits.dragging = true;
 }
 

@@ -23,6 +23,7 @@ struct ExactQuery {
   glm::dvec3 direction{0, 0, 1};  // unit
   double tau_deg = 1.0;           // [0, 90)
   double lateral = 0.0;           // lateral tolerance in the unit frame, >= 0
+  bool operator==(const ExactQuery&) const = default;
 };
 
 /// Areas in model units squared.

@@ -28,10 +28,10 @@ ExactFigures print_exact_rows(const PartFile& file, const gl::Context& context,
   const double part_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
   Classifier classifier(context, model);
-  MethodSettings method;
-  method.readout = Readout::samples;
-  method.samples = settings.quick ? k_quick_samples : k_samples;
-  method.tolerance = k_lateral * model->frame.diagonal;
+  Query query;
+  query.method.readout = Readout::samples;
+  query.method.samples = settings.quick ? k_quick_samples : k_samples;
+  query.method.tolerance = k_lateral * model->frame.diagonal;
 
   std::printf("\nexact  %s, %zu facets: once a part %.1f ms; ms a direction\n", file.name.c_str(),
               figures.facets, part_ms);
@@ -41,14 +41,14 @@ ExactFigures print_exact_rows(const PartFile& file, const gl::Context& context,
   double areas_ms = 0.0, samples_ms = 0.0, areas_core_ms = 0.0, samples_core_ms = 0.0;
   const std::vector<glm::dvec3> directions = test::five_directions();
   for (const glm::dvec3& direction : directions) {
-    const ExactQuery query{.direction = direction, .tau_deg = 1.0, .lateral = k_lateral};
-    method.direction = direction;
+    const ExactQuery asked{.direction = direction, .tau_deg = 1.0, .lateral = k_lateral};
+    query.direction = direction;
     std::size_t pieces = 0;
     Contest contest;
-    const std::size_t areas = contest.add(1.0, [&] { (void)exact_areas(part, query, {}); });
+    const std::size_t areas = contest.add(1.0, [&] { (void)exact_areas(part, asked, {}); });
     const std::size_t split =
-        contest.add(1.0, [&] { pieces = exact_split(part, query, {}).mesh.pieces.size(); });
-    const std::size_t samples = contest.add(1.0, [&] { (void)classifier.classify(method, {}); });
+        contest.add(1.0, [&] { pieces = exact_split(part, asked, {}).mesh.pieces.size(); });
+    const std::size_t samples = contest.add(1.0, [&] { (void)classifier.classify(query, {}); });
     contest.run(many ? settings.rounds : 1, 0.0);
     std::printf("  %6.3f %6.3f %6.3f   %9.2f %9.2f %9.2f %9zu %9.1f %9.2f %9.2f\n", direction.x, direction.y,
                 direction.z, contest.ms(areas, Contest::k_wall), contest.ms(areas, Contest::k_cores),

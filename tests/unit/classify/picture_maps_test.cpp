@@ -18,7 +18,6 @@ TEST(MovingMethod, KeepTheLengthsOfTheFullOnes) {
   const MapSettings fine = map_settings(full, k_diagonal), coarse = map_settings(live, k_diagonal);
   EXPECT_DOUBLE_EQ(coarse.lateral, fine.lateral);
   EXPECT_DOUBLE_EQ(coarse.edge_thickness / coarse.resolution, fine.edge_thickness / fine.resolution);
-  EXPECT_EQ(live.direction, full.direction);
 }
 
 TEST(MovingMethod, LookBesideWallsByTheirOwnTexelsAtLeast) {

@@ -10,12 +10,23 @@ namespace {
 
 TEST(PartNotes, AreReadBackAsTheyWereWritten) {
   PartNotes notes;
-  notes.method.direction = {0.6, 0.0, 0.8};
-  notes.method.resolution = 512;
-  notes.look.regions_by = RegionsBy::maps;
-  notes.look.mark_difference = true;
+  notes.settings.direction = glm::dvec3(0.6, 0.0, 0.8);
+  notes.settings.method.resolution = 512;
+  notes.settings.look.regions_by = RegionsBy::maps;
+  notes.settings.look.mark_difference = true;
   notes.bookmarks.push_back({.note = "hook", .direction = {0, 1, 0}});
   EXPECT_EQ(parse_part_notes(part_notes_json(notes, "part.stl"), {}), notes);
+}
+
+TEST(PartNotes, KeepADirectionAsItWasTyped) {
+  const PartNotes notes = parse_part_notes(R"({"direction": [0, 3, 4], "tau_deg": 2.5})", {});
+  EXPECT_EQ(notes.settings.direction.given(), glm::dvec3(0, 3, 4));
+  EXPECT_EQ(notes.settings.direction.unit(), glm::dvec3(0.0, 0.6, 0.8));
+  EXPECT_EQ(notes.settings.method.tau_deg, 2.5);
+  EXPECT_EQ(parse_part_notes(part_notes_json(notes, "part.stl"), {}), notes);
+  for (const char* bad :
+       {R"({"direction": [0, 0, 0]})", R"({"direction": [0, 1]})", R"({"direction": null})"})
+    EXPECT_THROW(static_cast<void>(parse_part_notes(bad, {})), UsageError) << bad;
 }
 
 /// What had no other default then is not taken for a wish.
@@ -25,8 +36,8 @@ TEST(PartNotes, OfAnOlderVersionKeepWhatStillMeansTheSame) {
           "exact_rays": true}, "look": {"hatching": false}})",
       {});
   PartNotes expected;
-  expected.method.tau_deg = 2.5;
-  expected.look.hatching = false;
+  expected.settings.method.tau_deg = 2.5;
+  expected.settings.look.hatching = false;
   EXPECT_EQ(notes, expected);
   EXPECT_EQ(parse_part_notes(R"({"schema": "moldlight.view/1", "bookmarks": []})", {}), PartNotes{});
   EXPECT_THROW(static_cast<void>(parse_part_notes(R"({"schema": "moldlight.view/9"})", {})), UsageError);
