@@ -19,9 +19,9 @@ TEST(PartNotes, AreReadBackAsTheyWereWritten) {
 }
 
 TEST(PartNotes, KeepADirectionAsItWasTyped) {
-  const PartNotes notes = parse_part_notes(R"({"direction": [0, 3, 4], "tau_deg": 2.5})", {});
-  EXPECT_EQ(notes.settings.direction.given(), glm::dvec3(0, 3, 4));
-  EXPECT_EQ(notes.settings.direction.unit(), glm::dvec3(0.0, 0.6, 0.8));
+  const PartNotes notes = parse_part_notes(R"({"direction": [0, -4, 0], "tau_deg": 2.5})", {});
+  EXPECT_EQ(notes.settings.direction.given(), glm::dvec3(0, -4, 0));
+  EXPECT_EQ(notes.settings.direction.unit(), glm::dvec3(0, -1, 0));
   EXPECT_EQ(notes.settings.method.tau_deg, 2.5);
   EXPECT_EQ(parse_part_notes(part_notes_json(notes, "part.stl"), {}), notes);
   for (const char* bad :
