@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t k_most_facets = 24;
 constexpr std::array<double, 4> k_jitters = {0.0, 1e-2, 1e-4, 1e-6};
-constexpr std::array<double, 4> k_taus_deg = {1.0, 0.1, 5.0, 30.0};
+/// None that facets of the grid have: rounding would tell their class.
+constexpr std::array<double, 4> k_taus_deg = {1.0, 0.1, 5.0, 29.0};
 constexpr std::array<double, 4> k_laterals = {1.0 / 2048.0, 0.01, 0.1, 0.03};
 
 /// Zeros after the last byte.
@@ -56,8 +57,11 @@ void add_box(Corners& corners, Bytes& bytes) {
   corners.insert(corners.end(), box.begin(), box.end());
 }
 
-void add_facet(Corners& corners, Bytes& bytes) {
-  for (int k = 0; k < 3; ++k) corners.push_back(bytes.take_corner());
+/// Of three corners in a line, only where they stay there: off the grid it is a needle, whose normal is
+/// rounding.
+void add_facet(Corners& corners, Bytes& bytes, bool any) {
+  const glm::dvec3 a = bytes.take_corner(), b = bytes.take_corner(), c = bytes.take_corner();
+  if (any || glm::cross(b - a, c - a) != glm::dvec3(0.0)) corners.insert(corners.end(), {a, b, c});
 }
 
 }  // namespace
@@ -74,7 +78,7 @@ SmallMesh small_mesh(std::span<const std::uint8_t> data) {
   Corners corners;
   while (!bytes.at_end() && corners.size() < 3 * k_most_facets) {
     if (result.kind == MeshKind::loose_facets) {
-      add_facet(corners, bytes);
+      add_facet(corners, bytes, result.jitter == 0.0);
     } else if (result.kind == MeshKind::boxes) {
       add_box(corners, bytes);
     } else {
