@@ -44,7 +44,7 @@ void check_notes(std::string_view text) {
   taken_or_refused([&] {
     const gui::PartNotes notes = gui::parse_part_notes(text, {});
     const gui::PartNotes again = gui::parse_part_notes(gui::part_notes_json(notes, "part.stl"), {});
-    CHECK(again.method == notes.method && again.look == notes.look);
+    CHECK(again.settings == notes.settings);
     CHECK(again.bookmarks.size() == notes.bookmarks.size());
     for (std::size_t k = 0; k < notes.bookmarks.size(); ++k) {
       const glm::dvec3& direction = notes.bookmarks[k].direction;
