@@ -23,7 +23,7 @@ enum class MeshKind : std::uint8_t {
 struct SmallMesh {
   MeshKind kind = MeshKind::loose_facets;
   double jitter = 0.0;  // how far corners are off the grid, whose planes are 1 apart
-  TriangleMesh mesh;    // of up to 24 facets; maybe of none
+  TriangleMesh mesh;    // of up to 35 facets; maybe of none
   glm::dvec3 direction{0, 0, 1};
   test::ShapeSettings settings;  // the lateral tolerance as a share of the diagonal
 };
