@@ -46,7 +46,7 @@ struct Classification {
   std::string renderer;           // GL_RENDERER
   double texel = 0.0;             // edge length of a shadow-map texel
   double lateral_tolerance = 0.0;
-  FacetFractions facet_fractions;
+  FacetFractions facet_fractions;  // empty for a direction of a sweep
   RegionValues areas;
   double total_area = 0.0;
   double near_vertical_area = 0.0;

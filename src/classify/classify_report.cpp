@@ -116,7 +116,7 @@ Json part_json(const PartModel& model, const std::vector<std::string>& warnings)
 }
 
 std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result) {
-  if (model.part.facet_source.empty()) return {};
+  if (model.part.facet_source.empty() || result.facet_fractions.empty()) return {};
   return region_areas_by_source(model.part.facet_source, model.geometry.areas, result.facet_fractions);
 }
 
@@ -151,7 +151,8 @@ Json classify_json(const PartModel& model, const Classification& result) {
         {"regions", result.timings.regions_ms},
         {"readout", result.timings.readout_ms},
         {"total", result.timings.total_ms}}}};
-  if (model.part.has_cad_faces) json["faces"] = faces_json(face_areas(model, result));
+  if (model.part.has_cad_faces && !result.facet_fractions.empty())
+    json["faces"] = faces_json(face_areas(model, result));
   if (result.maps) json["compare_maps"] = comparison_json(*result.maps);
   return json;
 }

@@ -20,10 +20,11 @@ namespace moldlight {
                                                const std::vector<std::string>& warnings);
 
 /// Schema `moldlight.classify/2`. Lengths and areas are in the part's unit, fractions in [0, 1], times in
-/// milliseconds. For a STEP part `faces` lists the CAD faces.
+/// milliseconds. For a STEP part `faces` lists the CAD faces, but not for a direction of a sweep.
 [[nodiscard]] nlohmann::ordered_json classify_json(const PartModel& model, const Classification& result);
 
-/// Region areas of each CAD face or polygon of the file; empty where each facet is its own.
+/// Region areas of each CAD face or polygon of the file; empty where each facet is its own, and for
+/// a direction of a sweep.
 [[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
 
 /// Areas and shares with the uncertainty, and the check of the shadow's area found in two ways. `colour`: the

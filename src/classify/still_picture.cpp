@@ -225,6 +225,9 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   const glm::ivec2& size = settings.size;
   const LookSettings& look = settings.look;
   const auto split = exact_regions(*model_, result, progress);
+  // What the GL draws in software takes seconds on a busy machine: between two passes it can be given up.
+  const auto drawing = [&progress](double done) { progress.report("drawing the picture", done); };
+  drawing(0.0);
   if (look.regions_by == RegionsBy::maps || look.mark_difference) maps_.draw_resting(result.query());
   maps_.take_split(*split, geometry_, result.query());
 
@@ -243,14 +246,17 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   view_settings.theme = settings.theme;
   view_settings.pixel_scale = std::max(1.0, 1.15 * places.scale);
   view_settings.samples = k_samples;
+  drawing(0.2);
   std::vector<glm::vec3> beyond;
   if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
   camera = composed(context_->functions(), view_, maps_.buffers(),
                     {camera, size, places.legend, geometry_.extremes, beyond});
+  drawing(0.4);
   const gl::ColourTarget picture(context_->functions(), size);
   view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
 
   Canvas canvas({size.x, size.y, picture.read()});
+  drawing(0.9);
   const LegendStyle style{
       .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
   if (look.arrows && places.legend) label_arrows(canvas, {view_, camera, size}, arrows, style);

@@ -129,6 +129,8 @@ int run_program(std::vector<std::string> arguments, Console& console) {
 
 int main(int argc, char** argv) {
   using namespace moldlight;
+  static const std::string k_no_threads =
+      "there is not enough memory, or the system allows no more threads or the like: ";
   // A file beyond the limit of size is to be an error of writing, whose temporary file is cleared away.
   std::signal(SIGXFSZ, SIG_IGN);
   cli::Console console;
@@ -143,9 +145,11 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     console.failure("there is not enough memory for this part with these settings");
   } catch (const std::system_error& error) {
-    console.failure(std::string("the system allows no more threads or the like: ") + error.what());
+    console.failure(k_no_threads + error.what());
   } catch (const std::exception& error) {
-    console.failure(error.what());
+    // TBB's own threads: it throws a std::runtime_error with the name of the call that failed.
+    const std::string what = error.what();
+    console.failure(what.starts_with("pthread_") ? k_no_threads + what : what);
   }
   return cli::k_failure;
 }

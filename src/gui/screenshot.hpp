@@ -1,25 +1,13 @@
-// The window's picture without a display, after recorded input: a JSON list of events that is played to it.
+// The window's picture without a display, after recorded input.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "gui/offscreen.hpp"
 #include "gui/store/part_notes.hpp"
 
 namespace moldlight::gui {
-
-/// Plays the events in order. Each is an object with one of these:
-///   {"move": [x, y]}  {"click": [x, y], "button": "left", "times": 1}
-///   {"drag": [[x, y], [x, y], …], "button": "left"}  {"wheel": notches, "at": [x, y]}
-///   {"key": "F", "ctrl": true, "shift": true, "alt": true}  {"type": "text"}  {"hold": ["ctrl"]}
-///   {"open": "path"}  {"drop": "path"}  {"resize": [w, h]}  {"scale": 2}
-///   {"wait": "loaded" | "measured" | "swept" | seconds}  {"screenshot": "out.png"}
-/// A place is [x, y] in pixels from the upper left corner, or the name of a control: its label, "label=word"
-/// for the word of a choice, "label@0.3" for a place at that share of its width. Throws UsageError that names
-/// the event and what is wrong: a scale beyond 0.5 to 4, a wait of more than 600 s, a list without events.
-void play_script(std::string_view json, OffscreenWindow& window);
 
 struct ScreenshotOptions {
   std::string part;  // empty: the start page

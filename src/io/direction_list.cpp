@@ -38,9 +38,8 @@ std::optional<glm::dvec3> parse_direction(std::string_view line) {
 
 }  // namespace
 
-std::vector<glm::dvec3> read_directions(const std::string& path, const Progress& progress) {
-  const FileContents contents(path, progress);
-  TextScanner scanner(contents.bytes());
+std::vector<glm::dvec3> directions_in(std::string_view text, const std::string& path) {
+  TextScanner scanner(text);
   std::vector<glm::dvec3> directions;
   bool may_be_names = true;
   while (!scanner.at_end()) {
@@ -60,6 +59,11 @@ std::vector<glm::dvec3> read_directions(const std::string& path, const Progress&
   }
   if (directions.empty()) throw FileError(path, "", "holds no direction; write one a line: x, y, z");
   return directions;
+}
+
+std::vector<glm::dvec3> read_directions(const std::string& path, const Progress& progress) {
+  const FileContents contents(path, progress);
+  return directions_in(contents.bytes(), path);
 }
 
 }  // namespace moldlight

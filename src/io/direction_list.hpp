@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -15,5 +16,7 @@ namespace moldlight {
 /// of column names. Throws FileError that names the line for anything else, and for a file without a
 /// direction.
 [[nodiscard]] std::vector<glm::dvec3> read_directions(const std::string& path, const Progress& progress);
+/// The same of a text that is in memory; `path` is what a FileError names.
+[[nodiscard]] std::vector<glm::dvec3> directions_in(std::string_view text, const std::string& path);
 
 }  // namespace moldlight

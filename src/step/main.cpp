@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   if (argc != 6) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0);
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   limit(RLIMIT_AS, std::strtoull(argv[5], nullptr, 10));
 #endif
   moldlight::step::TessellationSettings settings;

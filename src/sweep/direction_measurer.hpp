@@ -11,6 +11,7 @@
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
+#include "sweep/arena_threads.hpp"
 #include "sweep/direction_scorer.hpp"
 
 namespace moldlight {
@@ -26,7 +27,7 @@ class DirectionMeasurer {
  public:
   /// `jobs`: the number of threads.
   DirectionMeasurer(const PartModel& model, const MethodSettings& method, int jobs)
-      : model_(model), method_(method), arena_(jobs) {}
+      : model_(model), method_(method), arena_(arena_threads(jobs)) {}
 
   /// In the order of the tasks, whatever the number of threads; nothing where the undercut area is certain to
   /// be above the task's limit, for what is not begun when `stop` says so, and for what `progress` cancels.

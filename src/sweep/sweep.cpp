@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "classify/method_options.hpp"
 #include "mold/measure.hpp"
+#include "sweep/arena_threads.hpp"
 #include "sweep/basin_search.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 #include "sweep/contender.hpp"
@@ -362,7 +363,7 @@ std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<
   clock_.report(sweep_stage::k_final, 0.0);
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::task_arena arena(result_.jobs);
+  tbb::task_arena arena(arena_threads(result_.jobs));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
       const std::unique_ptr<DirectionScorer> scorer = pools_.make_ray_scorer();

@@ -370,5 +370,22 @@ TEST(SweepCommand, APartWithoutAreaHasDirectionsWithoutArea) {
   EXPECT_EQ(run_moldlight({"sweep", flat, "--directions", "10", "--engine", "gl"}).exit_code, 0);
 }
 
+/// Figures by CAD face are those of one direction alone.
+TEST(SweepCommand, APartOfCadFacesHasAReport) {
+  if (!MOLDLIGHT_STEP_BUILT) GTEST_SKIP() << "built without OpenCASCADE";
+  const SmallPart part;
+  const std::string step = (test::data_folder() / "pins_assembly_mm.step").string();
+  const Json json = sweep_of(with(part.sweep({"--json", "-"}), "PART", step));
+  EXPECT_EQ(json["part"]["format"], "STEP");
+  ASSERT_EQ(json["candidates"].size(), 4u);
+}
+
+TEST(SweepCommand, MoreThreadsThanCoresAreNoMatterOfStderr) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.sweep({"--jobs", "64", "--quiet"}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -1,5 +1,6 @@
 // make_corpus FOLDER [PART…]: writes the seeds of the fuzz targets, FOLDER/<target>/…: small files of our own
 // in every spelling, and those given parts that are small and of the target's format.
+// FOLDER/fuzz_settings.dict holds the words of the option tables.
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -7,10 +8,17 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
+#include "classify/look_options.hpp"
+#include "classify/method_options.hpp"
 #include "fuzz/seed_files.hpp"
+#include "gui/store/part_notes.hpp"
+#include "gui/store/user_state.hpp"
 #include "io/part_formats.hpp"
 #include "io/step_result.hpp"
 
@@ -63,6 +71,73 @@ std::string step_result_seed() {
   return result.to_bytes();
 }
 
+/// Of tetrahedra, boxes and loose facets, on the grid and off it.
+void write_small_meshes(const fs::path& folder) {
+  const std::vector<std::vector<std::uint8_t>> meshes = {
+      {0x00, 3, 3, 4, 0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 2, 5, 1, 2, 1, 5, 2},
+      {0x11, 4, 5, 6, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 1, 1, 1, 5, 1, 1, 1, 5, 1, 1, 1, 5},
+      {0x05, 3, 3, 4, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 4, 0, 0, 4, 4, 0, 0, 4, 0, 2, 2, 6},
+      {0x02, 3, 3, 4, 0, 0, 0, 4, 4, 2, 1, 1, 2, 3, 3, 4},
+      {0x46, 6, 3, 4, 0, 0, 0, 4, 4, 2, 2, 2, 1, 6, 6, 5},
+      {0x83, 3, 4, 5, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 1, 1, 2, 5, 1, 3, 1, 5, 2, 3, 3, 7}};
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    write_seed(folder, "fuzz_exact_regions", std::to_string(k),
+               std::string(meshes[k].begin(), meshes[k].end()));
+  }
+}
+
+void write_scripts(const fs::path& folder) {
+  const std::vector<std::string> scripts = {
+      R"([{"move": [10, 10]}, {"click": "Flip", "button": "right", "times": 2}, {"wheel": -2.5, "at": [5, 6]}])",
+      R"([{"drag": [[1, 2], "Draft tolerance@0.3", [3, 4]], "release": false}, {"hold": ["ctrl", "shift", "alt"]}])",
+      R"([{"key": "F12", "ctrl": true, "shift": false, "alt": true}, {"type": "text"}, {"wait": "loaded"}])",
+      R"([{"open": "a.stl"}, {"drop": "b.stl"}, {"resize": [800, 600]}, {"scale": 2}, {"wait": 0.5}])",
+      R"([{"wait": "measured"}, {"wait": "swept"}, {"screenshot": "out.png"}])"};
+  for (std::size_t k = 0; k < scripts.size(); ++k)
+    write_seed(folder, "fuzz_script", std::to_string(k), scripts[k]);
+}
+
+template <typename Settings>
+void add_words(std::span<const Option<Settings>> options, std::set<std::string>& words) {
+  for (const Option<Settings>& option : options) {
+    words.emplace(option.key);
+    std::visit(
+        [&](const auto& kind) {
+          if constexpr (requires { kind.words; }) words.insert(kind.words.begin(), kind.words.end());
+        },
+        option.kind);
+  }
+}
+
+void write_settings(const fs::path& folder) {
+  gui::PartNotes notes;
+  notes.bookmarks.push_back({.note = "hook", .direction = {0, 1, 0}});
+  write_seed(folder, "fuzz_settings", "notes", gui::part_notes_json(notes, "part.stl"));
+  gui::UserState user;
+  user.recent = {"/a.stl"};
+  write_seed(folder, "fuzz_settings", "user", gui::user_state_json(user));
+  write_seed(folder, "fuzz_settings", "method", options_json(method_options(), MethodSettings{}).dump());
+  write_seed(folder, "fuzz_settings", "reading", options_json(reading_options(), ReadOptions{}).dump());
+
+  std::set<std::string> words = {"schema",
+                                 "moldlight.view/1",
+                                 "moldlight.view/2",
+                                 "settings",
+                                 "look",
+                                 "bookmarks",
+                                 "direction",
+                                 "note",
+                                 "recent",
+                                 "sweep"};
+  add_words(method_options(), words);
+  add_words(reading_options(), words);
+  add_words(look_options(), words);
+  add_words(sweep_options(), words);
+  add_words(gui::window_options(), words);
+  std::ofstream dictionary(folder / "fuzz_settings.dict");
+  for (const std::string& word : words) dictionary << "\"\\\"" << word << "\\\"\"\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -76,5 +151,9 @@ int main(int argc, char** argv) {
     write_seed(folder, "fuzz_threemf_model", seed.name, seed.bytes);
   }
   write_seed(folder, "fuzz_step_result", "two_bodies", step_result_seed());
+  write_seed(folder, "fuzz_direction_list", "names", "x,y,z,note\n# two\n0,0,1,top\n0.5 ; -0.5 ;\t1e-3\r\n");
+  write_small_meshes(folder);
+  write_scripts(folder);
+  write_settings(folder);
   for (int i = 2; i < argc; ++i) add_part(folder, argv[i]);
 }

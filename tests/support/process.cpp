@@ -155,7 +155,7 @@ ProcessResult run_moldlight(std::vector<std::string> arguments, const ProcessSet
 }
 
 bool built_with_sanitizers() {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return true;
 #else
   return false;

@@ -7,6 +7,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mold/direction.hpp"
+
 namespace moldlight::gui {
 
 Angles angles_of(const glm::dvec3& direction) {
@@ -30,7 +32,7 @@ glm::dvec3 nudged(const glm::dvec3& direction, const glm::dvec3& toward, const g
 }
 
 glm::dvec3 tidy(const glm::dvec3& direction) {
-  glm::dvec3 unit = glm::normalize(direction);
+  glm::dvec3 unit = unit_direction(direction);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double round : {-1.0, 0.0, 1.0}) {
       if (std::abs(unit[axis] - round) < 1e-12) unit[axis] = round;

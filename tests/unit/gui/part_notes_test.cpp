@@ -1,6 +1,7 @@
 // Settings and bookmarks of a part: written, read back, and read as an older version wrote them.
 #include "gui/store/part_notes.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
@@ -41,6 +42,17 @@ TEST(PartNotes, OfAnOlderVersionKeepWhatStillMeansTheSame) {
   EXPECT_EQ(notes, expected);
   EXPECT_EQ(parse_part_notes(R"({"schema": "moldlight.view/1", "bookmarks": []})", {}), PartNotes{});
   EXPECT_THROW(static_cast<void>(parse_part_notes(R"({"schema": "moldlight.view/9"})", {})), UsageError);
+}
+
+/// Whose squared length is no double.
+TEST(PartNotes, BookmarksOfAnyLengthAreDirections) {
+  const PartNotes notes = parse_part_notes(
+      R"({"schema": "moldlight.view/2", "bookmarks": [{"direction": [0, 3e200, 4e200]},
+          {"direction": [0, 0, -1e-200]}]})",
+      {});
+  ASSERT_EQ(notes.bookmarks.size(), 2U);
+  EXPECT_NEAR(glm::distance(notes.bookmarks[0].direction, glm::dvec3(0, 0.6, 0.8)), 0.0, 1e-15);
+  EXPECT_EQ(notes.bookmarks[1].direction, glm::dvec3(0, 0, -1));
 }
 
 }  // namespace

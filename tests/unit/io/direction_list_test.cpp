@@ -8,7 +8,7 @@
 namespace moldlight {
 namespace {
 
-std::vector<glm::dvec3> directions_in(const std::string& text) {
+std::vector<glm::dvec3> directions_read(const std::string& text) {
   const test::ScratchFolder folder;
   return read_directions(folder.write("list.csv", text), Progress());
 }
@@ -26,12 +26,12 @@ std::string error_of(const std::string& text) {
 
 TEST(DirectionList, TakesCommasSemicolonsAndSpaces) {
   const std::vector<glm::dvec3> expected = {{0, 0, 1}, {0.5, -0.5, 1e-3}, {-1, 0, 0}};
-  EXPECT_EQ(directions_in("0,0,1\n0.5 ; -0.5 ; 1e-3\r\n  -1\t0  0\n"), expected);
+  EXPECT_EQ(directions_read("0,0,1\n0.5 ; -0.5 ; 1e-3\r\n  -1\t0  0\n"), expected);
 }
 
 TEST(DirectionList, LeavesNamesCommentsAndFurtherColumnsAside) {
   const std::vector<glm::dvec3> expected = {{0, 0, 1}, {0, 1, 0}};
-  EXPECT_EQ(directions_in("x,y,z,undercut\n# two pulls\n\n0,0,1,12.5\n0,1,0,0\n"), expected);
+  EXPECT_EQ(directions_read("x,y,z,undercut\n# two pulls\n\n0,0,1,12.5\n0,1,0,0\n"), expected);
 }
 
 TEST(DirectionList, NamesTheLineThatIsWrong) {

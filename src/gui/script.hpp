@@ -1,0 +1,34 @@
+// Recorded input for the window: a JSON list of events, which is read as a whole before any of it is played.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gui/offscreen.hpp"
+
+namespace moldlight::gui {
+
+struct ScriptEvent {
+  std::string text;  // as it was written
+  std::function<void(OffscreenWindow&)> play;
+};
+using Script = std::vector<ScriptEvent>;
+
+/// Reads the events. Each is an object with one of these:
+///   {"move": [x, y]}  {"click": [x, y], "button": "left", "times": 1}
+///   {"drag": [[x, y], [x, y], …], "button": "left"}  {"wheel": notches, "at": [x, y]}
+///   {"key": "F", "ctrl": true, "shift": true, "alt": true}  {"type": "text"}  {"hold": ["ctrl"]}
+///   {"open": "path"}  {"drop": "path"}  {"resize": [w, h]}  {"scale": 2}
+///   {"wait": "loaded" | "measured" | "swept" | seconds}  {"screenshot": "out.png"}
+/// A place is [x, y] in pixels from the upper left corner, or the name of a control: its label, "label=word"
+/// for the word of a choice, "label@0.3" for a place at that share of its width, 0 to 1. Throws UsageError
+/// that names the event and what is wrong: a scale beyond 0.5 to 4, a wait of more than 600 s, a list without
+/// events.
+[[nodiscard]] Script parse_script(std::string_view json);
+
+/// Plays the events in order. Throws UsageError that names the event: there is no control of that name.
+void play_script(const Script& script, OffscreenWindow& window);
+
+}  // namespace moldlight::gui
