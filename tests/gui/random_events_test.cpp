@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using moldlight::test::Random;
 
 constexpr int k_few_events = 400;
-constexpr glm::ivec2 k_least_size(240, 240), k_most_size(900, 700);
+constexpr glm::ivec2 k_usual_size(640, 480), k_least_size(240, 240), k_most_size(720, 540);
 
 /// Codes of GLFW's keys that are no letters or digits: Esc to Home and End, F1, F12, and on the number pad.
 constexpr std::array<int, 18> k_other_keys = {32,  256, 257, 258, 259, 261, 262, 263, 264,
@@ -49,7 +49,7 @@ class WorkingFolder {
 
 OffscreenOptions options() {
   OffscreenOptions options;
-  options.size = {800, 600};
+  options.size = k_usual_size;
   options.user.sweep.directions = 20;
   options.user.sweep.refine = 1;
   options.user.sweep.top = 3;
@@ -103,7 +103,7 @@ class RandomInput {
     for (int button = 0; button < 3; ++button) window_.set_button(button, false);
     window_.hold_modifiers(false, false, false);
     window_.set_content_scale(1.0F);
-    window_.resize({800, 600});
+    window_.resize(k_usual_size);
     for (int k = 0; k < 3; ++k) {
       window_.press_key({.key = 256});
       window_.frames(2);
