@@ -143,6 +143,8 @@ void App::poll_jobs() {
   if (loader_.running()) state_.loading->status = loader_.status();
   if (const auto outcome = export_.take()) say(outcome->result.value_or(outcome->error), !outcome->result);
   sweep_.update(state_, state_.sweep, now_s_);
+  // Not when a new sweep is asked for: the panels of that frame still show them.
+  if (pictures_ && pictures_->result() != state_.sweep.result) pictures_.reset();
   if (auto result = sweep_.take_result()) {
     pictures_ =
         std::make_unique<CandidatePictures>(*context_, scene_->part(), std::move(result), options_.wake);

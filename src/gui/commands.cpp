@@ -106,7 +106,6 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
 
 void Commands::start_sweep() {
   app.state_.sweep_choices.compared.reset();
-  app.pictures_.reset();
   app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
 }
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -79,8 +80,8 @@ class Pipe {
 
 struct ChildResult {
   std::string bytes;  // what it wrote to the descriptor
-  int exit_code = 0;  // -1 where a signal ended it
-  int signal = 0;     // that ended it; 0 for none
+  int exit_code = 0;
+  int signal = 0;  // that ended it; 0 for none
   bool timed_out = false;
 };
 
@@ -105,11 +106,13 @@ pid_t start(const ChildCommand& command, int writing_end) {
   pid_t pid = -1;
   const int error = ::posix_spawn(&pid, command.program.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? pid : -1;
+  if (error == 0) return pid;
+  errno = error;
+  return -1;
 }
 
 /// Runs the program with its standard streams closed off, until it ends, `time_limit` is over or `progress`
-/// is cancelled (throws Cancelled). None where it cannot be started.
+/// is cancelled (throws Cancelled). None where it cannot be started, for the reason in errno.
 std::optional<ChildResult> run_child(const ChildCommand& command, const Progress& progress) {
   Pipe pipe;
   if (!pipe.is_open()) return std::nullopt;
@@ -136,7 +139,7 @@ std::optional<ChildResult> run_child(const ChildCommand& command, const Progress
     result.bytes.append(chunk.data(), static_cast<std::size_t>(got));
   }
   const int status = child.wait();
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   return result;
 }
@@ -146,6 +149,32 @@ constexpr std::uint64_t k_base_memory_bytes = std::uint64_t{3} << 30;
 constexpr std::uint64_t k_memory_bytes_a_byte = 100;
 constexpr std::chrono::seconds k_base_time{120};
 constexpr std::uint64_t k_bytes_a_second = 50'000;
+
+[[noreturn]] void fail_for_signal(const ReadContext& context, int signal) {
+  switch (signal) {
+    case SIGINT:
+    case SIGTERM:  // went to both programs
+      throw Cancelled();
+    case SIGKILL:
+    case SIGXCPU:
+      context.fail("",
+                   "cannot be read within the system's limits of memory and time (signal {}); raise "
+                   "them, coarsen the deflection or export the part as STL",
+                   signal);
+    default:
+      context.fail("",
+                   "breaks the STEP reader OpenCASCADE (signal {}); repair it in the CAD program or "
+                   "export STL",
+                   signal);
+  }
+}
+
+/// Leads another program to the same file, which "/dev/stdin" does not.
+std::string path_for_others(const std::string& path) {
+  std::error_code error;
+  const fs::path resolved = fs::canonical(path, error);
+  return (error ? fs::absolute(path) : resolved).string();
+}
 
 std::string run_reading_program(const ReadContext& context, std::uint64_t file_bytes) {
   const auto program = step_reading_program();
@@ -157,21 +186,23 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
   ChildCommand command;
   command.program = *program;
   command.time_limit = k_base_time + std::chrono::seconds(file_bytes / k_bytes_a_second);
-  command.arguments = {
-      fs::absolute(context.path).string(), fmt::format("{}", context.options.linear_deflection),
-      fmt::format("{}", context.options.angular_deflection_deg), std::to_string(context.options.max_facets),
-      std::to_string(k_base_memory_bytes + k_memory_bytes_a_byte * file_bytes)};
+  command.arguments = {path_for_others(context.path), fmt::format("{}", context.options.linear_deflection),
+                       fmt::format("{}", context.options.angular_deflection_deg),
+                       std::to_string(context.options.max_facets),
+                       std::to_string(k_base_memory_bytes + k_memory_bytes_a_byte * file_bytes)};
   const auto child = run_child(command, context.progress);
-  if (!child) context.fail("", "cannot be read: {} does not start", *program);
-  if (child->signal == SIGINT) throw Cancelled();
+  if (!child) {
+    context.fail("", "cannot be read: {} does not start ({}); allow more processes and memory", *program,
+                 std::strerror(errno));
+  }
   if (child->timed_out) {
     context.fail("", "takes more than {} s to read; coarsen the deflection or export the part as STL",
                  command.time_limit.count());
   }
+  if (child->signal != 0) fail_for_signal(context, child->signal);
   if (child->exit_code != 0) {
-    context.fail("",
-                 "breaks the STEP reader OpenCASCADE (signal {}); repair it in the CAD program or export STL",
-                 child->signal);
+    context.fail("", "cannot be read: {} ends with exit code {}; it may need more memory than is allowed",
+                 *program, child->exit_code);
   }
   return child->bytes;
 }

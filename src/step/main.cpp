@@ -3,25 +3,22 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <string>
 
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "io/step_result.hpp"
+#include "step/memory.hpp"
 #include "step/tessellation.hpp"
 
 namespace {
 
 using moldlight::StepResult;
-
-void limit(int resource, rlim_t value) {
-  const rlimit both = {value, value};
-  static_cast<void>(::setrlimit(static_cast<__rlimit_resource>(resource), &both));
-}
 
 StepResult failed(const std::string& sentence) {
   StepResult result;
@@ -29,26 +26,44 @@ StepResult failed(const std::string& sentence) {
   return result;
 }
 
+/// Ends the program; tidying up OpenCASCADE's tables takes time and serves nobody.
+[[noreturn]] void hand_back(const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written =
+        ::write(moldlight::k_step_result_descriptor, bytes.data() + done, bytes.size() - done);
+    if (written <= 0) ::_exit(1);
+    done += static_cast<std::size_t>(written);
+  }
+  ::_exit(0);
+}
+
+/// Made before memory can be short.
+const std::string& no_memory_left() {
+  static const std::string bytes =
+      failed("needs more memory than is allowed; coarsen the deflection or export the part as STL")
+          .to_bytes();
+  return bytes;
+}
+
+[[noreturn]] void end_without_memory() { hand_back(no_memory_left()); }
+
 StepResult read(const std::string& path, const moldlight::step::TessellationSettings& settings) {
   try {
     return moldlight::step::tessellate(path, settings);
+  } catch (const Standard_OutOfMemory&) {
+    end_without_memory();
   } catch (const Standard_Failure& failure) {
     return failed(std::string("cannot be read by OpenCASCADE (") + failure.DynamicType()->Name() +
                   "); export the part again");
-  } catch (const std::bad_alloc&) {
-    return failed("needs more memory than is allowed; coarsen the deflection or export the part as STL");
   } catch (const std::exception& error) {
     return failed(error.what());
   }
 }
 
-bool write_all(int descriptor, const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (written <= 0) return false;
-    done += static_cast<std::size_t>(written);
-  }
-  return true;
+/// True where nobody is left to read the result, as after an interrupt just before the call of prctl.
+bool is_orphan() {
+  pollfd result = {moldlight::k_step_result_descriptor, 0, 0};
+  return ::poll(&result, 1, 0) > 0 && (result.revents & (POLLERR | POLLNVAL)) != 0;
 }
 
 }  // namespace
@@ -57,15 +72,16 @@ bool write_all(int descriptor, const std::string& bytes) {
 int main(int argc, char** argv) {
   if (argc != 6) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  limit(RLIMIT_CORE, 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, std::strtoull(argv[5], nullptr, 10));
-#endif
+  if (is_orphan()) return 1;
+  const rlimit no_core_file = {0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core_file);
+  no_memory_left();
+  moldlight::step::limit_memory(std::strtoull(argv[5], nullptr, 10), end_without_memory);
   moldlight::step::TessellationSettings settings;
   settings.linear_deflection = std::strtod(argv[2], nullptr);
   settings.angular_deflection_deg = std::strtod(argv[3], nullptr);
   settings.max_facets = std::strtoull(argv[4], nullptr, 10);
-  const bool written = write_all(moldlight::k_step_result_descriptor, read(argv[1], settings).to_bytes());
-  // Tidying up OpenCASCADE's tables takes time and serves nobody.
-  ::_exit(written ? 0 : 1);
+  const StepResult result = read(argv[1], settings);
+  if (moldlight::step::memory_ran_short()) end_without_memory();
+  hand_back(result.to_bytes());
 }

@@ -41,6 +41,8 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "mesh/length_unit.hpp"
+#include "step/placements.hpp"
+#include "step/syntax_faults.hpp"
 
 namespace moldlight::step {
 
@@ -210,10 +212,21 @@ void add_bodies(const STEPControl_Reader& reader, const TopoDS_Shape& shape, dou
 
 StepResult tessellate(const std::string& path, const TessellationSettings& settings) {
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  const Handle(SyntaxFaults) syntax_faults = new SyntaxFaults;
+  Message::DefaultMessenger()->AddPrinter(syntax_faults);
   StepResult result;
   STEPControl_Reader reader;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw std::runtime_error("is no STEP file that can be read");
+  const bool was_read = reader.ReadFile(path.c_str()) == IFSelect_RetDone;
+  if (syntax_faults->first_line() > 0) {
+    throw std::runtime_error("line " + std::to_string(syntax_faults->first_line()) +
+                             ": this is not what STEP allows here; export the part again");
+  }
+  if (!was_read) throw std::runtime_error("is no STEP file that can be read; export the part again");
+  if (const std::string placement = mirrored_or_scaled_placement(reader); !placement.empty()) {
+    throw std::runtime_error("entity " + placement +
+                             ": this mirrors or scales a part of the assembly, which OpenCASCADE cannot do; "
+                             "export the mirrored part as a solid of its own");
+  }
   std::size_t faulty = count_faulty(reader, reader.WS()->ModelCheckList());
   const LengthUnit unit = file_unit(reader, result);
   result.unit = unit.name;
@@ -222,9 +235,13 @@ StepResult tessellate(const std::string& path, const TessellationSettings& setti
   const TopoDS_Shape shape = reader.OneShape();
   faulty += count_faulty(reader, reader.WS()->LastRunCheckList());
   if (shape.IsNull()) throw std::runtime_error("holds no shape; export the part as a solid");
+  if (!TopExp_Explorer(shape, TopAbs_FACE).More())
+    throw std::runtime_error("holds no face; export the part as a solid");
   if (faulty > 0) {
-    result.warnings.push_back(std::to_string(faulty) +
-                              " entities of the STEP file are faulty; some of the part may be missing");
+    result.warnings.push_back(
+        std::to_string(faulty) +
+        (faulty == 1 ? " entity of the STEP file is faulty" : " entities of the STEP file are faulty") +
+        "; some of the part may be missing or of another size");
   }
 
   const double diagonal = diagonal_mm(shape);

@@ -138,6 +138,16 @@ TEST_F(SweepWindow, ShowsWhatTheSweepAndClassifyGive) {
   }
 }
 
+/// The pictures of the first sweep are on the screen when the second one begins.
+TEST_F(SweepWindow, SweepsAgain) {
+  for (int k = 0; k < 2; ++k) {
+    sweep();
+    ASSERT_TRUE(state().result) << state().error;
+    press(GLFW_KEY_C);
+    window_.frames(4);
+  }
+}
+
 TEST_F(SweepWindow, ColoursTheBallByTheScoredDirections) {
   const glm::ivec2 ball(78, 138);
   const std::size_t bare = colours_about(ball, 40);
