@@ -20,15 +20,6 @@ constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
 /// Frames after an event, until ImGui has laid out what the event changed.
 constexpr int k_settle_frames = 3;
 
-/// A quick click may press and release in one frame: ImGui sees the release in the next one, which must come.
-bool mouse_acts() {
-  const ImGuiIO& io = ImGui::GetIO();
-  for (int button = 0; button < 3; ++button) {
-    if (io.MouseClicked[button] || io.MouseReleased[button]) return true;
-  }
-  return io.MouseWheel != 0.0F;
-}
-
 }  // namespace
 
 App::App(const gl::Context& context, AppOptions options)
@@ -100,7 +91,7 @@ void App::frame(const FrameInput& input) {
   for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
   // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
   const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
-  for (const KeyPress& press : input.keys) {
+  for (const KeyPress& press : input.played.keys) {
     if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
@@ -122,8 +113,11 @@ void App::frame(const FrameInput& input) {
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
-  const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
-  settle_frames_ = event ? k_settle_frames : settle_frames_ - 1;
+  // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
+  const bool woken = now_s_ >= controls_wake_s_;
+  controls_wake_s_ = imgui_.wake_s();
+  const bool event = input.played.any || !input.dropped.empty();
+  settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
 }
 
@@ -376,7 +370,7 @@ FreeArea App::fit_area() const {
 }
 
 void App::plan_next_frame() {
-  next_frame_s_ = std::min({imgui_.wake_s(), measurer_.wake_s(), sweep_.wake_s(), k_never});
+  next_frame_s_ = std::min({controls_wake_s_, measurer_.wake_s(), sweep_.wake_s(), k_never});
   for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || glow_.at(now_s_) > 0.0)

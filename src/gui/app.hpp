@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,7 +42,7 @@ struct FrameInput {
   glm::ivec2 size{0};          // pixels
   float content_scale = 1.0F;  // of the monitor
   double now_s = 0.0;          // rises from frame to frame
-  std::vector<KeyPress> keys;
+  InputQueue::Played played;
   std::vector<std::string> dropped;  // paths
 };
 
@@ -58,7 +59,7 @@ class App {
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
-  /// Readies fonts and style; then the platform starts ImGui's frame on its side, then frame() does the rest.
+  /// Readies fonts and style; then ImGui is told of the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
   void frame(const FrameInput& input);
   /// Draws what frame() left, over the whole target. Returns true while the picture is being refined.
@@ -139,6 +140,7 @@ class App {
   glm::ivec2 size_{1};
   float scale_ = 1.0F;
   double now_s_ = 0.0, next_frame_s_ = 0.0;
+  double controls_wake_s_ = std::numeric_limits<double>::infinity();  // when a control wants a frame
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
   std::uint64_t followed_ = 0;    // revision of the figures
