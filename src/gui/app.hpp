@@ -77,6 +77,8 @@ class App {
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
   /// True while figures, or the split mesh, are not there that will be.
   [[nodiscard]] bool measuring() const { return state_.model && state_.figures.measuring; }
+  /// True while a sweep runs, or is about to.
+  [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
   /// True once the user has asked to end the program.
@@ -103,6 +105,8 @@ class App {
   void follow_figures();
   void measure_face();
   void turn_direction(bool held);
+  /// The sweep that nobody asked for: once the part is measured, until a setting changes.
+  void sweep_by_itself(bool settings_changed);
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
   void fit(const Camera& camera, bool at_once);
@@ -143,6 +147,7 @@ class App {
   double controls_wake_s_ = std::numeric_limits<double>::infinity();  // when a control wants a frame
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
+  bool quick_sweep_due_ = false;
   std::uint64_t followed_ = 0;    // revision of the figures
   bool direction_moves_ = false;  // under a hand or in a flight, in this frame
   bool candidates_missing_ = false, was_split_ = false;

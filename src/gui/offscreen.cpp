@@ -107,7 +107,7 @@ void OffscreenWindow::wait_until_loaded() {
 
 void OffscreenWindow::wait_until_swept() {
   frame();
-  wait_while([&] { return app_->state().sweep.running.has_value(); }, "the sweep takes too long");
+  wait_while([&] { return app_->sweeping(); }, "the sweep takes too long");
 }
 
 void OffscreenWindow::wait_until_measured() {

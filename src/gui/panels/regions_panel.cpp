@@ -6,6 +6,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/verdict.hpp"
 
 namespace moldlight::gui {
 
@@ -147,6 +148,7 @@ void draw_regions_panel(const PanelContext& context) {
                           .column = FigureColumn(result.total_area),
                           .unit = context.state.model ? powered_unit(context.state.model->part, 2) : "",
                           .alpha = figures.pale ? 0.4F : 1.0F};
+      draw_verdict(context);
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);
       draw_trust(context, legend);
