@@ -137,7 +137,10 @@ void App::poll_jobs() {
     }
   }
   if (loader_.running()) state_.loading->status = loader_.status();
-  if (const auto outcome = export_.take()) say(outcome->result.value_or(outcome->error), !outcome->result);
+  if (const auto outcome = export_.take()) {
+    say(outcome->result.value_or(outcome->error), !outcome->result);
+    if (!outcome->result) state_.dialogs.exporting = true;  // another path may do
+  }
   sweep_.update(state_, state_.sweep, now_s_);
   // Not when a new sweep is asked for: the panels of that frame still show them.
   if (pictures_ && pictures_->result() != state_.sweep.result) pictures_.reset();

@@ -90,8 +90,8 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   copy_menu("total", legend.result.total_area);
 }
 
-/// How far the figures may be trusted: the row says no more than that two ways agree, unless something is in
-/// doubt. Rounding is nothing to show.
+/// How far the figures may be trusted: the row says no more than that the check passed, unless something is
+/// in doubt. Rounding is nothing to show.
 void draw_trust(const PanelContext& context, const Legend& legend) {
   const Ui& ui = context.ui;
   const UndercutUncertainty& doubt = legend.result.uncertainty;
@@ -100,9 +100,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const std::string error = legend.column.text(visible);
   const bool in_doubt = error.find_first_of("123456789") != std::string::npos;
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
-  const std::string_view name = in_doubt          ? "Undercut ±"
-                                : shadow.agrees() ? "Two ways agree"
-                                                  : "Two ways differ";
+  const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Check passed" : "Check failed";
   const Line line = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
   draw_icon(*ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::alert,
             line.min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),

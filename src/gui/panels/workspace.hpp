@@ -73,7 +73,7 @@ class ExportDialog {
  private:
   void ask_for_files(Edits& edits) const;
 
-  bool open_ = false;
+  std::string of_;                 // the part for which the path was proposed
   std::array<char, 1024> base_{};  // path without extension
   bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, borders_ = false,
        picture_ = true;
