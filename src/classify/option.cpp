@@ -65,11 +65,20 @@ bool parse_switch(const GivenText& given) {
 glm::dvec3 parse_direction(const GivenText& given) {
   glm::dvec3 direction(0.0);
   std::string_view rest = given.text;
+  const bool signed_axis = rest.size() == 2 && (rest[0] == '+' || rest[0] == '-');
+  constexpr std::string_view k_axes = "xyzXYZ";
+  const std::size_t named =
+      signed_axis || rest.size() == 1 ? k_axes.find(rest.back()) : std::string_view::npos;
+  if (named != std::string_view::npos) {
+    direction[static_cast<int>(named % 3)] = rest[0] == '-' ? -1.0 : 1.0;
+    return direction;
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = rest.find(',');
     if ((comma == std::string_view::npos) != (axis == 2)) {
       throw UsageError(
-          fmt::format("{}: '{}' is not a direction; write three numbers as X,Y,Z", given.what, given.text));
+          fmt::format("{}: '{}' is not a direction; write three numbers as X,Y,Z, or an axis such as -y",
+                      given.what, given.text));
     }
     direction[axis] = parse_real({rest.substr(0, comma), given.what});
     rest = axis == 2 ? std::string_view() : rest.substr(comma + 1);

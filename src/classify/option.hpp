@@ -30,7 +30,7 @@ struct GivenText {
 [[nodiscard]] double parse_positive(const GivenText& given, double max);
 [[nodiscard]] int parse_integer(const GivenText& given, int min, int max, bool odd);
 [[nodiscard]] bool parse_switch(const GivenText& given);
-/// Three finite numbers, not all zero, "X,Y,Z".
+/// Three finite numbers, not all zero, "X,Y,Z"; or an axis, "z" or "-y".
 [[nodiscard]] glm::dvec3 parse_direction(const GivenText& given);
 [[nodiscard]] std::vector<glm::dvec3> parse_directions(const GivenText& given);
 [[nodiscard]] int parse_word(const GivenText& given, const Words& words);

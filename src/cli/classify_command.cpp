@@ -9,6 +9,7 @@
 #include "cli/flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -17,6 +18,7 @@ namespace {
 struct ClassifyFlags {
   PartFlags part;
   Query query;
+  bool best_direction = false;
   OutputPaths files;  // JSON is among the part's flags
   std::string image;
   bool compare_maps = false;
@@ -45,22 +47,24 @@ void log_result(const Classification& result, Console& console) {
 }
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
-  validate(flags.query.method);
+  Query query = flags.query;
+  validate(query.method);
   check_files(flags);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  validate(flags.query.method, model->frame.diagonal);
+  validate(query.method, model->frame.diagonal);
+  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
   // Exact regions need no GL, the maps and pictures do.
-  const bool looks_at_maps = flags.query.method.readout != Readout::exact || flags.compare_maps;
+  const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
-  if (looks_at_maps || !flags.image.empty()) context = create_context(flags.query.method.backend);
+  if (looks_at_maps || !flags.image.empty()) context = create_context(query.method.backend);
   const bool with_split = !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
   Classification result;
   if (looks_at_maps) {
     Classifier classifier(*context, model);
-    result = classifier.classify(flags.query, progress, with_split);
+    result = classifier.classify(query, progress, with_split);
     if (flags.compare_maps) classifier.compare_maps(result, progress);
   } else {
-    result = classify_exact(*model, flags.query, progress, with_split);
+    result = classify_exact(*model, query, progress, with_split);
   }
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
@@ -83,7 +87,8 @@ void add_classify_command(CLI::App& program, Request& request) {
       "Find out for a parting direction which surface each mold half forms and what is an undercut");
   const auto flags = std::make_shared<ClassifyFlags>();
   add_part_flags(*command, flags->part, request);
-  CLI::Option* direction = add_direction_flag(*command, flags->query.direction)->required();
+  CLI::Option* direction =
+      add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
   direction->description(direction->get_description() + " [required]");
   add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;

@@ -47,12 +47,15 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
 }
 
-CLI::Option* add_direction_flag(CLI::App& command, Direction& direction) {
-  return add_text_flag(
-      command, {"--direction", "X,Y,Z", "Parting direction +d, in which the core's side opens; any length."},
-      [&direction](const std::string& text) {
-        direction = parse_direction({text, "--direction"});
-      });
+CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
+  return add_text_flag(command,
+                       {"--direction", "X,Y,Z|AXIS|best",
+                        "Parting direction +d, in which the core's side opens: three numbers of any length, "
+                        "an axis such as z or -y, or the best that a sweep finds."},
+                       [flag](const std::string& text) {
+                         flag.best = text == "best";
+                         if (!flag.best) flag.given = parse_direction({text, "--direction"});
+                       });
 }
 
 void add_method_flags(CLI::App& command, MethodSettings& settings) {

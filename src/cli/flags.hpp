@@ -117,8 +117,13 @@ void add_option_flags(CLI::App& command, std::span<const Option<S>> options, S& 
 /// The flags of still pictures but for their size.
 std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings);
 
+/// A parting direction as a command takes it.
+struct DirectionFlag {
+  Direction& given;
+  bool& best;  // the one that a sweep finds is asked for
+};
 /// --direction.
-CLI::Option* add_direction_flag(CLI::App& command, Direction& direction);
+CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag);
 
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.

@@ -7,6 +7,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -62,9 +63,10 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// `moldlight PART` stands for `moldlight view PART`.
+/// `moldlight PART` stands for `moldlight view PART`, and so does `moldlight` alone, which asks for one.
 void insert_default_command(const CLI::App& program, std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  if (arguments.empty()) arguments = {"view"};
+  if (arguments.front().starts_with('-')) return;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     if (command->get_name() == arguments.front()) return;
   }
@@ -106,7 +108,11 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   } catch (const CLI::ParseError& error) {
     const std::string command =
         program.get_subcommands().empty() ? "" : program.get_subcommands().front()->get_name() + " ";
-    throw UsageError(std::string(error.what()) + "; see moldlight " + command + "--help");
+    // A mistyped option is why another one is missing.
+    const auto more = program.remaining(true);
+    const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
+    const std::string what = unknown != more.end() ? "there is no option " + *unknown : error.what();
+    throw UsageError(what + "; see moldlight " + command + "--help");
   }
   console.set_verbosity(request.quiet     ? Verbosity::quiet
                         : request.verbose ? Verbosity::verbose

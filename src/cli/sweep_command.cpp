@@ -92,6 +92,7 @@ struct SweepFlags {
   std::string directions_file, csv, image_folder;
   StillSettings still;
   std::optional<UndercutLimit> limit;
+  bool wide = false;
 };
 
 SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) {
@@ -157,7 +158,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
   put_report(
       console, flags.part.json, [&] { return sweep_json(*model, result); },
-      [&] { return sweep_table(*model, result); });
+      [&] { return sweep_table(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow); });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
     if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
@@ -187,6 +188,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
        "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
        "per cent of its area"},
       [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); });
+  command->add_flag("--wide", flags->wide,
+                    "All figures in the table, and what speaks for each direction, however wide that is");
   add_file_flag(*command, flags->csv,
                 {"--csv", "FILE.csv", "Write a table of every direction that was scored"});
   CLI::Option* pictures = add_file_flag(

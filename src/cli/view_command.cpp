@@ -12,6 +12,7 @@
 #include "gui/screenshot.hpp"
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -29,7 +30,7 @@ struct ViewFlags {
   std::string screenshot, script, settings;
   glm::ivec2 size{1280, 720};
   float scale = 1.0F;
-  bool settings_given = false, benchmark = false;
+  bool settings_given = false, benchmark = false, best_direction = false;
 };
 
 std::string read_whole(const std::string& path) {
@@ -53,6 +54,11 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script goes with --screenshot");
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
+  if (flags.best_direction) {
+    if (flags.part.empty()) throw UsageError("--direction best needs a PART");
+    const auto model = load_part(flags.part, flags.reading, progress);
+    notes->settings.direction = best_direction(model, flags.notes.settings.method, progress);
+  }
   if (flags.screenshot.empty()) {
     gui::run_window(
         {.part = flags.part, .reading = flags.reading, .notes = notes, .window = flags.window_given},
@@ -108,7 +114,8 @@ void add_view_command(CLI::App& program, Request& request) {
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
       "with the direction at rest, and with a direction that changes every frame");
   add_option_flags(*command, reading_options(), flags->reading);
-  CLI::Option* direction = add_direction_flag(*command, flags->notes.settings.direction);
+  CLI::Option* direction =
+      add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction});
   direction->description(direction->get_description() + " [default 0,0,1]");
   add_method_flags(*command, flags->notes.settings.method);
   add_option_flags(*command, look_options(), flags->notes.settings.look);

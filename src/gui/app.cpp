@@ -20,15 +20,6 @@ constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
 /// Frames after an event, until ImGui has laid out what the event changed.
 constexpr int k_settle_frames = 3;
 
-/// A quick click may press and release in one frame: ImGui sees the release in the next one, which must come.
-bool mouse_acts() {
-  const ImGuiIO& io = ImGui::GetIO();
-  for (int button = 0; button < 3; ++button) {
-    if (io.MouseClicked[button] || io.MouseReleased[button]) return true;
-  }
-  return io.MouseWheel != 0.0F;
-}
-
 }  // namespace
 
 App::App(const gl::Context& context, AppOptions options)
@@ -100,7 +91,7 @@ void App::frame(const FrameInput& input) {
   for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
   // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
   const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
-  for (const KeyPress& press : input.keys) {
+  for (const KeyPress& press : input.played.keys) {
     if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
@@ -117,13 +108,18 @@ void App::frame(const FrameInput& input) {
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
+  const EditedSettings settings_before = state_.settings;
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
-  const bool event = !input.keys.empty() || !input.dropped.empty() || mouse_acts();
-  settle_frames_ = event ? k_settle_frames : settle_frames_ - 1;
+  sweep_by_itself(state_.settings != settings_before);
+  // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
+  const bool woken = now_s_ >= controls_wake_s_;
+  controls_wake_s_ = imgui_.wake_s();
+  const bool event = input.played.any || !input.dropped.empty();
+  settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
 }
 
@@ -141,7 +137,10 @@ void App::poll_jobs() {
     }
   }
   if (loader_.running()) state_.loading->status = loader_.status();
-  if (const auto outcome = export_.take()) say(outcome->result.value_or(outcome->error), !outcome->result);
+  if (const auto outcome = export_.take()) {
+    say(outcome->result.value_or(outcome->error), !outcome->result);
+    if (!outcome->result) state_.dialogs.exporting = true;  // another path may do
+  }
   sweep_.update(state_, state_.sweep, now_s_);
   // Not when a new sweep is asked for: the panels of that frame still show them.
   if (pictures_ && pictures_->result() != state_.sweep.result) pictures_.reset();
@@ -192,6 +191,7 @@ void App::install(LoadedPart part) {
   state_.hover.reset();
   state_.face.reset();
   file_watch_.watch(part.path);
+  quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
   state_.recent = options_.user.recent;
   if (again) return;
@@ -356,6 +356,19 @@ void App::turn_direction(bool held) {
   settle_frames_ = k_settle_frames;
 }
 
+void App::sweep_by_itself(bool settings_changed) {
+  SweepState& sweep = state_.sweep;
+  if (settings_changed && !turn_.flying()) {
+    if (sweep.running && sweep.by_itself) sweep_.give_up(sweep);
+    quick_sweep_due_ = false;
+  }
+  if (!quick_sweep_due_ || measuring() || !state_.figures.shown) return;
+  quick_sweep_due_ = false;
+  if (sweep.running || sweep.result) return;
+  sweep_.start(state_, sweep, now_s_);
+  sweep.by_itself = true;
+}
+
 std::optional<SplitView> App::split_view() const {
   const auto& compared = state_.sweep_choices.compared;
   if (!scene_ || !pictures_ || !compared || *compared >= pictures_->result()->candidates.size())
@@ -376,7 +389,7 @@ FreeArea App::fit_area() const {
 }
 
 void App::plan_next_frame() {
-  next_frame_s_ = std::min({imgui_.wake_s(), measurer_.wake_s(), sweep_.wake_s(), k_never});
+  next_frame_s_ = std::min({controls_wake_s_, measurer_.wake_s(), sweep_.wake_s(), k_never});
   for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || glow_.at(now_s_) > 0.0)

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,7 +42,7 @@ struct FrameInput {
   glm::ivec2 size{0};          // pixels
   float content_scale = 1.0F;  // of the monitor
   double now_s = 0.0;          // rises from frame to frame
-  std::vector<KeyPress> keys;
+  InputQueue::Played played;
   std::vector<std::string> dropped;  // paths
 };
 
@@ -58,7 +59,7 @@ class App {
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
-  /// Readies fonts and style; then the platform starts ImGui's frame on its side, then frame() does the rest.
+  /// Readies fonts and style; then ImGui is told of the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
   void frame(const FrameInput& input);
   /// Draws what frame() left, over the whole target. Returns true while the picture is being refined.
@@ -76,6 +77,8 @@ class App {
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
   /// True while figures, or the split mesh, are not there that will be.
   [[nodiscard]] bool measuring() const { return state_.model && state_.figures.measuring; }
+  /// True while a sweep runs, or is about to.
+  [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
   /// True once the user has asked to end the program.
@@ -102,6 +105,8 @@ class App {
   void follow_figures();
   void measure_face();
   void turn_direction(bool held);
+  /// The sweep that nobody asked for: once the part is measured, until a setting changes.
+  void sweep_by_itself(bool settings_changed);
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
   void fit(const Camera& camera, bool at_once);
@@ -139,8 +144,10 @@ class App {
   glm::ivec2 size_{1};
   float scale_ = 1.0F;
   double now_s_ = 0.0, next_frame_s_ = 0.0;
+  double controls_wake_s_ = std::numeric_limits<double>::infinity();  // when a control wants a frame
   int settle_frames_ = 3, fit_frames_ = 0;
   bool quitting_ = false;
+  bool quick_sweep_due_ = false;
   std::uint64_t followed_ = 0;    // revision of the figures
   bool direction_moves_ = false;  // under a hand or in a flight, in this frame
   bool candidates_missing_ = false, was_split_ = false;

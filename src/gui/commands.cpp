@@ -99,7 +99,15 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
   app.export_.start([files, palette = app.state_.settings.look.palette, model = app.state_.model,
                      result = *figures.shown](const Progress&) {
     write_outputs(files, *model, result, palette);
-    return std::string("Exported");
+    std::string names;
+    fs::path folder;
+    for (const std::string* path :
+         {&files.json, &files.facets, &files.faces, &files.mesh, &files.split_folder, &files.borders}) {
+      if (path->empty()) continue;
+      folder = fs::path(*path).parent_path();
+      names += (names.empty() ? "" : ", ") + fs::path(*path).filename().string();
+    }
+    return names.empty() ? std::string("Exported") : fmt::format("Exported {} to {}", names, folder.string());
   });
   if (!picture.empty()) app.picture_request_ = picture;
 }

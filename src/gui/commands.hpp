@@ -9,6 +9,7 @@
 
 #include "classify/write_outputs.hpp"
 #include "gui/app_state.hpp"
+#include "gui/input.hpp"
 
 namespace moldlight::gui {
 
@@ -64,12 +65,6 @@ struct Edits : Editable {
   void ask(void (Commands::*command)(Parameters...), const Arguments&... arguments) {
     commands.emplace_back([=](Commands& commands_) { (commands_.*command)(arguments...); });
   }
-};
-
-/// A key press. `key` is GLFW's code, which is ASCII's upper case for letters and digits.
-struct KeyPress {
-  int key = 0;
-  bool ctrl = false, shift = false, alt = false;
 };
 
 /// Whether a key ends the program, also while text is being typed.

@@ -1,7 +1,6 @@
 // The whole window without a display: the app on a context without a window, fed with recorded input.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,19 +34,22 @@ class OffscreenWindow {
   [[nodiscard]] const AppState& state() const { return app_->state(); }
   [[nodiscard]] const gl::Context& context() const { return *context_; }
 
-  /// Input for the next frame.
-  void move_mouse(const glm::vec2& to) { mouse_ = to; }
-  void set_button(int button, bool down) { buttons_[static_cast<std::size_t>(button)] = down; }
-  void turn_wheel(float notches) { wheel_ += notches; }
+  /// Input from the next frame on.
+  void move_mouse(const glm::vec2& to) { input_.move_mouse(now_s_, to); }
+  void set_button(int button, bool down) { input_.set_button(now_s_, button, down); }
+  void turn_wheel(float notches) { input_.turn_wheel(now_s_, notches); }
+  /// And lets go of it.
   void press_key(const KeyPress& press);
-  void hold_modifiers(bool ctrl, bool shift, bool alt);
-  void type(const std::string& text) { typed_ += text; }
+  void hold_modifiers(bool ctrl, bool shift, bool alt) { input_.hold_modifiers(now_s_, ctrl, shift, alt); }
+  void type(const std::string& text) { input_.type(now_s_, text); }
   void drop(const std::string& path) { dropped_.push_back(path); }
   void resize(const glm::ivec2& size);
   void set_content_scale(float scale) { content_scale_ = scale; }
 
   /// One frame of 1/60 s; returns true while the picture is being refined.
   bool frame();
+  /// Lets time go by without a frame, as a slow one does.
+  void pass_time(double seconds) { now_s_ += seconds; }
   void frames(int count);
   /// Frames until nothing moves and the picture is final. What is measured is not waited for.
   void settle();
@@ -67,8 +69,6 @@ class OffscreenWindow {
   [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
 
  private:
-  /// Gives ImGui the input of the frame, which no platform backend does here.
-  void feed_imgui() const;
   /// Throws Error with the complaint after a time limit.
   void wait_while(const std::function<bool()>& waiting, const char* complaint);
 
@@ -76,12 +76,7 @@ class OffscreenWindow {
   std::unique_ptr<gl::ColourTarget> target_;
   std::unique_ptr<App> app_;
   float content_scale_;
-  glm::vec2 mouse_{-1.0e6F};
-  std::array<bool, 3> buttons_{};
-  float wheel_ = 0.0F;
-  std::vector<KeyPress> keys_;
-  bool ctrl_ = false, shift_ = false, alt_ = false;
-  std::string typed_;
+  InputQueue input_;
   std::vector<std::string> dropped_;
   double now_s_ = 0.0;
 };

@@ -18,12 +18,14 @@ void take_screenshot(const ScreenshotOptions& options) {
                                                 : window.state().toasts.back().text);
     }
     window.wait_until_measured();
+    if (window.app().sweeping()) window.wait_until_swept();
   } else {
     window.wait_until_prepared();
   }
   if (options.script) {
     play_script(script, window);
     window.wait_until_measured();
+    if (window.app().sweeping()) window.wait_until_swept();
   }
   window.settle();
   write_picture(options.output, window.size(), window.pixels());

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "gl/colour_target.hpp"
@@ -70,13 +71,7 @@ class WindowContext final : public gl::Context {
     if (window_ == nullptr) throw Error(glfw_reason());
     glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &events_);
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-      if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
-      events_of(window).keys.push_back({.key = key,
-                                        .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
-                                        .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
-                                        .alt = (modifiers & GLFW_MOD_ALT) != 0});
-    });
+    listen();
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
       events_of(window).dropped.insert(events_of(window).dropped.end(), paths, paths + count);
     });
@@ -107,17 +102,18 @@ class WindowContext final : public gl::Context {
     return x > 0.0F ? x : 1.0F;
   }
 
+  /// What came and was not taken yet.
   struct Events {
-    std::vector<KeyPress> keys;
+    InputQueue input;
     std::vector<std::string> dropped;
   };
-  /// What came since the last call.
-  [[nodiscard]] Events take_events() { return std::exchange(events_, {}); }
+  [[nodiscard]] Events& events() { return events_; }
 
  private:
   static Events& events_of(GLFWwindow* window) {
     return *static_cast<Events*>(glfwGetWindowUserPointer(window));
   }
+  void listen();
   void bind() override { glfwMakeContextCurrent(window_); }
   void unbind() noexcept override { glfwMakeContextCurrent(nullptr); }
 
@@ -125,13 +121,57 @@ class WindowContext final : public gl::Context {
   Events events_;
 };
 
-/// GLFW's side of ImGui: mouse, keys, text, clipboard, cursors.
-class GlfwInput {
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+void WindowContext::listen() {
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    events_of(window).input.move_mouse(glfwGetTime(), glm::vec2(x, y));
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+    // A drag goes on outside.
+    const auto held = [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; };
+    if (entered == GLFW_FALSE && !held(0) && !held(1) && !held(2))
+      events_of(window).input.mouse_left(glfwGetTime());
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    if (button <= GLFW_MOUSE_BUTTON_MIDDLE)
+      events_of(window).input.set_button(glfwGetTime(), button, action == GLFW_PRESS);
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
+    events_of(window).input.turn_wheel(glfwGetTime(), static_cast<float>(notches));
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+    InputQueue& input = events_of(window).input;
+    const double now_s = glfwGetTime();
+    if (is_modifier(key)) {
+      // What GLFW says of modifiers is from before this key.
+      const auto held = [&](int left, int right) {
+        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+      };
+      input.hold_modifiers(now_s, held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                           held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                           held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
+    } else if (action == GLFW_RELEASE) {
+      input.release_key(now_s, key);
+    } else if (key != GLFW_KEY_UNKNOWN) {
+      input.press_key(now_s, {.key = key,
+                              .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
+                              .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                              .alt = (modifiers & GLFW_MOD_ALT) != 0});
+    }
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned letter) {
+    events_of(window).input.type(glfwGetTime(), utf8_of(std::u32string(1, letter)));
+  });
+}
+
+/// GLFW's side of ImGui: size, clipboard, cursors. Input comes through the queue.
+class GlfwPlatform {
  public:
-  explicit GlfwInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
-  ~GlfwInput() { ImGui_ImplGlfw_Shutdown(); }
-  GlfwInput(const GlfwInput&) = delete;
-  GlfwInput& operator=(const GlfwInput&) = delete;
+  explicit GlfwPlatform(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, false); }
+  ~GlfwPlatform() { ImGui_ImplGlfw_Shutdown(); }
+  GlfwPlatform(const GlfwPlatform&) = delete;
+  GlfwPlatform& operator=(const GlfwPlatform&) = delete;
 };
 
 /// Wakes the window when an interrupt has cancelled the progress: a signal alone does not end its wait for
@@ -159,17 +199,6 @@ void wait_for_events(double next_frame_s) {
   } else {
     glfwWaitEventsTimeout(left_s);
   }
-}
-
-/// A key that was pressed and released between two frames counts as held in the frame that comes: ImGui's
-/// older backends would miss it. `down` before that frame, up after it.
-void hold_short_presses([[maybe_unused]] GLFWwindow* window,
-                        [[maybe_unused]] const std::vector<KeyPress>& keys, [[maybe_unused]] bool down) {
-#if IMGUI_VERSION_NUM < 18700
-  for (const KeyPress& press : keys) {
-    if (glfwGetKey(window, press.key) != GLFW_PRESS) ImGui::GetIO().KeysDown[press.key] = down;
-  }
-#endif
 }
 
 std::unique_ptr<WindowContext> create_window() {
@@ -205,24 +234,23 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
 void run_frames(App& app, WindowContext& context, const Progress& progress) {
   std::string title;
   while (glfwWindowShouldClose(context.window()) == GLFW_FALSE && !app.quitting()) {
-    wait_for_events(app.next_frame_s());
+    WindowContext::Events& events = context.events();
+    wait_for_events(events.input.empty() ? app.next_frame_s() : 0.0);
     if (progress.cancelled()) return;
     const glm::ivec2 size = context.framebuffer_size();
     if (size.x <= 0 || size.y <= 0) {
       glfwWaitEvents();  // minimised
       continue;
     }
-    WindowContext::Events events = context.take_events();
-    const FrameInput input{.size = size,
-                           .content_scale = context.content_scale(),
-                           .now_s = glfwGetTime(),
-                           .keys = std::move(events.keys),
-                           .dropped = std::move(events.dropped)};
+    FrameInput input{.size = size,
+                     .content_scale = context.content_scale(),
+                     .now_s = glfwGetTime(),
+                     .played = {},
+                     .dropped = std::exchange(events.dropped, {})};
     app.prepare(input);
     ImGui_ImplGlfw_NewFrame();
-    hold_short_presses(context.window(), input.keys, true);
+    input.played = events.input.play(ImGui::GetIO(), input.now_s);
     app.frame(input);
-    hold_short_presses(context.window(), input.keys, false);
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     {
@@ -255,7 +283,7 @@ void run_window(const WindowOptions& options, const Progress& progress) {
     remark = fmt::format("The driver {} {}; {} draws in its place.", driver, fault, context->renderer());
   }
   App app(*context, app_options(options));
-  const GlfwInput input(context->window());
+  const GlfwPlatform platform(context->window());
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);

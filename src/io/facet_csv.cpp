@@ -12,9 +12,9 @@ namespace moldlight {
 
 namespace {
 
-std::string heading(std::string_view number) {
+std::string heading(std::string_view number, std::string_view suffix) {
   std::string line = fmt::format("{},area", number);
-  for (const Region region : k_regions) line.append(",").append(region_name(region));
+  for (const Region region : k_regions) line += fmt::format(",{}{}", region_name(region), suffix);
   return line += '\n';
 }
 
@@ -24,7 +24,7 @@ void write_facet_csv(const std::string& path, const FacetTable& table) {
   CHECK(table.areas.size() == table.fractions.size());
   CHECK(table.numbers.empty() || table.numbers.size() == table.areas.size());
   AtomicFile file(path);
-  file.write(heading("facet"));
+  file.write(heading("facet", ""));
   std::string row;
   for (std::size_t facet = 0; facet < table.areas.size(); ++facet) {
     const std::uint64_t number = table.numbers.empty() ? facet : table.numbers[facet];
@@ -41,7 +41,7 @@ void write_facet_csv(const std::string& path, const FacetTable& table) {
 
 void write_face_csv(const std::string& path, std::span<const SourceAreas> faces) {
   AtomicFile file(path);
-  file.write(heading("face"));
+  file.write(heading("face", "_share"));
   std::string row;
   for (const SourceAreas& face : faces) {
     const double area = face.areas.total();

@@ -22,8 +22,8 @@ struct FacetTable {
 /// where it cannot be written.
 void write_facet_csv(const std::string& path, const FacetTable& table);
 
-/// Writes `face,area,core,cavity,both,undercut`, a line a CAD face (or polygon) in the order given, the
-/// regions as shares of its area; numbers and failure as above.
+/// Writes `face,area,core_share,cavity_share,both_share,undercut_share`, a line a CAD face (or polygon) in
+/// the order given, the regions as shares of its area; numbers and failure as above.
 void write_face_csv(const std::string& path, std::span<const SourceAreas> faces);
 
 }  // namespace moldlight

@@ -85,7 +85,7 @@ Part select_body(Part part, std::string_view selector) {
 
 void set_unit(Part& part, std::string_view unit) {
   const auto to = find_length_unit(unit);
-  if (!to) throw UsageError(fmt::format("the unit '{}' is unknown; use um, mm, cm, dm, m, in or ft", unit));
+  if (!to) throw UsageError(fmt::format("--unit: '{}' is unknown; use um, mm, cm, dm, m, in or ft", unit));
   const auto from = find_length_unit(part.unit);
   part.unit = to->name;
   if (!from || from->mm == to->mm) return;

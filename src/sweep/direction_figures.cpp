@@ -26,15 +26,16 @@ using Use = DirectionFigure::Use;
 
 constexpr DirectionFigure k_figures[] = {
     {"undercut", "undercut", FigureKind::area, "Undercut area, as measured with the settings of the method.",
-     Use{.objective = true, .classified = true},
+     Use{.objective = true, .classified = true, .brief = true},
      [](const Facts& f) -> Found { return f.classification.areas[Region::undercut]; }},
     {"undercut_share", "%", FigureKind::per_cent, "Undercut, per cent of the part's area.",
-     Use{.classified = true},
+     Use{.classified = true, .brief = true},
      [](const Facts& f) -> Found {
        return 100.0 * share(f.classification.areas[Region::undercut], f.classification.total_area);
      }},
     {"undercut_uncertainty", "±", FigureKind::error, "How far the undercut area may be off, 95 % level.",
-     Use{.classified = true}, [](const Facts& f) -> Found { return f.classification.uncertainty.total(); }},
+     Use{.classified = true, .brief = true},
+     [](const Facts& f) -> Found { return f.classification.uncertainty.total(); }},
     {"projected_area", "projected", FigureKind::area, "Projected area, on which the clamp force acts.",
      Use{.objective = true}, [](const Facts& f) -> Found { return f.classification.shadow_area; }},
     {"clamp_force", "clamp force", FigureKind::force, "Projected area times the pressure.", Use{},
@@ -51,7 +52,7 @@ constexpr DirectionFigure k_figures[] = {
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
     {"patches", "patches", FigureKind::count, "Connected patches of undercut surface.",
-     Use{.objective = true},
+     Use{.objective = true, .brief = true},
      [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,
      "Tilt margin: how far the pull may tilt towards the least tolerant side before the undercut grows.",

@@ -38,6 +38,7 @@ struct DirectionFigure {
     bool objective = false;   // can be ranked by, under its key with - for _; less is better
     bool classified = false;  // JSON has it among what classify tells
     bool column = true;       // has a column in tables
+    bool brief = false;       // in narrow ones, too
   } use;
   std::optional<double> (*find)(const DirectionFacts& facts);  // none where it is not known
 };

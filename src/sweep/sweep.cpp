@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "classify/method_options.hpp"
 #include "mold/measure.hpp"
@@ -381,6 +382,16 @@ std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<
 SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
                       const Progress& progress, const SweepListener& listener) {
   return SweepRun(std::move(model), settings, progress, listener).run();
+}
+
+glm::dvec3 best_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
+                          const Progress& progress) {
+  SweepSettings settings;
+  settings.method = method;
+  const SweepResult result = run_sweep(model, settings, progress, {});
+  if (progress.cancelled()) throw Cancelled();
+  CHECK(!result.candidates.empty());
+  return result.candidates.front().candidate.direction;
 }
 
 }  // namespace moldlight

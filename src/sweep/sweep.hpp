@@ -24,4 +24,9 @@ struct SweepListener {
 [[nodiscard]] SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
                                     const Progress& progress, const SweepListener& listener);
 
+/// The first of the directions that a sweep with the usual settings finds for this method. Throws as
+/// run_sweep() does.
+[[nodiscard]] glm::dvec3 best_direction(const std::shared_ptr<const PartModel>& model,
+                                        const MethodSettings& method, const Progress& progress);
+
 }  // namespace moldlight

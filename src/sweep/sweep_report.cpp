@@ -101,21 +101,24 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-std::string candidate_table(const PartModel& model, const SweepResult& result) {
-  const std::vector<const DirectionFigure*> columns = figure_columns(result);
+std::string candidate_table(const PartModel& model, const SweepResult& result, TableWidth width) {
+  const bool wide = width == TableWidth::all;
+  std::vector<const DirectionFigure*> columns = figure_columns(result);
+  if (!wide) std::erase_if(columns, [](const DirectionFigure* column) { return !column->use.brief; });
   TextTable table;
   std::vector<std::string> head = {"#", "tie", "direction"};
   for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
-  head.insert(head.end(), {"Pareto", "why"});
+  if (wide) head.insert(head.end(), {"Pareto", "why"});
   std::vector<bool> left(head.size(), false);
-  left[1] = left.back() = true;
+  left[1] = true;
+  left.back() = wide;
   table.add(std::move(head));
   for (const SweepCandidate& candidate : result.candidates) {
     std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,
-                                    direction_text(candidate.classification.direction)};
+                                    direction_text(candidate.classification.direction, wide ? 5 : 3)};
     for (const DirectionFigure* column : columns)
       row.push_back(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
-    row.insert(row.end(), {candidate.pareto ? "*" : "", reasons_text(candidate.candidate)});
+    if (wide) row.insert(row.end(), {candidate.pareto ? "*" : "", reasons_text(candidate.candidate)});
     table.add(std::move(row));
   }
   return table.text(left);
@@ -135,18 +138,17 @@ Json sweep_json(const PartModel& model, const SweepResult& result) {
           {"candidates", candidates}};
 }
 
-std::string sweep_table(const PartModel& model, const SweepResult& result) {
+std::string sweep_table(const PartModel& model, const SweepResult& result, TableWidth width) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} facets, {}; area {} {}, box {} {}\n", part_name(model.part),
+  fmt::format_to(out, "{}: {} facets, {}\narea {} {}, box {} {}\n", part_name(model.part),
                  model.health.facets, model.health.closed ? "closed" : "not closed",
                  figure(model.geometry.total_area), powered_unit(model.part, 2),
                  figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
                  length_unit(model.part));
-  fmt::format_to(out, "{} directions scored by {}, {} of them dropped for what was sure to be worse{}\n\n",
-                 result.evaluated.size(), result.engine, result.skipped,
-                 result.complete ? "" : "; not complete");
-  if (!result.candidates.empty()) text += candidate_table(model, result) + '\n';
+  fmt::format_to(out, "{} directions scored by {}, {} dropped as surely worse{}\n\n", result.evaluated.size(),
+                 result.engine, result.skipped, result.complete ? "" : "; not complete");
+  if (!result.candidates.empty()) text += candidate_table(model, result, width) + '\n';
   for (const std::string& remark : result.remarks) text += remark + '\n';
   return text;
 }

@@ -1,6 +1,7 @@
 // The report on a sweep: a table for people, JSON and a table of every direction for programs.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -15,8 +16,11 @@ namespace moldlight {
 /// nothing with the number of threads.
 [[nodiscard]] nlohmann::ordered_json sweep_json(const PartModel& model, const SweepResult& result);
 
-/// The listed directions, best first, with what speaks for each, and the remarks.
-[[nodiscard]] std::string sweep_table(const PartModel& model, const SweepResult& result);
+/// Narrow: what fits a terminal of 80 columns; all: every figure, and what speaks for each direction.
+enum class TableWidth : std::uint8_t { narrow, all };
+
+/// The listed directions, best first, and the remarks.
+[[nodiscard]] std::string sweep_table(const PartModel& model, const SweepResult& result, TableWidth width);
 
 /// Writes `x,y,z,kind,undercut,undercut_error,given_up`, a line for every scored direction in the order of
 /// scoring, every number in the shortest form that reads back the same; whole or not at all. Throws FileError

@@ -115,7 +115,8 @@ TEST(ReadingFlags, StepPartsTellTheirFaces) {
   EXPECT_NEAR(area, json["areas"]["total"].get<double>(), 1e-6 * area);
   EXPECT_NEAR(core, json["areas"]["core"].get<double>(), 1e-6 * area);
   const std::string csv = test::file_bytes(folder.file("faces.csv"));
-  EXPECT_TRUE(csv.starts_with("face,area,core,cavity,both,undercut\n0,")) << csv.substr(0, 80);
+  EXPECT_TRUE(csv.starts_with("face,area,core_share,cavity_share,both_share,undercut_share\n0,"))
+      << csv.substr(0, 80);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 97);
 }
 

@@ -44,13 +44,16 @@ TEST(Usage, HelpAndVersionGoToStdout) {
 
 TEST(Usage, CommandLinesThatMakeNoSenseEndWithTwo) {
   const SmallPart part;
-  expect_failure({}, 2, {"--help"});
   expect_failure({"melt"}, 2, {"melt"});
   expect_failure({"classify"}, 2, {"PART", "moldlight classify --help"});
   expect_failure({"classify", part.file()}, 2, {"--direction"});
   expect_failure({"info"}, 2, {"PART"});
   expect_failure({"info", part.file(), "--json"}, 2, {"--json"});
   expect_failure({"info", part.file(), "more"}, 2, {"more"});
+  // A mistyped option is named before one that is missing for it.
+  expect_failure({"classify", part.file(), "--directoin", "z"}, 2, {"there is no option --directoin"});
+  expect_failure({"classify", "--colour"}, 2, {"there is no option --colour"});
+  expect_failure(part.classify({"--unit", "parsec"}), 2, {"--unit: 'parsec' is unknown"});
   expect_failure(part.classify({"--colour", "red"}), 2, {"--colour"});
   expect_failure(part.classify({"--quiet", "--verbose"}), 2, {"--quiet"});
   expect_failure(part.classify({"--kernel", "3", "--tolerance", "0.1"}), 2, {"--kernel", "--tolerance"});
@@ -78,11 +81,24 @@ TEST(Usage, SizesThatAreNoneAreNamedWithTheirForm) {
 
 TEST(Usage, DirectionsThatAreNoneEndWithTwo) {
   const SmallPart part;
-  for (const std::string direction : {"0,0,0", "nan,0,0", "inf,0,0", "-inf,0,1", "1,2", "1,2,3,4", "",
-                                      "a,b,c", "1,,2", "0,0,-0", "1e400,0,0", "0x10,0,0"}) {
+  for (const std::string direction :
+       {"0,0,0", "nan,0,0", "inf,0,0", "-inf,0,1", "1,2", "1,2,3,4", "", "a,b,c", "1,,2", "0,0,-0",
+        "1e400,0,0", "0x10,0,0", "w", "--y", "xy", "-", "worst"}) {
     expect_failure(with(part.classify(), "--direction", direction), 2, {"--direction"});
   }
 }
+
+TEST(Usage, TheBestDirectionIsTheSweepsFirst) {
+  const SmallPart part;
+  const auto swept = run_moldlight({"sweep", part.file(), "--json", "-"});
+  ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  const auto run = run_moldlight({"classify", part.file(), "--direction", "best", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(test::json_of(run.out)["direction"], test::json_of(swept.out)["candidates"][0]["direction"]);
+}
+
+/// Without a display that ends with a way out, and does not wait.
+TEST(Usage, WithoutACommandTheWindowOpens) { expect_failure({}, 1, {"no display to open a window on"}); }
 
 TEST(Usage, DirectionsOfAnyLengthAreTaken) {
   const SmallPart part;
@@ -96,6 +112,9 @@ TEST(Usage, DirectionsOfAnyLengthAreTaken) {
   EXPECT_EQ(direction_of("-1e-320,0,0"), down);
   EXPECT_EQ(direction_of("-1e308,0,0"), down);
   EXPECT_EQ(direction_of(" -5 , +0 , 0"), down);
+  for (const char* text : {"-x", "-X"}) EXPECT_EQ(direction_of(text), down) << text;
+  for (const char* text : {"y", "+y", "Y"})
+    EXPECT_EQ(direction_of(text), (nlohmann::ordered_json{0.0, 1.0, 0.0})) << text;
   const auto run = run_moldlight({"classify", part.file(), "--direction=-2,0,0", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(test::json_of(run.out)["direction"], down);

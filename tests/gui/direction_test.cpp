@@ -110,6 +110,26 @@ TEST_F(WindowWithPart, FieldsTakeNumbers) {
   EXPECT_NEAR(direction().z, 0.5, 1e-12);
 }
 
+TEST_F(WindowWithPart, TabGoesFromFieldToField) {
+  const auto tab = [&](bool back) { key({.key = k_tab, .ctrl = false, .shift = back}); };
+  const auto type = [&](const char* number) {
+    window.type(number);
+    window.frames(2);
+  };
+  click("x");
+  type("0.5");
+  tab(false);
+  EXPECT_EQ(direction(), glm::dvec3(0.5, 0, 1));
+  type("0.25");
+  tab(false);
+  type("2");
+  tab(true);
+  EXPECT_EQ(direction(), glm::dvec3(0.5, 0.25, 2));
+  type("-1");
+  key({.key = k_enter});
+  EXPECT_EQ(direction(), glm::dvec3(0.5, -1, 2));
+}
+
 TEST_F(WindowWithPart, FieldsRefuseWhatIsNoDirection) {
   click("z");
   window.type("0");

@@ -24,7 +24,9 @@ TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
   click("Export");
   for (int i = 0; i < 2000 && state().toasts.empty(); ++i) window.frame();
   ASSERT_EQ(state().toasts.size(), 1U);
-  EXPECT_EQ(state().toasts.front().text, "Exported");
+  EXPECT_TRUE(state().toasts.front().text.starts_with("Exported ")) << state().toasts.front().text;
+  EXPECT_TRUE(state().toasts.front().text.ends_with(" to " + part.folder().path().string()))
+      << state().toasts.front().text;
 
   OutputPaths expected;
   expected.mesh = part.output("expected.ply");
@@ -43,6 +45,21 @@ TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
     const std::string file = std::string("/cup_") + region + ".stl";
     same("cup-regions" + file, "expected" + file);
   }
+}
+
+TEST_F(Exports, AFailedOneOpensTheDialogAgainWithItsPath) {
+  key({.key = 'E', .ctrl = true});
+  window.frames(3);
+  click("Export path");
+  key({.key = 'A', .ctrl = true});
+  window.type("/nowhere/at/all");
+  window.frames(2);
+  click("Export");
+  for (int i = 0; i < 2000 && state().toasts.empty(); ++i) window.frame();
+  ASSERT_FALSE(state().toasts.empty());
+  EXPECT_TRUE(state().toasts.front().failure);
+  EXPECT_NE(state().toasts.front().text.find("/nowhere/at/all"), std::string::npos);
+  EXPECT_TRUE(state().dialogs.exporting);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class Barrier {
 TEST(GivingUp, LoadingIsCancelled) {
   Barrier barrier;
   OffscreenOptions options;
-  options.user.window.motion = false;
+  options.user.window.motion = options.user.window.quick_sweep = false;
   options.wake = [&barrier] { barrier.pass(); };
   const moldlight::test::SmallPart part, other;
   OffscreenWindow window(options);

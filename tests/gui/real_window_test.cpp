@@ -36,8 +36,8 @@ class RealWindow : public ::testing::Test {
     settings.time_limit_s = 300.0;
     settings.environment = display->environment();
     settings.environment.push_back("XDG_STATE_HOME=" + part.output("state"));
-    std::vector<std::string> command = {MOLDLIGHT_BINARY, "view", part.file(), "--resolution", "512",
-                                        "--samples",      "20000"};
+    std::vector<std::string> command = {MOLDLIGHT_BINARY, "view",  part.file(),     "--resolution", "512",
+                                        "--samples",      "20000", "--quick-sweep", "off"};
     command.insert(command.end(), flags.begin(), flags.end());
     program = std::make_unique<Process>(command, settings);
     window = display->find_window("cup.obj");
@@ -50,6 +50,7 @@ class RealWindow : public ::testing::Test {
     OffscreenOptions options;
     options.size = size;
     options.content_scale = scale;
+    options.user.window.quick_sweep = false;
     OffscreenWindow twin(options);
     twin.app().open(part.file());
     twin.wait_until_loaded();

@@ -64,6 +64,7 @@ class SweepWindow : public testing::Test {
     OffscreenOptions options;
     options.size = k_size;
     options.user.sweep = sweep;
+    options.user.window.quick_sweep = false;
     return options;
   }
 

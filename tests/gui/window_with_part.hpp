@@ -28,7 +28,7 @@ class WindowWithPart : public ::testing::Test {
   static OffscreenOptions options() {
     OffscreenOptions options;
     options.size = {1280, 720};
-    options.user.window.motion = false;
+    options.user.window.motion = options.user.window.quick_sweep = false;
     return options;
   }
 

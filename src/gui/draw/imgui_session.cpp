@@ -56,6 +56,8 @@ void ImguiSession::prepare(Theme theme, float scale) {
 const Ui& ImguiSession::begin_frame(double now_s) {
   memory_.wake_s = std::numeric_limits<double>::infinity();
   memory_.controls.clear();
+  memory_.type_in_next = false;
+  memory_.field_before = 0;
   ui_.now_s = now_s;
   ImGui::NewFrame();
   return ui_;

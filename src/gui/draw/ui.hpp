@@ -30,7 +30,10 @@ struct UiMemory {
   ImGuiID typing_id = 0;  // the control into which a value is being typed
   std::array<char, 64> typed{};
   bool typing_starts = false;
-  ImGuiID resting_on = 0;  // the item on which the mouse rests
+  bool type_in_next = false;  // Tab was pressed: the next field takes over
+  ImGuiID type_in = 0;        // with Shift: this one does
+  ImGuiID field_before = 0;   // the field that was drawn last
+  ImGuiID resting_on = 0;     // the item on which the mouse rests
   double resting_since_s = 0.0;
   double wake_s = std::numeric_limits<double>::infinity();  // when the next frame is wanted at the latest
   std::map<std::string, ScreenBox, std::less<>>

@@ -98,13 +98,20 @@ std::optional<double> typed_row(const Ui& ui, ImGuiID id, float width) {
   const bool entered =
       ImGui::InputText("##typed", memory.typed.data(), memory.typed.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  const bool left = ImGui::IsItemDeactivated(), edited = ImGui::IsItemDeactivatedAfterEdit();
+  // ImGui would go back to this very field, the only one of text.
+  const bool tabbed = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
+  const bool left = tabbed || ImGui::IsItemDeactivated(), edited = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopID();
   ImGui::PopStyleVar();
   memory.typing_starts = false;
   if (!entered && !left) return std::nullopt;
   memory.typing_id = 0;
-  const bool given_up = !entered && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
+  if (tabbed) {
+    ImGui::GetIO().KeyShift ? static_cast<void>(memory.type_in = memory.field_before)
+                            : static_cast<void>(memory.type_in_next = true);
+  }
+  const bool given_up =
+      !entered && !tabbed && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return std::nullopt;
   try {
     return parse_real({memory.typed.data(), "value"});
@@ -159,12 +166,18 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
 
 bool number_field(const Ui& ui, const char* id_text, double& value, const NumberSpec& spec) {
   const ImGuiID id = ImGui::GetID(id_text);
-  if (ui.memory->typing_id == id) {
+  UiMemory& memory = *ui.memory;
+  if (memory.typing_id == id) {
     const auto typed = typed_row(ui, id, spec.width);
     return typed && std::exchange(value, *typed) != *typed;
   }
+  const bool taken_over = std::exchange(memory.type_in_next, false) || memory.type_in == id;
+  memory.field_before = id;
   const Row row = begin_row(ui, id_text, spec.width);
-  if (row.clicked) start_typing(*ui.memory, id, real_text(value));
+  if (row.clicked || taken_over) {
+    memory.type_in = 0;
+    start_typing(memory, id, real_text(value));
+  }
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row, spec.label);
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;

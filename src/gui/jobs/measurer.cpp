@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "classify/classifier.hpp"
 #include "classify/figure_pace.hpp"
-#include "mold/map_frame.hpp"
+#include "mold/patches.hpp"
 
 namespace moldlight::gui {
 
@@ -29,15 +29,18 @@ class Measurer::Worker {
   explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
 
   Outcome measure(const Request& request, const Progress& progress) {
-    Outcome outcome{.request = request, .classification = {}, .samples = {}, .error = {}};
+    Outcome outcome{.request = request, .classification = {}, .undercuts = 0, .samples = {}, .error = {}};
     try {
       outcome.classification =
           request.query.method.readout == Readout::exact
               ? classify_exact(*request.model, request.query, progress, request.with_split)
               : classifier(request).classify(request.query, progress, request.with_split);
+      const PartModel& model = *request.model;
+      outcome.undercuts =
+          undercut_patches(outcome.classification->facet_fractions, model.geometry, model.adjacency).count;
       if (const auto& split = outcome.classification->split)
         outcome.samples =
-            std::make_shared<const PieceSamples>(sample_pieces(*split, request.model->frame, k_map_samples));
+            std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
@@ -115,6 +118,7 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
 
 void Measurer::take(Outcome outcome, Figures& figures) {
   figures.shown = std::move(outcome.classification);
+  figures.undercuts = outcome.undercuts;
   figures.error = std::move(outcome.error);
   ++figures.revision;
   if (!figures.shown) return;

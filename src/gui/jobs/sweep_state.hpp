@@ -46,6 +46,7 @@ struct SweepState {
   std::optional<SweepMap> map;
   std::shared_ptr<const SweepResult> result;  // of the last sweep that ended
   bool stale = false;                         // the method has changed since
+  bool by_itself = false;                     // nobody asked for it
   std::string error;                          // why there is no result
 };
 

@@ -68,6 +68,11 @@ void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s) 
   });
 }
 
+void WindowSweep::give_up(SweepState& sweep) {
+  drop();
+  sweep = {};
+}
+
 void WindowSweep::drop() {
   pictured_.reset();
   waiting_.clear();

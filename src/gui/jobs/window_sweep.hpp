@@ -19,6 +19,8 @@ class WindowSweep {
   /// Starts the sweep that the choices ask for, of the part that is shown, with its method. What an earlier
   /// one found goes.
   void start(const AppState& state, SweepState& sweep, double now_s);
+  /// Ends the sweep, and what it found by then goes.
+  void give_up(SweepState& sweep);
   /// Ends the sweep early; its result is what is done.
   void cancel() { job_.cancel(); }
   /// Call it every frame.

@@ -22,13 +22,10 @@ void ExportDialog::ask_for_files(Edits& edits) const {
 }
 
 void ExportDialog::draw(const PanelContext& context) {
-  if (!context.state.dialogs.exporting || !context.state.model) {
-    open_ = false;
-    return;
-  }
-  if (!open_) {
-    open_ = true;
-    const std::filesystem::path part(context.state.path);
+  if (!context.state.dialogs.exporting || !context.state.model) return;
+  if (of_ != context.state.path) {
+    of_ = context.state.path;
+    const std::filesystem::path part(of_);
     std::snprintf(base_.data(), base_.size(), "%s",
                   (part.parent_path() / (part.stem().string() + "-regions")).string().c_str());
   }
@@ -38,6 +35,7 @@ void ExportDialog::draw(const PanelContext& context) {
     hint(ui, "Files are named after this path:");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::InputText("##base", base_.data(), base_.size());
+    ui.memory->controls["Export path"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
     toggle(ui, {"Result as JSON"}, json_);
     toggle(ui, {"Table of facets (CSV)"}, facets_);
     if (!context.state.model->part.facet_source.empty()) {

@@ -6,6 +6,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/verdict.hpp"
 
 namespace moldlight::gui {
 
@@ -89,8 +90,8 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   copy_menu("total", legend.result.total_area);
 }
 
-/// How far the figures may be trusted: the row says no more than that two ways agree, unless something is in
-/// doubt. Rounding is nothing to show.
+/// How far the figures may be trusted: the row says no more than that the check passed, unless something is
+/// in doubt. Rounding is nothing to show.
 void draw_trust(const PanelContext& context, const Legend& legend) {
   const Ui& ui = context.ui;
   const UndercutUncertainty& doubt = legend.result.uncertainty;
@@ -99,9 +100,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const std::string error = legend.column.text(visible);
   const bool in_doubt = error.find_first_of("123456789") != std::string::npos;
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
-  const std::string_view name = in_doubt          ? "Undercut ±"
-                                : shadow.agrees() ? "Two ways agree"
-                                                  : "Two ways differ";
+  const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Check passed" : "Check failed";
   const Line line = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
   draw_icon(*ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::alert,
             line.min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
@@ -147,6 +146,7 @@ void draw_regions_panel(const PanelContext& context) {
                           .column = FigureColumn(result.total_area),
                           .unit = context.state.model ? powered_unit(context.state.model->part, 2) : "",
                           .alpha = figures.pale ? 0.4F : 1.0F};
+      draw_verdict(context);
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);
       draw_trust(context, legend);

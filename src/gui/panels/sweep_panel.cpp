@@ -138,15 +138,22 @@ glm::ivec2 candidate_picture_size(float scale) {
 }
 
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {
-  const bool open = context.layout.begin_bottom(context.ui, "Sweep");
-  draw_header(context, open);
   const SweepState& sweep = context.state.sweep;
+  // What nobody asked for does not cover the part; its answer stands in the verdict.
+  const bool unfolded = context.layout.begin_bottom(context.ui, "Sweep");
+  const bool open = unfolded && (asked_for_ || !sweep.by_itself);
+  draw_header(context, open);
   if (open && options_) {
     draw_sweep_options(context);
   } else if (open && sweep.result && !sweep.result->candidates.empty()) {
     draw_table(context, pictures);
   }
   context.layout.end();
+}
+
+void SweepPanel::fold(const PanelContext& context, bool folded) {
+  asked_for_ = !folded;
+  context.layout.fold(folded);
 }
 
 void SweepPanel::draw_header(const PanelContext& context, bool open) {
@@ -168,11 +175,11 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   };
   place(height);
   if (icon_button(ui, {"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    context.layout.fold(open);
+    fold(context, open);
   place(height);
   if (icon_button(ui, {"options", Icon::settings, "Options of the sweep", open && options_})) {
     options_ = !(open && options_);
-    context.layout.fold(false);
+    fold(context, false);
   }
   if (sweep.map) {
     place(height);

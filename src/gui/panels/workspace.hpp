@@ -28,6 +28,7 @@ class SweepPanel {
 
  private:
   void draw_header(const PanelContext& context, bool open);
+  void fold(const PanelContext& context, bool folded);
   void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
   using Figures = std::vector<const DirectionFigure*>;
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
@@ -36,6 +37,7 @@ class SweepPanel {
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
   bool options_ = false, expanded_ = false;
+  bool asked_for_ = false;  // the table of a sweep that ran by itself
 };
 
 /// The window's own file browser: no dialog program of the desktop is needed.
@@ -71,7 +73,7 @@ class ExportDialog {
  private:
   void ask_for_files(Edits& edits) const;
 
-  bool open_ = false;
+  std::string of_;                 // the part for which the path was proposed
   std::array<char, 1024> base_{};  // path without extension
   bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, borders_ = false,
        picture_ = true;

@@ -18,6 +18,7 @@ struct WindowSettings {
   NavigationPreset navigation = NavigationPreset::standard;
   bool motion = true;       // camera flights and fades
   bool auto_reload = true;  // when the part's file changes
+  bool quick_sweep = true;  // after loading
 
   bool operator==(const WindowSettings&) const = default;
 };

@@ -44,7 +44,8 @@ TEST(FacetCsv, SumsByCadFace) {
   const FacetFractions fractions = {{1, 0, 0, 0}, {0, 0.5, 0.5, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}};
   write_face_csv(folder.file("faces.csv"), region_areas_by_source(sources, areas, fractions));
   EXPECT_EQ(test::file_bytes(folder.file("faces.csv")),
-            "face,area,core,cavity,both,undercut\n2,2,0,0.5,0.5,0\n5,4,0.25,0,0,0.75\n9,0,0,0,0,0\n");
+            "face,area,core_share,cavity_share,both_share,undercut_share\n2,2,0,0.5,0.5,0\n5,4,0.25,0,0,0."
+            "75\n9,0,0,0,0,0\n");
 }
 
 }  // namespace

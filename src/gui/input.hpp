@@ -1,0 +1,72 @@
+// What hands do to the window: kept in order, with the place and the time of each event, and given to ImGui
+// so that slow frames lose nothing of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+struct ImGuiIO;
+
+namespace moldlight::gui {
+
+/// A key press. `key` is GLFW's code, which is ASCII's upper case for letters and digits.
+struct KeyPress {
+  int key = 0;
+  bool ctrl = false, shift = false, alt = false;
+};
+
+/// Events go in as they come; a frame takes as many of them as act as they would in frames of their own: a
+/// run of mouse moves, or one change of a button, or one press of a key, … The rest waits for the next frame.
+class InputQueue {
+ public:
+  /// Times are seconds that never fall. Places are pixels of the window, y down; `button` is ImGui's.
+  void move_mouse(double time_s, const glm::vec2& to);
+  void mouse_left(double time_s);
+  void set_button(double time_s, int button, bool down);
+  void turn_wheel(double time_s, float notches);
+  /// A key that repeats is pressed again without a release.
+  void press_key(double time_s, const KeyPress& press);
+  void release_key(double time_s, int key);
+  void hold_modifiers(double time_s, bool ctrl, bool shift, bool alt);
+  void type(double time_s, std::string_view utf8);
+
+  /// What a frame has taken.
+  struct Played {
+    std::vector<KeyPress> keys;
+    bool any = false;
+  };
+  /// Tells ImGui the input of the frame that begins at `now_s`. ImGui's clock follows that of the events, so
+  /// that two clicks are a double click by the time between them, however long frames take.
+  Played play(ImGuiIO& io, double now_s);
+  [[nodiscard]] bool empty() const { return events_.empty(); }
+
+ private:
+  enum class Kind : std::uint8_t { move, button, wheel, press, release, modifiers, text };
+  struct Event {
+    Kind kind;
+    double time_s;
+    glm::vec2 at{0.0F};  // of the mouse; wheel: notches in y
+    int code = 0;        // of a button or key
+    bool down = false;
+    KeyPress press = {};
+    std::string text = {};
+  };
+  /// Whether it can share a frame with what the frame has taken, the last of which is `former`. `typing`: a
+  /// text field listens.
+  [[nodiscard]] static bool joins(const Event& event, const Event& former, bool typing);
+  void act(const Event& event, ImGuiIO& io, Played& played);
+
+  std::deque<Event> events_;
+  glm::vec2 mouse_{-1.0e6F};
+  std::array<bool, 3> buttons_{};
+  double clock_s_ = 0.0;
+};
+
+}  // namespace moldlight::gui

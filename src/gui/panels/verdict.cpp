@@ -1,0 +1,102 @@
+// One sentence on the part as it is: can two plates mold it along this direction? And where the best
+// direction is.
+#include "gui/panels/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "gui/draw/widgets.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+std::string undercuts_text(std::size_t count) {
+  return count == 1 ? "1 undercut" : fmt::format("{} undercuts", grouped(std::to_string(count)));
+}
+
+/// Nothing that could be told from none.
+bool is_free(const Classification& result) {
+  return result.areas[Region::undercut] <= result.uncertainty.total();
+}
+
+/// "best found: +Z, 555.6 mm²"; a direction that is no axis is told by its tooltip.
+std::string best_text(const Part& part, const SweepCandidate& best) {
+  std::string axis = short_direction_text(best.candidate.direction);
+  axis = axis.size() == 2 ? axis + ", " : std::string();
+  if (is_free(best.classification)) return "best found: " + axis + "no undercut";
+  const FigureColumn column(best.classification.total_area);
+  return fmt::format("best found: {}{} {}", axis, grouped(column.text(undercut_area(best))),
+                     powered_unit(part, 2));
+}
+
+std::string best_help(const SweepCandidate& best) {
+  const auto count = figure_value(direction_figure("patches"), best);
+  return direction_text(best.candidate.direction, 3) +
+         (count ? "\n" + undercuts_text(static_cast<std::size_t>(*count)) : "");
+}
+
+}  // namespace
+
+Verdict verdict_of(const AppState& state) {
+  Verdict verdict;
+  if (!state.model || !state.figures.shown) return verdict;
+  const Classification& here = *state.figures.shown;
+  verdict.free = is_free(here);
+  if (verdict.free) {
+    verdict.sentence = "Two-plate mold: no undercut";
+    return verdict;
+  }
+  verdict.sentence = fmt::format("{}, {} {}", undercuts_text(state.figures.undercuts),
+                                 grouped(FigureColumn(here.total_area).text(here.areas[Region::undercut])),
+                                 powered_unit(state.model->part, 2));
+  const SweepState& sweep = state.sweep;
+  if (sweep.running) {
+    verdict.best = "looking for the best direction …";
+  } else if (sweep.result && !sweep.stale && !sweep.result->candidates.empty()) {
+    const SweepCandidate& best = sweep.result->candidates.front();
+    const double doubt = best.classification.uncertainty.total() + here.uncertainty.total();
+    if (undercut_area(best) < here.areas[Region::undercut] - doubt) {
+      verdict.best = best_text(state.model->part, best);
+      verdict.best_help = best_help(best);
+      verdict.better = best.candidate.direction;
+    } else {
+      verdict.best = "no direction that was tried has less";
+    }
+  }
+  return verdict;
+}
+
+void draw_verdict(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Verdict verdict = verdict_of(context.state);
+  const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy(ImVec2(width, ui.px(22)));
+  const glm::vec2 at = from_im(ImGui::GetItemRectMin());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_icon(list, verdict.free ? Icon::check : Icon::alert, at + glm::vec2(ui.px(12), ui.px(11)), ui.px(14),
+            faded(verdict.free ? ui.colours->text : ui.colours->warning, alpha));
+  draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
+            at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size)),
+            fitted(ui.fonts.strong, verdict.sentence, width - ui.px(26)));
+  ui.memory->controls["verdict"] = {at, from_im(ImGui::GetItemRectMax())};
+  if (!verdict.best.empty()) {
+    ImGui::Indent(ui.px(26));
+    const float button_width = verdict.better ? ui.px(72) : 0.0F;
+    const float room = width - ui.px(26) - button_width;
+    row_text(ui, {ui.fonts.small, ui.colours->muted}, room, fitted(ui.fonts.small, verdict.best, room));
+    if (verdict.better) {
+      ImGui::SameLine(0.0F, 0.0F);
+      if (button(ui, "Go there", {.width = button_width, .strong = true}))
+        context.edits.ask(&Commands::fly_to_direction, *verdict.better);
+      tooltip(ui, "The best direction found", verdict.best_help);
+    }
+    ImGui::Unindent(ui.px(26));
+  }
+  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
+}
+
+}  // namespace moldlight::gui

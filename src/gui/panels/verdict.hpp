@@ -1,0 +1,23 @@
+// What is to be said first of a part and a direction.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gui/panels/panels.hpp"
+
+namespace moldlight::gui {
+
+struct Verdict {
+  bool free = false;     // of undercuts, as far as can be told
+  std::string sentence;  // empty while nothing is measured
+  std::string best;      // what a sweep says to it; empty where none has run or nothing is to be gained
+  std::optional<glm::dvec3> better;  // the direction that has less undercut
+  std::string best_help;             // more of it
+};
+[[nodiscard]] Verdict verdict_of(const AppState& state);
+
+/// At the top of the legend.
+void draw_verdict(const PanelContext& context);
+
+}  // namespace moldlight::gui

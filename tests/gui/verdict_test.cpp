@@ -1,0 +1,85 @@
+// The first thing that is said of a part, and the sweep that runs by itself for it.
+#include "gui/panels/verdict.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "gui/offscreen.hpp"
+#include "io/mesh_writer.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+class Verdicts : public ::testing::Test {
+ protected:
+  explicit Verdicts(int directions = 40) : window_(options(directions)) {}
+
+  static OffscreenOptions options(int directions) {
+    OffscreenOptions options;
+    options.user.window.motion = false;
+    options.user.sweep.directions = directions;
+    options.user.sweep.refine = 1;
+    return options;
+  }
+
+  void open(const TriangleMesh& mesh) {
+    const std::string path = folder_.file("part.stl");
+    const std::vector<Region> regions(mesh.facets.size(), Region::both);
+    write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
+    window_.app().open(path);
+    window_.wait_until_loaded();
+    window_.wait_until_measured();
+  }
+  [[nodiscard]] Verdict verdict() const { return verdict_of(window_.state()); }
+  void click(const std::string& control) {
+    window_.move_mouse(window_.control(control).centre());
+    window_.frames(2);
+    window_.set_button(0, true);
+    window_.frame();
+    window_.set_button(0, false);
+    window_.frames(3);
+  }
+
+  moldlight::test::ScratchFolder folder_;
+  OffscreenWindow window_;
+};
+
+TEST_F(Verdicts, LeadToTheBestDirection) {
+  // A block with a pocket in its side: along z one undercut, along the pocket none.
+  const auto shape = moldlight::test::plate_with_side_pocket({});
+  open(shape.mesh);
+  EXPECT_FALSE(verdict().free);
+  EXPECT_TRUE(verdict().sentence.starts_with("1 undercut, ")) << verdict().sentence;
+  window_.wait_until_swept();  // by itself
+  ASSERT_TRUE(verdict().better.has_value()) << verdict().best;
+  EXPECT_TRUE(verdict().best.ends_with("no undercut")) << verdict().best;
+  EXPECT_FALSE(window_.app().controls().contains("direction 1")) << "its table waits until it is asked for";
+  click("Go there");
+  window_.wait_until_measured();
+  EXPECT_TRUE(verdict().free);
+  EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut");
+  click("fold");
+  EXPECT_TRUE(window_.app().controls().contains("direction 1"));
+}
+
+class LongVerdicts : public Verdicts {
+ protected:
+  LongVerdicts() : Verdicts(20'000) {}
+};
+
+TEST_F(LongVerdicts, AChangeOfTheSettingsEndsTheSweepThatNobodyAskedFor) {
+  open(moldlight::test::plate_with_side_pocket({}).mesh);
+  window_.frames(3);
+  ASSERT_TRUE(window_.state().sweep.running.has_value());
+  EXPECT_EQ(verdict().best, "looking for the best direction …");
+  click("+Y");
+  EXPECT_FALSE(window_.state().sweep.running.has_value());
+  EXPECT_EQ(window_.state().sweep.result, nullptr);
+  window_.wait_until_measured();
+  EXPECT_FALSE(window_.app().sweeping());
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test
