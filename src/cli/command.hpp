@@ -1,6 +1,7 @@
 // What the subcommands have in common. Each has one file and one function add_<name>_command, listed here.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -30,6 +31,8 @@ void add_sweep_command(CLI::App& program, Request& request);
 void add_view_command(CLI::App& program, Request& request);
 void add_doctor_command(CLI::App& program, Request& request);
 void add_manual_command(CLI::App& program, Request& request);
+inline constexpr std::array k_add_commands = {add_info_command, add_classify_command, add_sweep_command,
+                                              add_view_command, add_doctor_command,   add_manual_command};
 
 /// Where the command line asks for `command`, its work is `run` with these flags.
 template <typename Flags>

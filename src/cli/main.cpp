@@ -91,12 +91,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   program.formatter(std::make_shared<HelpFormatter>());
   program.set_version_flag("--version", "moldlight " MOLDLIGHT_VERSION, "Print the version and exit");
   program.require_subcommand(1);
-  add_info_command(program, request);
-  add_classify_command(program, request);
-  add_sweep_command(program, request);
-  add_view_command(program, request);
-  add_doctor_command(program, request);
-  add_manual_command(program, request);
+  for (const auto add : k_add_commands) add(program, request);
   insert_default_command(program, arguments);
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

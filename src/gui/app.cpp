@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "classify/option_table.hpp"
 #include "gl/program.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
@@ -34,7 +35,7 @@ App::App(const gl::Context& context, AppOptions options)
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
       sweep_(options_.wake) {
-  state_.window = options_.user.window;
+  state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
   state_.shipped = options_.shipped_parts;
@@ -403,7 +404,10 @@ std::optional<std::string> App::take_picture_request() {
 void App::save() {
   if (!options_.persistent) return;
   try {
-    options_.user.window = state_.window;
+    for (const Option<WindowSettings>& option : window_options()) {
+      const std::string text = option_text(option, state_.window);
+      if (text != option_text(option, begun_with_)) set_option(option, options_.user.window, text);
+    }
     options_.user.sweep = state_.sweep_choices.options;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);

@@ -32,6 +32,7 @@ struct AppOptions {
   bool persistent = false;  // remember the user's state and the part's notes
   ReadOptions reading;
   UserState user;
+  std::optional<WindowSettings> window;  // for this time only, where they are not the user's
   std::vector<std::string> shipped_parts;
   std::function<void()> wake = [] {};  // called from other threads when a frame is wanted
   Measurer::MakeContext make_context;
@@ -140,6 +141,7 @@ class App {
   UndercutGlow glow_;
   std::optional<PartNotes> notes_to_set_;
   PartNotes saved_notes_;
+  WindowSettings begun_with_;  // what differs from it was changed in the window
   std::optional<std::string> picture_request_;
   glm::ivec2 size_{1};
   float scale_ = 1.0F;

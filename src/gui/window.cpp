@@ -214,7 +214,8 @@ AppOptions app_options(const WindowOptions& options) {
   app.persistent = true;
   app.reading = options.reading;
   app.user = load_user_state();
-  set_options(window_options(), app.user.window, options.window);
+  app.window = app.user.window;
+  set_options(window_options(), *app.window, options.window);
   app.shipped_parts = shipped_parts();
   app.wake = [] { glfwPostEmptyEvent(); };
   app.make_context = create_context;

@@ -16,7 +16,7 @@ struct WindowOptions {
   std::string part;  // empty: the start page
   ReadOptions reading;
   std::optional<PartNotes> notes;  // settings given on the command line
-  /// Keys of window_options() given there, with their values: they replace what is remembered.
+  /// Keys of window_options() given there, with their values: they hold this time, and are not remembered.
   nlohmann::ordered_json window = nlohmann::ordered_json::object();
 };
 

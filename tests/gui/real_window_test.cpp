@@ -2,6 +2,7 @@
 // end.
 #include <csignal>
 #include <filesystem>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,9 @@ TEST_F(RealWindow, FollowsTheMonitorsScale) {
   const Image picture = display->settled_picture_of(window);
   moldlight::test::keep_picture(picture, "window_scale_2");
   EXPECT_GT(colours_of(picture), 1000U) << "blank";
+  const double brightness = std::accumulate(picture.rgba.begin(), picture.rgba.end(), 0.0) /
+                            static_cast<double>(picture.rgba.size());
+  EXPECT_GT(brightness, 160.0) << "the light theme, as the flag says";
   const Image typed = type_into(place_of("y", 2 * k_first_size, 2.0F), "1", picture);
   EXPECT_GT(moldlight::test::picture_difference(picture, typed).off_share, 0.02);
   // An interrupt ends it in good order too.
@@ -160,8 +164,8 @@ TEST_F(RealWindow, FollowsTheMonitorsScale) {
   EXPECT_EQ(notes()["settings"]["direction"], nlohmann::ordered_json({0.0, 1.0, 1.0})) << notes();
   const auto kept = moldlight::test::json_of(
       moldlight::test::file_bytes(part.output("state") + "/moldlight/window.json"))["settings"];
-  EXPECT_EQ(kept["theme"], "light") << "flags of the window hold in it, not only in its picture";
-  EXPECT_EQ(kept["navigation"], "blender");
+  EXPECT_EQ(kept["theme"], "dark") << "flags hold this time";
+  EXPECT_EQ(kept["navigation"], "standard");
   EXPECT_EQ(kept["motion"], true);
 }
 

@@ -14,6 +14,7 @@ namespace moldlight::gui {
 
 namespace {
 
+constexpr float k_least_room = 96.0F;       // layout units: with less a panel is collapsed
 constexpr float k_widest_bottom = 1120.0F;  // layout units
 
 /// A panel in imgui.ini as ImGui writes it: the position in pixels of a window of k_layout_size.
@@ -89,26 +90,58 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
   for (Panel& each : panels_) each.drawn = false;
 }
 
+float PanelLayout::floor_at(const Ui& ui, float x, float y) const {
+  float floor = static_cast<float>(size_.y), titles = 0.0F;
+  for (const Panel& other : panels_) {
+    if (other.min.x >= x + ui.px(k_panel_width) || x >= other.max.x) continue;
+    if (other.bottom) floor = std::min(floor, other.min.y);
+    if (!other.bottom && other.place.offset.y > y) titles += ui.px(k_title_height) + ui.px(8);
+  }
+  return floor - titles - ui.px(8);
+}
+
+glm::vec2 PanelLayout::corner_of(const Ui& ui, const Panel& each) const {
+  const float width = ui.px(k_panel_width), gap = ui.px(8);
+  glm::vec2 at = each.place.offset * scale_;
+  if (each.place.from_right) at.x = static_cast<float>(size_.x) - width - at.x;
+  // A panel dragged off a window that has shrunk would be lost.
+  const glm::vec2 farthest(static_cast<float>(size_.x) - width,
+                           floor_at(ui, at.x, each.place.offset.y) - ui.px(k_title_height));
+  at = glm::clamp(at, glm::vec2(0.0F), glm::max(farthest, glm::vec2(0.0F)));
+  for (const Panel& other : panels_) {
+    const bool above = &other != &each && other.drawn && !other.bottom &&
+                       other.place.offset.y < each.place.offset.y && other.min.x < at.x + width &&
+                       at.x < other.max.x;
+    if (above) at.y = std::max(at.y, other.max.y + gap);
+  }
+  return glm::round(at);
+}
+
 bool PanelLayout::begin(const Ui& ui, const char* name) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
   open_ = &each;
   const float width = ui.px(k_panel_width);
   const bool fresh = place_all_ || each.max == glm::vec2(0.0F);
-  glm::vec2 at = each.place.offset * scale_;
-  if (each.place.from_right) at.x = static_cast<float>(size_.x) - width - at.x;
-  // A panel dragged off a window that has shrunk would be lost.
-  at = glm::clamp(at, glm::vec2(0.0F),
-                  glm::max(glm::vec2(size_) - glm::vec2(width, ui.px(32)), glm::vec2(0.0F)));
-  if (fresh) {
-    ImGui::SetNextWindowPos(ImVec2(std::round(at.x), std::round(at.y)));
-    ImGui::SetNextWindowCollapsed(each.place.collapsed);
+  const bool moved = !fresh && each.min != each.put;
+  if (moved) {
+    each.place.from_right = 0.5F * (each.min.x + each.max.x) > 0.5F * static_cast<float>(size_.x);
+    each.place.offset = each.min / scale_;
+    if (each.place.from_right)
+      each.place.offset.x = (static_cast<float>(size_.x) - each.min.x - width) / scale_;
+    each.put = each.min;
   }
-  const float room =
-      std::max(static_cast<float>(size_.y) - (fresh ? at.y : each.min.y) - ui.px(8), ui.px(64));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, room));
+  const glm::vec2 at = moved ? each.put : corner_of(ui, each);
+  const bool put_anew = fresh || at != each.put;
+  if (put_anew) ImGui::SetNextWindowPos(im(each.put = at));
+  const float room = floor_at(ui, each.put.x, each.place.offset.y) - each.put.y;
+  // A title that a click has opened stays open.
+  const bool squeezed = room < ui.px(k_least_room) && !each.toggle && (put_anew || each.squeezed);
+  if (fresh || squeezed != each.squeezed) ImGui::SetNextWindowCollapsed(squeezed || each.place.collapsed);
+  each.squeezed = squeezed;
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, std::max(room, ui.px(64))));
   if (each.toggle) {
-    ImGui::SetNextWindowCollapsed(!each.place.collapsed);
+    ImGui::SetNextWindowCollapsed(!each.collapsed);
     each.toggle = false;
   }
   // ImGui's own title bar would have the body font and a heavy arrow.
@@ -121,28 +154,23 @@ bool PanelLayout::begin(const Ui& ui, const char* name) {
   each.min = from_im(ImGui::GetWindowPos());
   each.max = each.min + from_im(ImGui::GetWindowSize());
   each.drawn = true;
-  each.place.collapsed = ImGui::IsWindowCollapsed();
+  each.collapsed = ImGui::IsWindowCollapsed();
+  if (!each.squeezed) each.place.collapsed = each.collapsed;
   draw_title(ui, each);
-  if (!fresh) {
-    const float middle = 0.5F * (each.min.x + each.max.x);
-    each.place.from_right = middle > 0.5F * static_cast<float>(size_.x);
-    each.place.offset = each.min / scale_;
-    if (each.place.from_right)
-      each.place.offset.x = (static_cast<float>(size_.x) - each.min.x - width) / scale_;
-  }
   return open;
 }
 
 void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = each.min.y + 0.5F * ui.px(k_title_height);
+  ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
   list.PushClipRect(im(each.min), im(each.max));
   draw_text(list, {ui.fonts.strong, ui.colours->text},
             {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.place.name);
   const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
-  draw_icon(list, each.place.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
+  draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
             hovered ? ui.colours->text : ui.colours->faint);
   list.PopClipRect();
   each.toggle = hovered && ImGui::IsMouseClicked(0);
@@ -170,6 +198,7 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   ImGui::Begin(("##" + each.place.name).c_str(), nullptr, k_card_window);
   each.min = from_im(ImGui::GetWindowPos());
   each.max = each.min + from_im(ImGui::GetWindowSize());
+  ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
   return !each.place.collapsed;
 }
 
@@ -184,7 +213,7 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
   area.min.y = static_cast<int>(k_bar_height * scale_);
   for (const Panel& each : panels_) {
     if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
-    if (!each.drawn || each.place.collapsed || each.bottom) continue;
+    if (!each.drawn || each.collapsed || each.bottom) continue;
     if (each.place.from_right) {
       area.max.x = std::min(area.max.x, static_cast<int>(each.min.x));
     } else {

@@ -68,11 +68,19 @@ class PanelLayout {
   struct Panel {
     PanelPlace place;
     glm::vec2 min{0.0F}, max{0.0F};  // on the screen when last drawn, pixels
+    glm::vec2 put{-1.0F};            // where it was put: it is elsewhere once the user has moved it
     bool drawn = false;
+    bool collapsed = false;
+    bool squeezed = false;  // for want of room, which is not remembered
     bool bottom = false;
     bool toggle = false;  // its chevron was clicked
   };
   void draw_title(const Ui& ui, Panel& each) const;
+  /// Where it goes: its place, but in the window and below the panels that are above it in its column.
+  [[nodiscard]] glm::vec2 corner_of(const Ui& ui, const Panel& each) const;
+  /// Down to where a panel of the column at this x may reach, if it leaves room for the titles of those
+  /// that have their place below `y` (layout units); the panel along the bottom may be under it, too.
+  [[nodiscard]] float floor_at(const Ui& ui, float x, float y) const;
   Panel& panel(std::string_view name);
 
   std::vector<Panel> panels_;
