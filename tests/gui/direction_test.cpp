@@ -110,6 +110,14 @@ TEST_F(WindowWithPart, FieldsTakeNumbers) {
   EXPECT_NEAR(direction().z, 0.5, 1e-12);
 }
 
+TEST_F(WindowWithPart, OneArrowHasItsNameWhereBothAreSeenFromTheirTips) {
+  EXPECT_TRUE(window.app().controls().contains("cavity arrow"));
+  key({.key = '0'});
+  window.settle();
+  EXPECT_TRUE(window.app().controls().contains("core arrow"));
+  EXPECT_FALSE(window.app().controls().contains("cavity arrow"));
+}
+
 TEST_F(WindowWithPart, TabGoesFromFieldToField) {
   const auto tab = [&](bool back) { key({.key = k_tab, .ctrl = false, .shift = back}); };
   const auto type = [&](const char* number) {

@@ -14,8 +14,9 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_tip_reach = 12.0F;            // layout units around a tip in which it is grabbed
-constexpr float k_click_reach = 3.0F;           // pixels; a mouse that moves further drags
+constexpr float k_tip_reach = 12.0F;    // layout units around a tip in which it is grabbed
+constexpr float k_names_apart = 40.0F;  // layout units between tips whose names do not cover each other
+constexpr float k_click_reach = 3.0F;   // pixels; a mouse that moves further drags
 constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
 constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
 
@@ -172,8 +173,12 @@ void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits&
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model || !state.settings.look.arrows) return;
   for (const bool core : {true, false}) {
-    const auto shown = arrow(state, frame, core);
+    const auto shown = arrow(state, frame, core), opposite = arrow(state, frame, !core);
     if (!shown) continue;
+    // Seen along the direction one arrow is behind the other, and so is its name.
+    const bool behind =
+        opposite && !shown->toward_viewer && glm::distance(shown->tip, opposite->tip) < ui.px(k_names_apart);
+    if (behind) continue;
     const glm::vec2 reach(ui.px(k_tip_reach));
     ui.memory->controls[core ? "core arrow" : "cavity arrow"] = {shown->tip - reach, shown->tip + reach};
     const bool lively = (drag_ && drag_->core == core) || (near_tip_ && *near_tip_ == core);
