@@ -109,13 +109,13 @@ void App::frame(const FrameInput& input) {
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
-  const EditedSettings settings_before = state_.settings;
+  const Query asked_before = state_.settings;
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
-  sweep_by_itself(state_.settings != settings_before);
+  sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
   controls_wake_s_ = imgui_.wake_s();
@@ -357,15 +357,15 @@ void App::turn_direction(bool held) {
   settle_frames_ = k_settle_frames;
 }
 
-void App::sweep_by_itself(bool settings_changed) {
+void App::sweep_by_itself(bool query_changed) {
   SweepState& sweep = state_.sweep;
-  if (settings_changed && !turn_.flying()) {
+  if (query_changed && !turn_.flying()) {
     if (sweep.running && sweep.by_itself) sweep_.give_up(sweep);
     quick_sweep_due_ = false;
   }
-  if (!quick_sweep_due_ || measuring() || !state_.figures.shown) return;
+  if (!quick_sweep_due_ || measuring()) return;
   quick_sweep_due_ = false;
-  if (sweep.running || sweep.result) return;
+  if (!state_.figures.shown || sweep.running || sweep.result) return;
   sweep_.start(state_, sweep, now_s_);
   sweep.by_itself = true;
 }

@@ -106,8 +106,9 @@ class App {
   void follow_figures();
   void measure_face();
   void turn_direction(bool held);
-  /// The sweep that nobody asked for: once the part is measured, until a setting changes.
-  void sweep_by_itself(bool settings_changed);
+  /// The sweep that nobody asked for: once the part is measured, until direction or method change, which
+  /// wants the processor for itself.
+  void sweep_by_itself(bool query_changed);
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
   void fit(const Camera& camera, bool at_once);

@@ -74,11 +74,25 @@ TEST_F(LongVerdicts, AChangeOfTheSettingsEndsTheSweepThatNobodyAskedFor) {
   window_.frames(3);
   ASSERT_TRUE(window_.state().sweep.running.has_value());
   EXPECT_EQ(verdict().best, "looking for the best direction …");
+  click("Palette=safe");  // the palette
+  EXPECT_TRUE(window_.state().sweep.running.has_value()) << "what only looks different ends nothing";
   click("+Y");
   EXPECT_FALSE(window_.state().sweep.running.has_value());
   EXPECT_EQ(window_.state().sweep.result, nullptr);
   window_.wait_until_measured();
   EXPECT_FALSE(window_.app().sweeping());
+}
+
+TEST_F(Verdicts, ASweepThatIsRefusedIsNotWaitedFor) {
+  PartNotes notes;
+  notes.settings.method.tolerance = 1e20;  // no length of this part
+  window_.app().set_notes(notes);
+  open(moldlight::test::plate_with_side_pocket({}).mesh);
+  window_.wait_until_swept();
+  EXPECT_FALSE(window_.app().sweeping());
+  EXPECT_NE(window_.state().sweep.error.find("--tolerance"), std::string::npos)
+      << window_.state().sweep.error;
+  EXPECT_EQ(verdict().best, "");
 }
 
 }  // namespace

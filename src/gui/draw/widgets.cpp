@@ -106,9 +106,10 @@ std::optional<double> typed_row(const Ui& ui, ImGuiID id, float width) {
   memory.typing_starts = false;
   if (!entered && !left) return std::nullopt;
   memory.typing_id = 0;
-  if (tabbed) {
-    ImGui::GetIO().KeyShift ? static_cast<void>(memory.type_in = memory.field_before)
-                            : static_cast<void>(memory.type_in_next = true);
+  if (tabbed && ImGui::GetIO().KeyShift) {
+    memory.type_in = memory.field_before;
+  } else if (tabbed) {
+    memory.type_in_next = true;
   }
   const bool given_up =
       !entered && !tabbed && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
