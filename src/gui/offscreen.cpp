@@ -81,6 +81,10 @@ void OffscreenWindow::frames(int count) {
 void OffscreenWindow::settle() {
   // Input of this moment still has to reach the panels, and what it changes has to be laid out.
   frames(4);
+  frames_asked_for();
+}
+
+void OffscreenWindow::frames_asked_for() {
   for (int k = 0; k < k_most_settling_frames && (!input_.empty() || app_->next_frame_s() <= now_s_); ++k)
     frame();
 }

@@ -50,6 +50,8 @@ class OffscreenWindow {
   bool frame();
   /// Lets time go by without a frame, as a slow one does.
   void pass_time(double seconds) { now_s_ += seconds; }
+  /// Frames only as the app asks for them now, as on the desktop.
+  void frames_asked_for();
   void frames(int count);
   /// Frames until nothing moves and the picture is final. What is measured is not waited for.
   void settle();

@@ -130,5 +130,19 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
   EXPECT_NE(state().toasts[0].text.find("no round wall"), std::string::npos);
 }
 
+/// No nudge of the mouse is needed to see what a rest of the mouse calls up.
+TEST_F(WindowWithPart, ATooltipComesByItself) {
+  window.settle();
+  window.move_mouse(window.control("Draft tolerance").centre());
+  window.frames_asked_for();
+  const std::vector<std::uint8_t> before = window.pixels();
+  window.pass_time(0.6);
+  window.frames_asked_for();
+  const std::vector<std::uint8_t> rested = window.pixels();
+  EXPECT_NE(rested, before);
+  window.frames(5);
+  EXPECT_EQ(window.pixels(), rested) << "it was not drawn to its end";
+}
+
 }  // namespace
 }  // namespace moldlight::gui::test
