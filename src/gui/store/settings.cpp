@@ -14,7 +14,8 @@ std::span<const Option<WindowSettings>> window_options() {
       {"auto_reload", "--auto-reload", "Reload", "", "Read the part again when its file changes.",
        SwitchKind<S>{&S::auto_reload}},
       {"quick_sweep", "--quick-sweep", "Sweep", "",
-       "Look for the best direction by itself once a part is loaded; a change of direction or method ends that.",
+       "Look for the best direction by itself once a part is loaded; a change of direction or method ends "
+       "that.",
        SwitchKind<S>{&S::quick_sweep}},
   };
   return k_options;
