@@ -51,7 +51,7 @@ constexpr DirectionFigure k_figures[] = {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
-    {"patches", "patches", FigureKind::count, "Connected patches of undercut surface.",
+    {"patches", "undercuts", FigureKind::count, "Connected patches of undercut surface, specks left out.",
      Use{.objective = true, .brief = true},
      [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,
