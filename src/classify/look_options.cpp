@@ -31,7 +31,7 @@ std::span<const Option<LookSettings>> look_options() {
       {"facet_edges", "--facet-edges", "Facet edges", "", "Draw the edges of all facets.",
        SwitchKind<S>{&S::facet_edges}},
       {"near_vertical", "--near-vertical", "Near-vertical", "",
-       "Mark the facets whose draft angle is below the draft tolerance.", SwitchKind<S>{&S::near_vertical}},
+       "Mark the facets whose draft angle is below the required draft.", SwitchKind<S>{&S::near_vertical}},
       {"contour_edges", "--contour-edges", "Contour edges", "",
        "Draw the contour edges of the parting direction: convex ones light, concave ones dark.",
        SwitchKind<S>{&S::contour_edges}},

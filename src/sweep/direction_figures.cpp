@@ -46,7 +46,7 @@ constexpr DirectionFigure k_figures[] = {
     {"draw_depth", "depth", FigureKind::length, "Draw depth: the part's extent along the direction.",
      Use{.objective = true}, [](const Facts& f) -> Found { return f.draw_depth; }},
     {"undraughted_area", "undraughted", FigureKind::area,
-     "Area of the facets with less draft than the draft tolerance.", Use{.objective = true, .column = false},
+     "Area of the facets with less draft than the required draft.", Use{.objective = true, .column = false},
      [](const Facts& f) -> Found {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
