@@ -17,7 +17,7 @@ std::span<const Option<ActionSettings>> action_options() {
       {"clearance_mm", "--clearance", "Clearance", "mm", "What a slide travels beyond the least.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},
       {"strip_strain_pct", "--strip-strain", "Strip strain", "%",
-       "Largest strain at which a ring may be stripped off its core; 0: none is.",
+       "Largest strain at which a ring may be stripped off; 0: any is told, and the verdict left to you.",
        RealKind<S>{&S::strip_strain_pct, 0.0, 100.0, 0.5}},
       {"bundle_across_mm", "--bundle-across", "Bundle across", "mm",
        "Undercuts that one slide forms are no farther apart across its direction.",

@@ -16,7 +16,7 @@ struct ActionSettings {
   double incline_deg = 30.0;      // an inclined slide within this, [0, 80]
   double lifter_angle_deg = 8.0;  // of a lifter to the ejection, [1, 45]: couples its travel and its stroke
   double clearance_mm = 3.0;      // added to a slide's least travel, [0, 1000]
-  double strip_strain_pct = 0.0;  // largest strain at which a ring is stripped off, [0, 100]; 0: none is
+  double strip_strain_pct = 0.0;  // largest strain at which a ring is stripped off, [0, 100]; 0: any
   double bundle_across_mm =
       50.8;                       // undercuts that one slide forms are no farther apart across its direction,
   double bundle_along_mm = 25.4;  // and along it (published by a vendor of cost estimation), [0, 10000]

@@ -51,15 +51,19 @@ Json patch_json(const Part& part, const UndercutReport& patch, std::size_t numbe
 }
 
 Json action_json(const SideAction& action) {
+  const bool thread = action.kind == ActionKind::unscrew;
+  Json axis;
+  if (action.about)
+    axis = {{"point", vector_json(action.about->point)}, {"direction", vector_json(action.about->direction)}};
   return {{"kind", facts(action.kind).name},
           {"direction", vector_json(action.direction)},
           {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
           {"travel", action.travel},
           {"stroke", action.stroke ? Json(*action.stroke) : Json()},
-          {"axis", Json()},
-          {"pitch", Json()},
-          {"turns", Json()},
-          {"strain", Json()},
+          {"axis", axis},
+          {"pitch", thread ? Json(action.about->pitch) : Json()},
+          {"turns", thread ? Json(action.about->turns) : Json()},
+          {"strain", action.kind == ActionKind::strip ? Json(action.about->strain) : Json()},
           {"patches", numbers_json(action.patches)},
           {"area", action.area},
           {"side", side_name(action.core_side)},
@@ -79,6 +83,20 @@ std::string patches_text(const std::vector<std::size_t>& patches) {
   for (std::size_t k = 0; k < std::min(patches.size(), k_most); ++k)
     text += fmt::format("{}{}", k == 0 ? "" : " ", patches[k] + 1);
   return patches.size() > k_most ? fmt::format("{} … {} in all", text, patches.size()) : text;
+}
+
+/// How far a pull may turn; a lifter's stroke, a thread's pitch, a ring's strain.
+std::string freedom_text(const SideAction& action, const std::string& unit) {
+  switch (action.kind) {
+    case ActionKind::unscrew:
+      return fmt::format("pitch {:.3f} {}", action.about->pitch, unit);
+    case ActionKind::strip:
+      return fmt::format("strain {:.2f} %", 100.0 * action.about->strain);
+    case ActionKind::lifter:
+      return fmt::format("stroke {:.2f} {}", *action.stroke, unit);
+    default:
+      return fmt::format("{:.2f} to {:.2f}°", action.interval.from_deg, action.interval.to_deg);
+  }
 }
 
 }  // namespace
@@ -114,13 +132,10 @@ std::string actions_table(const ActionsReport& report) {
   fmt::format_to(out, "side actions: {}\n", actions_text(plan));
   if (!plan.actions.empty()) {
     fmt::format_to(out, "\n{:<9} {:>22} {:>17} {:>11} {:>11}  undercuts\n", "kind", "direction",
-                   "free, degrees", "travel " + unit, "area " + area_unit);
+                   "free to turn", "travel " + unit, "area " + area_unit);
     for (const SideAction& action : plan.actions) {
       fmt::format_to(out, "{:<9} {:>22} {:>17} {:>11} {:>11}  {}\n", facts(action.kind).name,
-                     direction_text(action.direction, 3),
-                     action.kind == ActionKind::lifter
-                         ? std::string("-")
-                         : fmt::format("{:.2f} to {:.2f}", action.interval.from_deg, action.interval.to_deg),
+                     direction_text(action.direction, 3), freedom_text(action, unit),
                      lengths.text(action.travel), areas.text(action.area), patches_text(action.patches));
     }
   }

@@ -19,17 +19,24 @@ namespace moldlight {
 /// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
 /// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
 /// it. Insert: leaves the mold with the part and is pulled out by hand.
-enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip, insert };
-inline constexpr std::size_t k_action_kinds = 6;
+enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip };
+inline constexpr std::size_t k_action_kinds = 5;
 
 /// What else is said of a kind: the one place for it.
 struct ActionFacts {
-  std::string_view name;  // in reports
-  std::string_view plural;
-  std::string_view meaning;  // a sentence
-  double weight;             // in the choice of the least set: what a mold maker minds, no money
+  std::string_view name;              // in reports
+  std::string_view singular, plural;  // in sentences
+  std::string_view meaning;           // a sentence
+  double weight;                      // in the choice of the least set: what a mold maker minds, no money
 };
 [[nodiscard]] const ActionFacts& facts(ActionKind kind);
+
+/// Of a thread or a ring. Lengths are in the part's unit.
+struct Revolution {
+  glm::dvec3 point{0.0}, direction{0, 0, 1};  // of the axis; unit
+  double pitch = 0.0, turns = 0.0;  // of a thread: for a whole turn, left-handed ones negative; 0 for a ring
+  double strain = 0.0;              // of a ring: share by which the part is stretched
+};
 
 /// Lengths and areas are in the part's unit.
 struct SideAction {
@@ -38,6 +45,7 @@ struct SideAction {
   TurnInterval interval;             // to which the direction may turn about the parting direction
   double travel = 0.0;               // with the clearance, for what moves straight
   std::optional<double> stroke;      // of the ejector, for a lifter
+  std::optional<Revolution> about;   // of what is unscrewed or stripped
   std::vector<std::size_t> patches;  // numbers among the undercuts, rising
   double area = 0.0;                 // undercut area that it releases
   bool core_side = true;             // the half that it belongs to: the core's, along +d
