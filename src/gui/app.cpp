@@ -173,7 +173,8 @@ void App::follow_figures() {
 
 void App::measure_face() {
   if (!state_.face || !state_.figures.shown) return;
-  state_.face->figures = face_figures(*state_.model, *state_.figures.shown, state_.face->number);
+  state_.face->figures =
+      face_figures(*state_.model, *state_.figures.shown, state_.faces->facets(state_.face->number));
 }
 
 void App::install(LoadedPart part) {
@@ -183,6 +184,7 @@ void App::install(LoadedPart part) {
   auto scene = std::make_unique<Scene>(*context_, part);
   scene_ = std::move(scene);
   state_.model = part.model;
+  state_.faces = part.faces;
   state_.extremes = part.geometry->extremes;
   state_.path = part.path;
   state_.features = std::move(part.features);
@@ -290,10 +292,12 @@ SceneSettings App::scene_settings() const {
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
   if (marked || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
-  scene.view.marks.undercut_glow = glow_.at(now_s_);
+  ViewMarks& marks = scene.view.marks;
+  marks.undercut_glow = glow_.at(now_s_);
+  if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
-    scene.view.marks.hovered = state_.hover->point.facet;
-    if (state_.hover->blocker) scene.view.marks.blocking = state_.hover->blocker->facet;
+    marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
+    if (state_.hover->blocker) marks.blocking = state_.faces->of_facet[state_.hover->blocker->facet];
   }
   return scene;
 }
@@ -302,6 +306,7 @@ bool App::draw(const ViewTarget& target) {
   bool refining = false;
   if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
+    scene_->show_blocker(state_.hover ? state_.hover->blocker : std::nullopt);
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
   } else {

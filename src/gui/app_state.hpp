@@ -64,6 +64,7 @@ struct Editable {
 
 struct AppState : Editable {
   std::shared_ptr<const PartModel> model;  // none: the start page
+  std::shared_ptr<const Faces> faces;      // of the model
   std::vector<glm::vec3> extremes;         // of the part: its outermost points, unit frame
   std::string path;                        // of the part, absolute
   std::vector<FeatureDirection> features;

@@ -72,11 +72,10 @@ void Commands::fly_to_direction(const glm::dvec3& direction) {
 }
 
 void Commands::choose_face(const std::optional<FacetIndex>& facet) {
-  auto face = facet ? face_of(*app.state_.model, *facet) : std::nullopt;
+  const auto face = facet ? std::optional(app.state_.faces->of_facet[*facet]) : std::nullopt;
   auto& chosen = app.state_.face;
-  if (chosen.has_value() == face.has_value() && (!face || face->number == chosen->number)) return;
-  chosen = std::move(face);
-  app.scene_->choose_face(chosen ? &*chosen : nullptr);
+  chosen = face ? std::optional(ChosenFace{*face, {}}) : std::nullopt;
+  app.scene_->choose_face(face);
   app.measure_face();
 }
 
@@ -225,7 +224,7 @@ const std::vector<Shortcut>& shortcuts() {
       {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
       {{direction, "Esc", "undo the drag"}, always, {GLFW_KEY_ESCAPE}, escape},
       {{direction, "Double click", "direction: normal of that facet"}},
-      {{direction, "Click", "choose the CAD face there (STEP)"}},
+      {{direction, "Click", "choose the face there"}},
       {{direction, "Alt + double click", "direction: axis of that round wall"}},
       {{direction, "N / A", "the same for the facet under the cursor"},
        part_no_ctrl,

@@ -16,18 +16,31 @@ struct LineStyle {
   double width_px;
 };
 
+/// Where lines are drawn over a finished picture.
+struct OverPicture {
+  GLuint framebuffer;
+  float hidden;     // share of the opacity that is left where surface hides the line
+  bool on_surface;  // they go with the surface that a mold moves, and end where it is cut
+};
+
 void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer& segments,
-                   const LineStyle& style) {
+                   const LineStyle& style, const std::optional<OverPicture>& over) {
   if (segments.empty()) return;
-  const bool moved = frame.opened(), cut = frame.settings.cut_at.has_value();
-  gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
+  const bool on_surface = !over || over->on_surface;
+  const bool moved = on_surface && frame.opened(), cut = on_surface && frame.settings.cut_at;
+  gl::begin(tools.gl, {.framebuffer = over ? over->framebuffer : tools.targets.to_colour.name(),
                        .size = tools.targets.size,
-                       .depth = gl::DepthTest::less,
-                       .blend = gl::Blend::over,
+                       .depth = over ? gl::DepthTest::off : gl::DepthTest::less,
+                       .blend = over ? gl::Blend::over_keeping_alpha : gl::Blend::over,
                        .clipped = cut});
   const gl::Program& program =
-      tools.programs.use("view/lines.vert", "view/lines.frag", {moved ? "OPENED" : "", cut ? "SECTION" : ""});
+      tools.programs.use("view/lines.vert", "view/lines.frag",
+                         {moved ? "OPENED" : "", cut ? "SECTION" : "", over ? "OVER" : ""});
   if (cut) frame.set_section(program);
+  if (over) {
+    program.set_texture("t_depth", 3, GL_TEXTURE_2D, tools.targets.depth);
+    program.set("u_hidden", over->hidden);
+  }
   program.set_texture("t_segments", 0, GL_TEXTURE_BUFFER, segments.texels());
   program.set("u_eye_from_unit", glm::mat4(frame.eye_from_unit));
   program.set("u_clip_from_eye", glm::mat4(frame.clip_from_eye));
@@ -64,7 +77,7 @@ void draw_lines(ViewTools& tools, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const float opacity = 0.35F + 0.65F * static_cast<float>(settings.others_opacity);
   const auto draw = [&](const SegmentBuffer& segments, const glm::vec4& colour, double width_px) {
-    draw_segments(tools, frame, segments, {colour, width_px});
+    draw_segments(tools, frame, segments, {colour, width_px}, std::nullopt);
   };
   if (settings.feature_edges) {
     const Colour ink = settings.theme == Theme::dark ? Colour{14, 15, 18} : Colour{34, 38, 46};
@@ -74,9 +87,18 @@ void draw_lines(ViewTools& tools, const ViewFrame& frame) {
     draw(tools.mesh.convex_contour, glm::vec4(1.0F, 1.0F, 1.0F, 0.95F * opacity), 1.8);
     draw(tools.mesh.concave_contour, glm::vec4(0.04F, 0.04F, 0.05F, opacity), 2.6);
   }
-  // Dark below light: it stands out from every colour.
-  draw(tools.mesh.outline, glm::vec4(0.0F, 0.0F, 0.0F, 0.75F), 4.2);
-  draw(tools.mesh.outline, glm::vec4(screen_value(k_hover_mark), 1.0F), 2.2);
+}
+
+void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {
+  const auto draw = [&](MarkedLines which, Colour colour, const OverPicture& over) {
+    const SegmentBuffer& lines = tools.mesh.marked[static_cast<std::size_t>(which)];
+    // Dark below light: it stands out from every colour.
+    draw_segments(tools, frame, lines, {glm::vec4(0.0F, 0.0F, 0.0F, 0.75F), 4.2}, over);
+    draw_segments(tools, frame, lines, {glm::vec4(screen_value(colour), 1.0F), 2.2}, over);
+  };
+  draw(MarkedLines::chosen, k_hover_mark, {framebuffer, 0.0F, true});
+  draw(MarkedLines::blocking, k_block_mark, {framebuffer, 0.45F, true});
+  draw(MarkedLines::way, k_block_mark, {framebuffer, 0.6F, false});
 }
 
 void draw_arrows(ViewTools& tools, const ViewFrame& frame) {

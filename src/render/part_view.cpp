@@ -64,7 +64,9 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
     accumulate(tools_, false);
   }
   present(tools_, samples_, target.framebuffer);
-  draw_marks(tools_, view.marks, target.framebuffer);
+  const ViewFrame frame(shown_, subject, target.size, 0);
+  draw_marks(tools_, frame, view.marks, target.framebuffer);
+  draw_marked_lines(tools_, frame, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
   return samples_ < settings.samples;
 }
@@ -88,13 +90,12 @@ void PartView::draw_sample(const ViewSubject& subject) {
   ++samples_;
 }
 
-void PartView::choose_facets(std::span<const FacetIndex> facets) {
-  tools_.mesh.chosen = ChosenFacets(tools_.gl, tools_.mesh.facet_count, facets);
+void PartView::set_faces(std::span<const std::uint32_t> of_facet) {
+  tools_.mesh.faces = FaceNumbers(tools_.gl, of_facet);
 }
 
-void PartView::set_outline(std::span<const ViewSegment> segments) {
-  tools_.mesh.outline = SegmentBuffer(tools_.gl, segments);
-  samples_ = 0;
+void PartView::set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments) {
+  tools_.mesh.marked[static_cast<std::size_t>(which)] = SegmentBuffer(tools_.gl, segments);
 }
 
 void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {

@@ -49,10 +49,10 @@ class PartView {
     }
   }
 
-  /// Facets that are marked from the next call of draw() on.
-  void choose_facets(std::span<const FacetIndex> facets);
-  /// Segments that are drawn over the picture in the colour of marks, from the next call of draw() on.
-  void set_outline(std::span<const ViewSegment> segments);
+  /// The number of the face that each facet belongs to: marks name faces. Without it nothing is marked.
+  void set_faces(std::span<const std::uint32_t> of_facet);
+  /// Lines over the finished picture from the next call of draw() on; like marks they refine nothing anew.
+  void set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments);
   /// The contour edges of the direction, which ViewSettings::contour_edges shows (see contour_edges()).
   void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
 

@@ -80,7 +80,7 @@ void draw_openness(ViewTools& tools, const ViewFrame& frame, int taps) {
   const double radius = std::min(k_openness_radius, k_openness_share * frame.camera.height);
   program.set("u_radius", radius);
   program.set("u_radius_px", radius / scale);
-  program.set("u_cut", glm::vec4(frame.direction, frame.settings.cut_at && !frame.opened() ? 1.0 : 0.0));
+  program.set("u_cut", glm::vec4(frame.direction, frame.shows_cut() ? 1.0 : 0.0));
   program.set("u_taps", taps);
   program.set("u_sample", frame.sample);
   tools.corners.draw();

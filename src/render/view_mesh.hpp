@@ -65,30 +65,34 @@ class SplitSurface {
   std::uint64_t revision_;
 };
 
-/// Which facets are marked, as shaders/view/marks.frag reads it. Valid for one context.
-class ChosenFacets {
+/// The face of each facet, as shaders/view/marks.frag reads it; none as it is made. Valid for one context.
+class FaceNumbers {
  public:
-  ChosenFacets(const gl::Functions& gl, std::size_t facet_count, std::span<const FacetIndex> chosen);
+  FaceNumbers() = default;
+  FaceNumbers(const gl::Functions& gl, std::span<const std::uint32_t> of_facet);
 
-  [[nodiscard]] bool any() const { return any_; }
-  [[nodiscard]] const gl::Texture& flags() const { return flags_; }  // R8UI, one a facet
+  [[nodiscard]] const gl::Texture& texels() const { return texels_; }  // R32UI, one a facet
 
  private:
   gl::Buffer buffer_;
-  gl::Texture flags_;
-  bool any_;
+  gl::Texture texels_;
 };
+
+/// Lines among the marks: outlines of the chosen face and of the blocking one, and the way between the point
+/// under the cursor and what blocks it.
+enum class MarkedLines : std::uint8_t { chosen, blocking, way };
+inline constexpr std::size_t k_marked_lines = 3;
 
 /// Valid for one context.
 struct ViewMesh {
   ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
 
   TriangleBuffer facets;  // triangle k is facet k
-  std::size_t facet_count;
   bool closed;
   std::vector<glm::vec3> extremes;
-  SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
-  ChosenFacets chosen;
+  SegmentBuffer feature_edges, convex_contour, concave_contour;
+  std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines
+  FaceNumbers faces;
 };
 
 /// What a picture shows: a part, a parting direction, and what tells the regions. A plain picture needs

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "mesh/triangle_mesh.hpp"
 #include "mold/region.hpp"
 
 namespace moldlight {
@@ -60,9 +59,11 @@ struct ViewSettings : LookSettings {
 
 /// What is marked on top of a finished picture; changing it costs next to nothing.
 struct ViewMarks {
-  std::optional<FacetIndex> hovered = {};   // under the cursor
-  std::optional<FacetIndex> blocking = {};  // what is in the hovered point's way
-  double undercut_glow = 0.0;               // [0, 1]: for a pulse when an undercut appears
+  // Faces, by the numbers that PartView::set_faces() has given them:
+  std::optional<std::uint32_t> hovered = {};   // under the cursor
+  std::optional<std::uint32_t> blocking = {};  // what is in the hovered point's way
+  std::optional<std::uint32_t> chosen = {};
+  double undercut_glow = 0.0;  // [0, 1]: for a pulse when an undercut appears
 
   bool operator==(const ViewMarks&) const = default;
 };

@@ -43,6 +43,7 @@ class SceneMaps : public ::testing::Test {
     const PartModel& model = *loaded_.model;
     loaded_.geometry = std::make_shared<const ViewGeometry>(
         view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
+    loaded_.faces = std::make_shared<const Faces>(part_faces(model.part, model.geometry, model.adjacency));
   }
 
   std::vector<std::uint8_t> picture(Scene& scene, const Query& query) const {

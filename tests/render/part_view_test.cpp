@@ -2,10 +2,12 @@
 // every backend, refinement that ends, marks that change nothing below them.
 #include "render/part_view.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include <gtest/gtest.h>
 
+#include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
@@ -184,6 +186,14 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   EXPECT_EQ(picture.read().rgba, done.rgba) << "the same picture again, to the bit";
 }
 
+/// Of every pixel: whether the pictures differ there.
+std::size_t differing_pixels(const Image& a, const Image& b) {
+  std::size_t pixels = 0;
+  for (std::size_t k = 0; k < a.rgba.size(); k += 4)
+    pixels += std::equal(a.rgba.begin() + k, a.rgba.begin() + k + 4, b.rgba.begin() + k) ? 0 : 1;
+  return pixels;
+}
+
 TEST(PartView, MarksLieOnTop) {
   ShapePicture picture(test::shared_context(), cup_with_side_hole(ShapeSettings{}));
   const Camera camera = picture.camera();
@@ -191,14 +201,48 @@ TEST(PartView, MarksLieOnTop) {
   const Image bare = picture.draw(camera, settings);
   const auto point = picture.view.pick({100, 75});
   ASSERT_TRUE(point);
-  const Image marked = picture.draw(camera, settings, {.hovered = point->facet});
-  EXPECT_GT(marked.at(100, 75)[0], bare.at(100, 75)[0]);
+  EXPECT_EQ(picture.draw(camera, settings, {.hovered = 0}).rgba, bare.rgba) << "no face is known";
+  const PartModel& model = *picture.model;
+  const Faces faces = smooth_faces(model.part.mesh, model.geometry, model.adjacency);
+  picture.view.set_faces(faces.of_facet);
+  const std::uint32_t face = faces.of_facet[point->facet];
+  const std::vector<std::uint32_t> facets = picture.view.read_facets();
+  const auto of_face = std::ranges::count_if(
+      facets, [&](std::uint32_t number) { return number != 0 && faces.of_facet[number - 1] == face; });
+  for (const ViewMarks& marks :
+       {ViewMarks{.hovered = face}, ViewMarks{.blocking = face}, ViewMarks{.chosen = face}}) {
+    const Image marked = picture.draw(camera, settings, marks);
+    EXPECT_GT(marked.at(100, 75)[0], bare.at(100, 75)[0]);
+    EXPECT_EQ(differing_pixels(marked, bare), static_cast<std::size_t>(of_face))
+        << "the whole face and no more";
+  }
   EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
-  const FacetIndex chosen[] = {point->facet};
-  picture.view.choose_facets(chosen);
-  EXPECT_NE(picture.draw(camera, settings).rgba, bare.rgba);
-  picture.view.choose_facets({});
-  EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
+}
+
+TEST(PartView, MarkedLinesShowThroughAndRefineNothingAnew) {
+  ShapePicture picture(test::shared_context(), box_shape(ShapeSettings{}));
+  const Camera camera = picture.camera();
+  ViewSettings settings = one_sample();
+  settings.samples = 4;
+  const Image bare = picture.draw(camera, settings);
+  const auto drawn_over = [&](MarkedLines which, const ViewSegment& segment) {
+    picture.view.set_marked_lines(which, {&segment, 1});
+    EXPECT_FALSE(picture.view.draw(picture.target(), picture.maps.subject(), {camera, settings}));
+    const Image marked = picture.read();
+    picture.view.set_marked_lines(which, {});
+    EXPECT_FALSE(picture.view.draw(picture.target(), picture.maps.subject(), {camera, settings}));
+    EXPECT_EQ(picture.read().rgba, bare.rgba);
+    return differing_pixels(marked, bare);
+  };
+  const glm::vec3 aside(0.2 * camera.right());
+  const ViewSegment behind{-aside - glm::vec3(camera.toward_viewer()),
+                           aside - glm::vec3(camera.toward_viewer())};
+  const ViewSegment before{-aside + glm::vec3(camera.toward_viewer()),
+                           aside + glm::vec3(camera.toward_viewer())};
+  EXPECT_EQ(drawn_over(MarkedLines::chosen, behind), 0U);
+  EXPECT_GT(drawn_over(MarkedLines::blocking, behind), 50U);
+  for (const MarkedLines which : {MarkedLines::chosen, MarkedLines::blocking, MarkedLines::way})
+    EXPECT_GT(drawn_over(which, before), 50U);
 }
 
 TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {

@@ -94,6 +94,10 @@ void row_text(const Ui& ui, const Lettering& lettering, float width, std::string
 /// A texture of the GL, whose rows begin below; nothing for 0.
 void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding);
 
+/// A word in the scene, behind the panels, on a tag that reads on any colour.
+[[nodiscard]] glm::vec2 tag_size(const Ui& ui, std::string_view text);
+void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, float alpha);
+
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);
 

@@ -21,7 +21,9 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
-      tools_(context.functions()) {}
+      tools_(context.functions()) {
+  view_.set_faces(part_.faces->of_facet);
+}
 
 double Scene::section_height(const glm::dvec3& direction, double share) {
   if (direction != extent_.direction) {
@@ -81,9 +83,23 @@ void Scene::find_contour_edges(const MapInputs& inputs) {
   contour_of_ = inputs;
 }
 
-void Scene::choose_face(const ChosenFace* face) {
-  view_.choose_facets(face != nullptr ? face->facets : std::vector<FacetIndex>());
-  view_.set_outline(face != nullptr ? outline_of(*part_.model, *face) : std::vector<ViewSegment>());
+void Scene::choose_face(const std::optional<std::uint32_t>& face) {
+  view_.set_marked_lines(MarkedLines::chosen,
+                         face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
+}
+
+void Scene::show_blocker(const std::optional<Blocker>& blocker) {
+  if (blocker == blocker_) return;
+  const auto face = [&](const std::optional<Blocker>& of) {
+    return of ? std::optional(part_.faces->of_facet[of->facet]) : std::nullopt;
+  };
+  if (face(blocker) != face(blocker_))
+    view_.set_marked_lines(MarkedLines::blocking, blocker
+                                                      ? outline_of(*part_.model, *part_.faces, *face(blocker))
+                                                      : std::vector<ViewSegment>());
+  view_.set_marked_lines(MarkedLines::way, blocker ? std::vector<ViewSegment>{{blocker->from, blocker->at}}
+                                                   : std::vector<ViewSegment>());
+  blocker_ = blocker;
 }
 
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {

@@ -37,7 +37,9 @@ class Scene {
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
   /// Marks a face, or none.
-  void choose_face(const ChosenFace* face);
+  void choose_face(const std::optional<std::uint32_t>& face);
+  /// Marks what is in a point's way, or nothing.
+  void show_blocker(const std::optional<Blocker>& blocker);
   /// Where a section plane lies along `direction` (unit), in the unit frame, at this share of the part's
   /// extent.
   [[nodiscard]] double section_height(const glm::dvec3& direction, double share);
@@ -75,6 +77,7 @@ class Scene {
   std::uint64_t compared_maps_ = 0;      // revision
   std::optional<MapInputs> contour_of_;  // for which the contour edges were found
   std::optional<gl::ColourTarget> plus_, minus_;
+  std::optional<Blocker> blocker_;  // that is shown
   bool thumbnails_stale_ = true;
   bool drawn_ = false;
   struct Extent {

@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "gui/draw/panel_layout.hpp"
+#include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/scene.hpp"
 
@@ -58,17 +59,15 @@ Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
   return io.KeyShift ? Gesture::pan : Gesture::orbit;
 }
 
-/// The arrow's name beyond its tip, where the arrow itself does not run, on a tag that reads on any colour.
+/// The arrow's name beyond its tip, where the arrow itself does not run.
 void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, float alpha) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const glm::vec2 along = arrow.tip - arrow.tail, text = text_size(ui.fonts.small, name);
+  const glm::vec2 along = arrow.tip - arrow.tail;
   const float length = glm::length(along);
   const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
-  const glm::vec2 room = 0.5F * text + glm::vec2(ui.px(8), ui.px(3));
+  const glm::vec2 room = 0.5F * tag_size(ui, name);
   glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  list.AddRectFilled(im(middle - room), im(middle + room), faded(ui.colours->panel, 0.85F * alpha), room.y);
-  draw_text(list, {ui.fonts.small, faded(ui.colours->text, alpha)}, middle - 0.5F * text, name);
+  draw_tag(ui, middle, name, alpha);
 }
 
 }  // namespace
