@@ -1,6 +1,6 @@
 #version 330 core
 // Marks over a finished picture: a glow of the undercuts and, with FACES, the face under the cursor, the one in its
-// way, and the chosen one. SECTION: where backs are seen there is the cut, which belongs to no face.
+// way, and the chosen one. The cut of a section is none of them.
 #include "view/surface_bits.glsl"
 uniform usampler2D t_surface;
 uniform usampler2D t_accessible;
@@ -18,10 +18,7 @@ uniform vec3 u_block_colour;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec2 surface = texelFetch(t_surface, at, 0).rg;
-  bool marked = surface_number(surface) != 0u;
-#ifdef SECTION
-  marked = marked && !surface_shows_back(surface);
-#endif
+  bool marked = surface.x != 0u && !surface_is_cut(surface);
   vec4 mark = vec4(0.0);
   if (u_glow > 0.0 && texelFetch(t_accessible, at, 0).r == 0u) mark = vec4(1.0, 0.85, 0.8, 0.45 * u_glow);
 #ifdef FACES

@@ -71,7 +71,9 @@ struct AppState : Editable {
   std::vector<std::string> recent, shipped;  // parts to offer; paths
   Figures figures;
   SweepState sweep;
+  std::optional<CutPlane> cut;  // by the section that is shown
   std::optional<Hover> hover;
+  std::optional<CutSpan> span;     // under the cursor, where there is a section
   std::optional<ChosenFace> face;  // chosen by a click
   std::optional<Loading> loading;
   std::vector<Toast> toasts;

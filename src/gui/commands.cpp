@@ -203,6 +203,12 @@ void look_from_side(const Pressed& p) {
   p.edits.ask(&Commands::look_from, standard_orientation(p.key.ctrl ? opposite : view));
 }
 
+Section next_section(Section section) {
+  return section == Section::off      ? Section::across
+         : section == Section::across ? Section::along
+                                      : Section::off;
+}
+
 /// When a key acts: with a part alone or without one, too; with Ctrl alone, without it, or either way.
 enum class When : std::uint8_t { always, with_ctrl, part, part_no_ctrl };
 
@@ -257,7 +263,10 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'O'},
        [](P p) { p.look.open_mold = p.look.open_mold > 0.0 ? 0.0 : 0.5; }},
-      {{view, "S", "section plane"}, part_no_ctrl, {'S'}, [](P p) { p.look.section = !p.look.section; }},
+      {{view, "S", "section across, along the direction, none"},
+       part_no_ctrl,
+       {'S'},
+       [](P p) { p.look.section = next_section(p.look.section); }},
       {{view, "D", "colour by region or by draft angle"},
        part_no_ctrl,
        {'D'},

@@ -27,15 +27,14 @@ void present(ViewTools& tools, int samples, GLuint framebuffer) {
   tools.corners.draw();
 }
 
-void draw_marks(ViewTools& tools, const ViewFrame& frame, const ViewMarks& marks, GLuint framebuffer) {
+void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
   const gl::Texture& faces = tools.mesh.faces.texels();
   const bool any_face = faces && (marks.hovered || marks.blocking || marks.chosen);
   if (!any_face && marks.undercut_glow <= 0.0) return;
   gl::begin(tools.gl,
             {.framebuffer = framebuffer, .size = tools.targets.size, .blend = gl::Blend::over_keeping_alpha});
   const gl::Program& program =
-      tools.programs.use("common/fullscreen.vert", "view/marks.frag",
-                         {any_face ? "FACES" : "", frame.shows_cut() ? "SECTION" : ""});
+      tools.programs.use("common/fullscreen.vert", "view/marks.frag", {any_face ? "FACES" : ""});
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, tools.targets.surface);
   program.set_texture("t_accessible", 1, GL_TEXTURE_2D, tools.targets.accessible);
   program.set("u_glow", marks.undercut_glow);

@@ -27,7 +27,7 @@ void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer
                    const LineStyle& style, const std::optional<OverPicture>& over) {
   if (segments.empty()) return;
   const bool on_surface = !over || over->on_surface;
-  const bool moved = on_surface && frame.opened(), cut = on_surface && frame.settings.cut_at;
+  const bool moved = on_surface && frame.opened(), cut = on_surface && frame.settings.cut.has_value();
   gl::begin(tools.gl, {.framebuffer = over ? over->framebuffer : tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = over ? gl::DepthTest::off : gl::DepthTest::less,
@@ -98,10 +98,24 @@ void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuf
   };
   draw(MarkedLines::chosen, k_hover_mark, {framebuffer, 0.0F, true});
   draw(MarkedLines::blocking, k_block_mark, {framebuffer, 0.45F, true});
-  draw(MarkedLines::way, k_block_mark, {framebuffer, 0.6F, false});
+  draw(MarkedLines::ways, k_block_mark, {framebuffer, 0.6F, false});
 }
 
 void draw_arrows(ViewTools& tools, const ViewFrame& frame) {
+  const ViewSettings& settings = frame.settings;
+  struct Painted {
+    ViewArrow arrow;
+    Colour colour;
+  };
+  std::vector<Painted> arrows;
+  for (const bool plus : {true, false}) {
+    if (!settings.arrows) continue;
+    arrows.push_back(
+        {parting_arrow(tools.mesh.extremes, plus ? frame.direction : -frame.direction, settings.open_mold),
+         region_colour(plus ? Region::core : Region::cavity, settings.palette)});
+  }
+  if (settings.cut && settings.cut_arrow) arrows.push_back({section_arrow(*settings.cut), k_cut_surface});
+  if (arrows.empty()) return;
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::less,
@@ -111,19 +125,16 @@ void draw_arrows(ViewTools& tools, const ViewFrame& frame) {
   program.set("u_sides", k_arrow_sides);
   frame.set_eye_axes(program);
   program.set("u_opacity", 1.0F);
-  for (const bool plus : {true, false}) {
-    const glm::dvec3 axis = plus ? frame.direction : -frame.direction;
-    const PartingArrow arrow = parting_arrow(tools.mesh.extremes, axis, frame.settings.open_mold);
+  for (const auto& [arrow, colour] : arrows) {
+    const double length = glm::distance(arrow.tip, arrow.tail);
+    const glm::dvec3 axis = (arrow.tip - arrow.tail) / length;
     const glm::dvec3 least = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     program.set("u_tail", glm::vec3(arrow.tail));
     program.set("u_axis", glm::vec3(axis));
     program.set("u_aside", glm::vec3(glm::normalize(glm::cross(axis, least))));
-    program.set("u_shape", glm::vec4(glm::distance(arrow.tip, arrow.tail), arrow.head_length,
-                                     arrow.shaft_radius, arrow.head_radius));
+    program.set("u_shape", glm::vec4(length, arrow.head_length, arrow.shaft_radius, arrow.head_radius));
     // Lighter than the surface that it may stand before.
-    const glm::vec3 colour =
-        light_value(region_colour(plus ? Region::core : Region::cavity, frame.settings.palette));
-    program.set("u_colour", glm::mix(colour, glm::vec3(1.0F), 0.12F));
+    program.set("u_colour", glm::mix(light_value(colour), glm::vec3(1.0F), 0.12F));
     tools.corners.draw(12 * k_arrow_sides);
   }
 }

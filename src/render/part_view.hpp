@@ -29,7 +29,7 @@ struct View {
 
 /// What is seen at a pixel.
 struct PickedPoint {
-  FacetIndex facet = 0;
+  FacetIndex facet = 0;      // k_no_facet: the cut of a section
   glm::vec3 position{0.0F};  // on the part, unit frame; not moved by an opened mold
   Region region = Region::both;
 };

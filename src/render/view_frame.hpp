@@ -46,8 +46,6 @@ struct ViewFrame : ViewInputs {
   void set_section(const gl::Program& program) const;
 
   [[nodiscard]] bool opened() const { return settings.open_mold > 0.0; }
-  /// True if backs are seen through a section alone: they are where solid is cut.
-  [[nodiscard]] bool shows_cut() const { return settings.cut_at && !opened(); }
   /// True if the surface is drawn in pieces(), each of its own regions.
   [[nodiscard]] bool by_region() const { return opened() || layer == Layer::undercuts_alone; }
   [[nodiscard]] std::vector<Piece> pieces() const;

@@ -78,6 +78,8 @@ ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
     : facets(gl, geometry.vertices, geometry.facets),
       closed(geometry.closed),
       extremes(geometry.extremes),
-      feature_edges(gl, geometry.feature_edges) {}
+      feature_edges(gl, geometry.feature_edges) {
+  if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
+}
 
 }  // namespace moldlight

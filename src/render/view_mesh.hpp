@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -78,9 +79,9 @@ class FaceNumbers {
   gl::Texture texels_;
 };
 
-/// Lines among the marks: outlines of the chosen face and of the blocking one, and the way between the point
-/// under the cursor and what blocks it.
-enum class MarkedLines : std::uint8_t { chosen, blocking, way };
+/// Lines among the marks: outlines of the chosen face and of the blocking one; ways that are told with their
+/// lengths.
+enum class MarkedLines : std::uint8_t { chosen, blocking, ways };
 inline constexpr std::size_t k_marked_lines = 3;
 
 /// Valid for one context.
@@ -89,6 +90,9 @@ struct ViewMesh {
 
   TriangleBuffer facets;  // triangle k is facet k
   bool closed;
+  /// The facets of bodies without open edges.
+  [[nodiscard]] const TriangleBuffer& solids() const { return some_solid ? *some_solid : facets; }
+  std::optional<TriangleBuffer> some_solid;  // where not all of them are
   std::vector<glm::vec3> extremes;
   SegmentBuffer feature_edges, convex_contour, concave_contour;
   std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines

@@ -35,6 +35,6 @@ void accumulate(ViewTools& tools, bool first);
 /// Puts the picture of `samples` samples into `framebuffer`; a single one comes straight from the colours.
 void present(ViewTools& tools, int samples, GLuint framebuffer);
 /// Over the finished picture, the surface that is marked.
-void draw_marks(ViewTools& tools, const ViewFrame& frame, const ViewMarks& marks, GLuint framebuffer);
+void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer);
 
 }  // namespace moldlight

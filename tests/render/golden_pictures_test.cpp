@@ -61,7 +61,7 @@ TEST(GoldenPictures, OpenedMold) {
 
 TEST(GoldenPictures, SectionThroughAHollowSphere) {
   ViewSettings settings = flat_backdrop();
-  settings.cut_at = 0.05;
+  settings.cut = CutPlane{.normal = {0, 0, 1}, .offset = 0.05};
   EXPECT_TRUE(matches_golden(drawn(hollow_sphere(ShapeSettings{}), settings), "hollow_sphere_section"));
 }
 

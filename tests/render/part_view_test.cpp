@@ -9,6 +9,7 @@
 
 #include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
+#include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
@@ -241,7 +242,7 @@ TEST(PartView, MarkedLinesShowThroughAndRefineNothingAnew) {
                            aside + glm::vec3(camera.toward_viewer())};
   EXPECT_EQ(drawn_over(MarkedLines::chosen, behind), 0U);
   EXPECT_GT(drawn_over(MarkedLines::blocking, behind), 50U);
-  for (const MarkedLines which : {MarkedLines::chosen, MarkedLines::blocking, MarkedLines::way})
+  for (const MarkedLines which : {MarkedLines::chosen, MarkedLines::blocking, MarkedLines::ways})
     EXPECT_GT(drawn_over(which, before), 50U);
 }
 
@@ -324,6 +325,49 @@ TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
   }
   EXPECT_GT(before, 50U);
   EXPECT_GT(kept, before * 9 / 10) << "what moved away must not hide them more than a little";
+}
+
+/// Pixels that show the cut of a section across x through a mesh, and those that show anything.
+struct CutPixels {
+  int cut = 0, all = 0;
+};
+CutPixels cut_pixels(const TriangleMesh& mesh) {
+  ShapePicture picture(test::shared_context(),
+                       {.name = {}, .mesh = mesh, .direction = {0, 0, 1}, .expected = {}, .settings = {}});
+  Camera camera = picture.camera();
+  camera.orientation = standard_orientation(StandardView::right);
+  ViewSettings settings = one_sample();
+  settings.cut = CutPlane{.normal = {1, 0, 0}, .offset = 0.0};
+  static_cast<void>(picture.draw(camera, settings));
+  CutPixels pixels;
+  for (int y = 0; y < picture.target().size.y; ++y) {
+    for (int x = 0; x < picture.target().size.x; ++x) {
+      const auto point = picture.view.pick({x, y});
+      if (!point) continue;
+      ++pixels.all;
+      if (point->facet != k_no_facet) continue;
+      ++pixels.cut;
+      EXPECT_NEAR(point->position.x, 0.0F, 1e-4F);
+    }
+  }
+  EXPECT_GT(pixels.all, 1000);
+  return pixels;
+}
+
+TEST(PartView, ASectionShowsWhereSolidsAreCutHoweverManyTheyAre) {
+  using test::box_mesh, test::joined;
+  const TriangleMesh box = box_mesh({0, 0, 0}, {8, 4, 4});
+  const auto whole = [](const CutPixels& pixels) { return pixels.cut == pixels.all; };
+  EXPECT_TRUE(whole(cut_pixels(box)));
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({0, 4, 0}, {8, 6, 4}))))) << "they touch";
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({1, 2, 1}, {7, 6, 3}))))) << "they overlap";
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({1, 1, 1}, {5, 3, 3}))))) << "one is in the other";
+  TriangleMesh open = box;
+  open.facets.pop_back();
+  EXPECT_EQ(cut_pixels(open).cut, 0) << "an open part encloses nothing";
+  const CutPixels beside = cut_pixels(joined(open, box_mesh({0, 6, 0}, {8, 8, 4})));
+  EXPECT_GT(beside.cut, beside.all / 4) << "the closed one of two";
+  EXPECT_LT(beside.cut, beside.all / 2);
 }
 
 TEST(PartView, APlainPictureNeedsNoRegions) {

@@ -8,6 +8,7 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
+#include "render/view_colours.hpp"
 
 namespace moldlight::gui {
 
@@ -29,14 +30,15 @@ glm::vec2 beside_cursor(const FreeArea& area, const glm::vec2& cursor, const glm
   return glm::max(glm::min(corner, most), least);
 }
 
-void draw_way(const PanelContext& context, const Blocker& blocker) {
+/// A length in the scene, at the way that has it.
+void draw_length(const PanelContext& context, const ViewSegment& way, double length) {
   const Ui& ui = context.ui;
-  const AppState& state = context.state;
+  const Camera& camera = context.state.camera;
   const glm::ivec2 size(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
-  const auto from = project(state.camera, size, glm::dvec3(blocker.from));
-  const auto to = project(state.camera, size, glm::dvec3(blocker.at));
+  const auto from = project(camera, size, glm::dvec3(way.start)),
+             to = project(camera, size, glm::dvec3(way.end));
   if (!from || !to || glm::distance(*from, *to) < ui.px(k_least_way)) return;
-  draw_tag(ui, glm::vec2(0.5 * (*from + *to)), length_text(state, blocker.distance), 1.0F);
+  draw_tag(ui, glm::vec2(0.5 * (*from + *to)), length_text(context.state, length), 1.0F);
 }
 
 }  // namespace
@@ -47,23 +49,37 @@ std::string draft_text(double draft_deg) {
 }
 
 std::vector<std::string> readout_lines(const AppState& state) {
-  const Hover& hover = *state.hover;
-  std::vector<std::string> lines = {std::string(facts(hover.point.region).title),
-                                    fmt::format("draft {}  ·  facet {}", draft_text(hover.draft_deg),
-                                                grouped(std::to_string(hover.point.facet)))};
-  if (const auto& blocker = hover.blocker) {
-    lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
-                                blocker->above ? "above" : "below", grouped(std::to_string(blocker->facet))));
+  std::vector<std::string> lines;
+  if (const auto& hover = state.hover) {
+    lines.emplace_back(facts(hover->point.region).title);
+    lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
+                                grouped(std::to_string(hover->point.facet))));
+    if (const auto& blocker = hover->blocker) {
+      lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
+                                  blocker->above ? "above" : "below",
+                                  grouped(std::to_string(blocker->facet))));
+    }
+  }
+  if (const auto& span = state.span) {
+    if (lines.empty()) lines.emplace_back("Section");
+    lines.push_back(
+        fmt::format("{} {}", span->material ? "thickness" : "gap", length_text(state, span->length)));
   }
   return lines;
 }
 
 void draw_cursor_readout(const PanelContext& context) {
   const AppState& state = context.state;
-  if (!state.hover) return;
   const Ui& ui = context.ui;
-  if (state.hover->blocker) draw_way(context, *state.hover->blocker);
   const std::vector<std::string> lines = readout_lines(state);
+  if (lines.empty()) return;
+  if (state.hover && state.hover->blocker) {
+    const Blocker& blocker = *state.hover->blocker;
+    draw_length(context, {blocker.from, blocker.at}, blocker.distance);
+  }
+  if (state.span) draw_length(context, {state.span->start, state.span->end}, state.span->length);
+  const Colour colour =
+      state.hover ? region_colour(state.hover->point.region, state.settings.look.palette) : k_cut_surface;
   const float padding = ui.px(k_padding), swatch = ui.px(10);
   glm::vec2 size(0.0F, 2.0F * padding + static_cast<float>(lines.size()) * ui.px(k_line));
   for (const std::string& line : lines) {
@@ -80,8 +96,7 @@ void draw_cursor_readout(const PanelContext& context) {
   list.AddRect(im(at), im(at + size), ui.colours->panel_border, ui.px(6));
   at += padding;
   const glm::vec2 mark = at + glm::vec2(0.0F, 0.5F * (ui.px(k_line) - swatch));
-  list.AddRectFilled(im(mark), im(mark + swatch),
-                     packed(region_colour(state.hover->point.region, state.settings.look.palette)), ui.px(3));
+  list.AddRectFilled(im(mark), im(mark + swatch), packed(colour), ui.px(3));
   for (const std::string& line : lines) {
     const bool first = &line == &lines.front();
     const SizedFont& font = first ? ui.fonts.strong : ui.fonts.body;

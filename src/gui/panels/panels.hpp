@@ -51,7 +51,7 @@ void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
 void draw_chosen_face(const PanelContext& context);
 void draw_cursor_readout(const PanelContext& context);
-/// What the readout says of the surface under the cursor, which there must be; the region first.
+/// What the readout says of what is under the cursor; nothing beside the part.
 [[nodiscard]] std::vector<std::string> readout_lines(const AppState& state);
 /// With a degree sign; what prints as nothing has no sign.
 [[nodiscard]] std::string draft_text(double draft_deg);

@@ -1,8 +1,5 @@
 #include "gui/view/scene.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include <glm/geometric.hpp>
 
 #include "classify/classifier.hpp"
@@ -21,22 +18,9 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
-      tools_(context.functions()) {
+      tools_(context.functions()),
+      sections_(part.model->part.mesh, part.model->frame) {
   view_.set_faces(part_.faces->of_facet);
-}
-
-double Scene::section_height(const glm::dvec3& direction, double share) {
-  if (direction != extent_.direction) {
-    extent_ = {direction, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const glm::dvec3& vertex : part_.model->part.mesh.vertices) {
-      const double height = glm::dot(vertex, direction);
-      extent_.least = std::min(extent_.least, height);
-      extent_.greatest = std::max(extent_.greatest, height);
-    }
-  }
-  const double height = extent_.least + share * (extent_.greatest - extent_.least);
-  const UnitFrame& frame = part_.model->frame;
-  return (height - glm::dot(frame.center, direction)) / frame.diagonal;
 }
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
@@ -88,18 +72,22 @@ void Scene::choose_face(const std::optional<std::uint32_t>& face) {
                          face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
 }
 
-void Scene::show_blocker(const std::optional<Blocker>& blocker) {
-  if (blocker == blocker_) return;
+void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span) {
+  if (blocker == blocker_ && span == span_) return;
   const auto face = [&](const std::optional<Blocker>& of) {
     return of ? std::optional(part_.faces->of_facet[of->facet]) : std::nullopt;
   };
-  if (face(blocker) != face(blocker_))
+  if (face(blocker) != face(blocker_)) {
     view_.set_marked_lines(MarkedLines::blocking, blocker
                                                       ? outline_of(*part_.model, *part_.faces, *face(blocker))
                                                       : std::vector<ViewSegment>());
-  view_.set_marked_lines(MarkedLines::way, blocker ? std::vector<ViewSegment>{{blocker->from, blocker->at}}
-                                                   : std::vector<ViewSegment>());
+  }
+  std::vector<ViewSegment> ways;
+  if (blocker) ways.push_back({blocker->from, blocker->at});
+  if (span) ways.push_back({span->start, span->end});
+  view_.set_marked_lines(MarkedLines::ways, ways);
   blocker_ = blocker;
+  span_ = span;
 }
 
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {

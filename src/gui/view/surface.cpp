@@ -10,6 +10,14 @@
 
 namespace moldlight::gui {
 
+namespace {
+
+/// Around a point, of which the shortest span is taken: an odd number, so that none is another one backwards.
+constexpr int k_span_ways = 61;
+constexpr double k_level = 1e-6;  // of a cross product; a shorter one tells no direction
+
+}  // namespace
+
 Hover describe(const PartModel& model, const Query& query, const PickedPoint& point) {
   const glm::dvec3& normal = model.geometry.normals[point.facet];
   const glm::dvec3& direction = query.direction.unit();
@@ -33,6 +41,37 @@ Hover describe(const PartModel& model, const Query& query, const PickedPoint& po
     if (!hover.blocker || blocker.distance < hover.blocker->distance) hover.blocker = blocker;
   }
   return hover;
+}
+
+std::optional<CutSpan> cut_span(const PartModel& model, const CutPlane& plane, const glm::dvec3& direction,
+                                const glm::dvec3& point) {
+  const glm::vec3 from(point);
+  std::optional<CutSpan> shortest;
+  std::vector<glm::dvec3> walls;  // their normals, where the shortest span ends
+  const auto try_way = [&](const glm::dvec3& along) {
+    const glm::vec3 way(along);
+    const auto ahead = model.rays().first_hit(from, way, false),
+               behind = model.rays().first_hit(from, -way, false);
+    if (!ahead || !behind) return;
+    const double length = (ahead->distance + behind->distance) * model.frame.diagonal;
+    if (shortest && shortest->length <= length) return;
+    walls = {model.geometry.normals[ahead->facet], model.geometry.normals[behind->facet]};
+    // Walls look away from material.
+    shortest = CutSpan{length, glm::dot(walls[0], along) > 0.0, from - behind->distance * way,
+                       from + ahead->distance * way};
+  };
+  const glm::dvec3 level = glm::cross(plane.normal, direction);
+  if (glm::length(level) > k_level) {
+    try_way(glm::normalize(level));
+    return shortest;
+  }
+  for (const glm::dvec3& way : ring_around(plane.normal, 90.0, k_span_ways, 0.0)) try_way(way);
+  // Straight across the walls that were found, to the last digit.
+  for (const glm::dvec3& wall : std::vector(walls)) {
+    const glm::dvec3 across = wall - glm::dot(wall, plane.normal) * plane.normal;
+    if (glm::length(across) > k_level) try_way(glm::normalize(across));
+  }
+  return shortest;
 }
 
 FaceFigures face_figures(const PartModel& model, const Classification& result,

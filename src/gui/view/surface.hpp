@@ -36,6 +36,20 @@ struct Hover {
 /// Draft, class and, for an undercut, what blocks it: found by exact rays, so that it names one facet.
 [[nodiscard]] Hover describe(const PartModel& model, const Query& query, const PickedPoint& point);
 
+/// In a section plane, how far it is from the cursor's place to the outline on both sides.
+struct CutSpan {
+  double length = 0.0;               // model units
+  bool material = true;              // thickness of it; else a gap between two walls
+  glm::vec3 start{0.0F}, end{0.0F};  // unit frame
+
+  bool operator==(const CutSpan&) const = default;
+};
+
+/// The span at a point of the plane, in material or not: across the parting direction, and where the whole
+/// plane lies across it in the way that is shortest. Nothing where one side is open.
+[[nodiscard]] std::optional<CutSpan> cut_span(const PartModel& model, const CutPlane& plane,
+                                              const glm::dvec3& direction, const glm::dvec3& point);
+
 /// What a face is made of, for the last measuring.
 struct FaceFigures {
   RegionValues areas;                                  // model units squared

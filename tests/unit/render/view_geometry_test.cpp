@@ -62,10 +62,10 @@ TEST(ViewGeometry, ContourEdgesAreWhereUpMeetsDown) {
   EXPECT_TRUE(contour_edges(box.mesh, made.edges.concave, classes, made.frame).empty());
 }
 
-TEST(PartingArrow, StandsClearOfThePart) {
+TEST(ViewArrow, StandsClearOfThePart) {
   const Made made(test::cup({}).mesh);
   for (const glm::dvec3& toward : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(0.6, 0.0, 0.8)}) {
-    const PartingArrow arrow = parting_arrow(made.view.extremes, toward, 0.0);
+    const ViewArrow arrow = parting_arrow(made.view.extremes, toward, 0.0);
     double top = -1.0;
     for (const ViewVertex& vertex : made.view.vertices)
       top = std::max(top, glm::dot(glm::dvec3(vertex.position), toward));
