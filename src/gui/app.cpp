@@ -306,7 +306,7 @@ SceneSettings App::scene_settings() const {
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
-  if (marked || !regions_by_maps()) scene.split = state_.figures.split;
+  if (marked || look.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);

@@ -83,9 +83,9 @@ void draw_lines(ViewTools& tools, const ViewFrame& frame) {
     const Colour ink = settings.theme == Theme::dark ? Colour{14, 15, 18} : Colour{34, 38, 46};
     draw(tools.mesh.feature_edges, glm::vec4(screen_value(ink), 0.8F * opacity), 1.1);
   }
-  if (settings.contour_edges) {
-    draw(tools.mesh.convex_contour, glm::vec4(1.0F, 1.0F, 1.0F, 0.95F * opacity), 1.8);
-    draw(tools.mesh.concave_contour, glm::vec4(0.04F, 0.04F, 0.05F, opacity), 2.6);
+  if (settings.parting_line) {
+    draw(tools.mesh.parting_line, glm::vec4(0.04F, 0.04F, 0.05F, 0.8F * opacity), 3.8);
+    draw(tools.mesh.parting_line, glm::vec4(1.0F, 1.0F, 1.0F, opacity), 2.0);
   }
 }
 

@@ -98,9 +98,8 @@ void PartView::set_marked_lines(MarkedLines which, std::span<const ViewSegment> 
   tools_.mesh.marked[static_cast<std::size_t>(which)] = SegmentBuffer(tools_.gl, segments);
 }
 
-void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {
-  tools_.mesh.convex_contour = SegmentBuffer(tools_.gl, convex);
-  tools_.mesh.concave_contour = SegmentBuffer(tools_.gl, concave);
+void PartView::set_parting_line(std::span<const ViewSegment> segments) {
+  tools_.mesh.parting_line = SegmentBuffer(tools_.gl, segments);
   samples_ = 0;
 }
 

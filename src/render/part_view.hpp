@@ -53,8 +53,8 @@ class PartView {
   void set_faces(std::span<const std::uint32_t> of_facet);
   /// Lines over the finished picture from the next call of draw() on; like marks they refine nothing anew.
   void set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments);
-  /// The contour edges of the direction, which ViewSettings::contour_edges shows (see contour_edges()).
-  void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
+  /// What ViewSettings::parting_line shows (see parting_line()).
+  void set_parting_line(std::span<const ViewSegment> segments);
 
   /// What the picture last drawn shows at a pixel, counted from its upper left corner; nothing for the
   /// background. Waits for the GL.

@@ -123,12 +123,14 @@ ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geomet
   return view;
 }
 
-std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh, std::span<const FacetEdge> edges,
-                                       std::span<const FacetClass> classes, const UnitFrame& frame) {
+std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame) {
   std::vector<ViewSegment> segments;
-  for (const FacetEdge& edge : edges) {
-    if (classes[edge.left] == classes[edge.right]) continue;
-    segments.push_back({frame.to_unit(mesh.vertices[edge.a]), frame.to_unit(mesh.vertices[edge.b])});
+  for (const RegionBorder& border : region_borders(split)) {
+    if (border.left == Region::undercut || border.right == Region::undercut) continue;
+    for (std::size_t k = 1; k < border.vertices.size(); ++k) {
+      segments.push_back({frame.to_unit(split.vertices[border.vertices[k - 1]]),
+                          frame.to_unit(split.vertices[border.vertices[k]])});
+    }
   }
   return segments;
 }

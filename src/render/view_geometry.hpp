@@ -48,12 +48,9 @@ struct ViewGeometry {
 [[nodiscard]] ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geometry,
                                          const Adjacency& adjacency, const UnitFrame& frame);
 
-/// Those of `edges` (the concave or the convex ones) that are contour edges of a direction: up on one side,
-/// down on the other; near-vertical facets count as both. `classes` are those for the direction.
-[[nodiscard]] std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh,
-                                                     std::span<const FacetEdge> edges,
-                                                     std::span<const FacetClass> classes,
-                                                     const UnitFrame& frame);
+/// Where regions other than undercuts border on each other: along the direction these lines make the part's
+/// outline, and they are where mold halves can meet.
+[[nodiscard]] std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame);
 
 /// A vector of any length but zero on the octahedron, folded into a square (Cigolle et al. 2014), in steps of
 /// 1 / 32767.

@@ -94,7 +94,7 @@ struct ViewMesh {
   [[nodiscard]] const TriangleBuffer& solids() const { return some_solid ? *some_solid : facets; }
   std::optional<TriangleBuffer> some_solid;  // where not all of them are
   std::vector<glm::vec3> extremes;
-  SegmentBuffer feature_edges, convex_contour, concave_contour;
+  SegmentBuffer feature_edges, parting_line;
   std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines
   FaceNumbers faces;
 };

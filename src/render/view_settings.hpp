@@ -36,7 +36,7 @@ struct LookSettings {
   bool feature_edges = true;      // edges sharper than the crease angle, and open ones
   bool facet_edges = false;
   bool near_vertical = false;               // level lines on facets that are neither up nor down
-  bool contour_edges = false;               // of the parting direction: convex ones light, concave ones dark
+  bool parting_line = false;                // of exact regions
   bool arrows = true;                       // the parting arrows
   RegionsBy regions_by = RegionsBy::exact;  // of a direction at rest; one that moves has the maps' regions
   bool mark_difference = false;             // where shadow maps and exact regions differ

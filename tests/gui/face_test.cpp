@@ -94,10 +94,10 @@ TEST_F(Faces, OfAPartThatNamesNoneAreFoundByHowItBends) {
   EXPECT_NE(window.pixels(), hovered);
 }
 
-TEST_F(Faces, ContourEdgesAreDrawn) {
+TEST_F(Faces, ThePartingLineIsDrawn) {
   const std::vector<std::uint8_t> bare = settled_pixels();
-  click("Contour edges");
-  EXPECT_TRUE(state().settings.look.contour_edges);
+  click("Parting line");
+  EXPECT_TRUE(state().settings.look.parting_line);
   EXPECT_NE(settled_pixels(), bare);
   undo();
   EXPECT_EQ(settled_pixels(), bare);

@@ -52,7 +52,6 @@ class SceneMaps : public ::testing::Test {
     settings.maps_looked_at = true;
     settings.view.settings.samples = 1;
     settings.view.settings.arrows = false;
-    settings.view.settings.contour_edges = true;
     settings.view.camera.orientation = standard_orientation(StandardView::isometric);
     settings.view.camera =
         fitted(settings.view.camera, unit_positions(loaded_.model->part.mesh, loaded_.model->frame), k_size);

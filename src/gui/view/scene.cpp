@@ -42,7 +42,7 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     thumbnails_stale_ = true;
   }
   if (fine && settings.samples) compare_with(settings.samples);
-  if (settings.view.settings.contour_edges) find_contour_edges(inputs);
+  if (settings.view.settings.parting_line) find_parting_line();
   drawn_ = true;
   return view_.draw(target, maps_.subject(), settings.view);
 }
@@ -57,14 +57,10 @@ void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
   compared_maps_ = revision;
 }
 
-void Scene::find_contour_edges(const MapInputs& inputs) {
-  if (contour_of_ == inputs) return;
-  const PartModel& model = *part_.model;
-  const std::vector<FacetClass> classes = facet_classes(model.geometry, inputs.direction, inputs.tau_deg);
-  const TriangleMesh& mesh = model.part.mesh;
-  view_.set_contour_edges(contour_edges(mesh, model.edges.convex, classes, model.frame),
-                          contour_edges(mesh, model.edges.concave, classes, model.frame));
-  contour_of_ = inputs;
+void Scene::find_parting_line() {
+  if (parting_line_of_ == split_) return;
+  view_.set_parting_line(split_ ? parting_line(*split_, part_.model->frame) : std::vector<ViewSegment>());
+  parting_line_of_ = split_;
 }
 
 void Scene::choose_face(const std::optional<std::uint32_t>& face) {

@@ -55,7 +55,7 @@ class Scene {
   [[nodiscard]] const LoadedPart& part() const { return part_; }
 
  private:
-  /// All that maps and contour edges depend on; other settings are about measuring.
+  /// All that maps depend on; other settings are about measuring.
   struct MapInputs {
     glm::dvec3 direction{0.0};
     double tau_deg = 0.0;
@@ -63,7 +63,7 @@ class Scene {
     bool operator==(const MapInputs&) const = default;
   };
   void compare_with(const std::shared_ptr<const PieceSamples>& samples);
-  void find_contour_edges(const MapInputs& inputs);
+  void find_parting_line();
 
   const gl::Context* context_;
   LoadedPart part_;
@@ -77,8 +77,8 @@ class Scene {
   std::optional<SamplePass> sample_pass_;
   std::shared_ptr<const MapComparison> comparison_;
   std::shared_ptr<const PieceSamples> compared_samples_;
-  std::uint64_t compared_maps_ = 0;      // revision
-  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
+  std::uint64_t compared_maps_ = 0;                   // revision
+  std::shared_ptr<const SplitMesh> parting_line_of_;  // of which the line was found
   std::optional<gl::ColourTarget> plus_, minus_;
   std::optional<Blocker> blocker_;  // that are shown
   std::optional<CutSpan> span_;
