@@ -195,6 +195,7 @@ void App::install(LoadedPart part) {
   turn_.stop();
   state_.hover.reset();
   state_.face.reset();
+  state_.measuring.reset();
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);

@@ -9,6 +9,7 @@
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/sweep_state.hpp"
+#include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/settings.hpp"
 #include "gui/view/surface.hpp"
@@ -60,6 +61,7 @@ struct Editable {
   Camera camera;
   Dialogs dialogs;
   SweepChoices sweep_choices;
+  std::optional<Measuring> measuring;  // the tool, while it is on
 };
 
 struct AppState : Editable {

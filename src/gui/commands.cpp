@@ -167,6 +167,7 @@ void escape(const Pressed& p) {
   p.edits.dialogs.panels_hidden = hidden;
   p.edits.sweep_choices.compared.reset();
   p.edits.sweep_choices.large_ball = false;
+  p.edits.measuring.reset();
   if (p.state.face) p.edits.ask(&Commands::choose_face, std::nullopt);
   p.edits.ask(&Commands::dismiss_toasts);
 }
@@ -267,6 +268,10 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'S'},
        [](P p) { p.look.section = next_section(p.look.section); }},
+      {{view, "R", "measure between two places, or end it"},
+       part_no_ctrl,
+       {'R'},
+       [](P p) { p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{}); }},
       {{view, "D", "colour by region or by draft angle"},
        part_no_ctrl,
        {'D'},

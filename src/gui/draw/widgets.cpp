@@ -399,6 +399,13 @@ void hint(const Ui& ui, std::string_view text) {
   if (wraps) ImGui::PopTextWrapPos();
 }
 
+void copy_menu(const char* id, const std::string& text) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
+  if (!ImGui::BeginPopup(id)) return;
+  if (ImGui::MenuItem(fmt::format("Copy {}", text).c_str())) ImGui::SetClipboardText(text.c_str());
+  ImGui::EndPopup();
+}
+
 glm::vec2 tag_size(const Ui& ui, std::string_view text) {
   return text_size(ui.fonts.small, text) + 2.0F * glm::vec2(ui.px(8), ui.px(3));
 }

@@ -84,6 +84,9 @@ inline constexpr ImGuiWindowFlags k_card_window =
 /// The next window's place: that of its point at `pivot`, which is a share of its size.
 void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
+/// A right click on the item just drawn offers to copy a text.
+void copy_menu(const char* id, const std::string& text);
+
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);
 void coloured_text(ImU32 colour, std::string_view text);

@@ -21,15 +21,6 @@ std::string length_text(const AppState& state, double length) {
   return fmt::format("{:.4g} {}", length, length_unit(state.model->part));
 }
 
-/// Where a box of this size stands beside the cursor: below and to the right of it, or where there is room.
-glm::vec2 beside_cursor(const FreeArea& area, const glm::vec2& cursor, const glm::vec2& size, float gap) {
-  const glm::vec2 least(area.min), most = glm::vec2(area.max) - size;
-  glm::vec2 corner = cursor + gap;
-  if (corner.x > most.x) corner.x = cursor.x - gap - size.x;
-  if (corner.y > most.y) corner.y = cursor.y - gap - size.y;
-  return glm::max(glm::min(corner, most), least);
-}
-
 /// A length in the scene, at the way that has it.
 void draw_length(const PanelContext& context, const ViewSegment& way, double length) {
   const Ui& ui = context.ui;
@@ -72,7 +63,7 @@ void draw_cursor_readout(const PanelContext& context) {
   const AppState& state = context.state;
   const Ui& ui = context.ui;
   const std::vector<std::string> lines = readout_lines(state);
-  if (lines.empty()) return;
+  if (lines.empty() || state.measuring) return;  // which has its own
   if (state.hover && state.hover->blocker) {
     const Blocker& blocker = *state.hover->blocker;
     draw_length(context, {blocker.from, blocker.at}, blocker.distance);
@@ -89,7 +80,7 @@ void draw_cursor_readout(const PanelContext& context) {
   }
   const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
   const glm::vec2 cursor = from_im(ImGui::GetIO().MousePos);
-  glm::vec2 at = beside_cursor(area, cursor, size, ui.px(k_from_cursor));
+  glm::vec2 at = area.beside(cursor, size, ui.px(k_from_cursor));
   ui.memory->controls["readout"] = {at, at + size};
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   list.AddRectFilled(im(at), im(at + size), ui.colours->popup, ui.px(6));

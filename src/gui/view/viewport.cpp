@@ -94,7 +94,12 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (drag_ && !io.MouseDown[0]) drag_.reset();
   if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
   if (press_ && !io.MouseDown[0]) {
-    edits.ask(&Commands::choose_face, press_->facet);
+    const auto& point = press_->point;
+    if (!edits.measuring) {
+      edits.ask(&Commands::choose_face, point ? std::optional(point->facet) : std::nullopt);
+    } else if (point) {
+      edits.measuring->add(measured_place(*state.model, *point));
+    }
     press_.reset();
   }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
@@ -106,7 +111,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     for (int button = 0; button < 3; ++button) {
       if (io.MouseClicked[button]) start(state, frame, button);
     }
-    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_) {
+    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring) {
       edits.ask(io.KeyAlt ? &Commands::take_axis : &Commands::take_normal);
     }
     if (io.MouseWheel != 0.0F) {
@@ -133,7 +138,7 @@ void Viewport::start(const AppState& state, const SceneFrame& frame, int button)
     return;
   }
   if (button == ImGuiMouseButton_Left)
-    press_ = Press{state.hover ? std::optional(state.hover->point.facet) : std::nullopt};
+    press_ = Press{state.hover ? std::optional(state.hover->point) : std::nullopt};
   gesture_ = gesture_of(state.window.navigation, button, ImGui::GetIO());
   button_ = button;
   // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.

@@ -57,7 +57,7 @@ class Viewport {
   int button_ = 0;  // ImGui's, of the gesture
   glm::dvec3 pivot_{0.0};
   struct Press {
-    std::optional<FacetIndex> facet;
+    std::optional<PickedPoint> point;  // of the part
   };
   std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
   std::optional<ArrowDrag> drag_;
