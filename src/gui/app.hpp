@@ -91,7 +91,10 @@ class App {
  private:
   friend struct Commands;
   void poll_jobs();
-  void install(LoadedPart part);
+  void load(const std::string& path, const ReadOptions& reading, PartNotes notes);
+  /// Of a part that is to be opened: those that were set, or saved for it.
+  [[nodiscard]] PartNotes notes_of(const std::string& path);
+  void install(LoadedPart part, const PartNotes& notes);
   void pick();
   void apply(const Edits& edits);
   /// Replaces the direction in one step of undo.

@@ -27,8 +27,8 @@ enum class Section : std::uint8_t { off, across, along, x, y, z };
 struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
-  double open_mold = 0.0;       // [0, 1]: how far core and cavity surface are moved apart along +-d
-  double others_opacity = 1.0;  // of everything but the undercuts, [0, 1]
+  double open_mold = 0.0;     // [0, 1]: how far core and cavity surface are moved apart along +-d
+  double transparency = 0.0;  // of everything but the undercuts, [0, 1]
   Section section = Section::off;
   double section_at = 0.5;  // [0, 1] of the part's extent across the plane; what lies beyond is cut away
   double section_turn_deg = 0.0;  // [0, 360]: of a plane along d, about d

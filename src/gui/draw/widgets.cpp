@@ -182,7 +182,8 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row, spec.label);
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
-  draw_value(ui, row, fmt::format("{:.{}f}", shown, spec.decimals));
+  draw_value(ui, row,
+             shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals));
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
 }

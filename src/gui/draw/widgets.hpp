@@ -36,7 +36,8 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
 struct NumberSpec {
   std::string_view label;
   int decimals;
-  float width;  // pixels
+  float width;             // pixels
+  std::string unset = {};  // stands in place of 0
 };
 bool number_field(const Ui& ui, const char* id, double& value, const NumberSpec& spec);
 

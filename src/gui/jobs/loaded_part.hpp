@@ -22,6 +22,7 @@ struct FeatureDirection {
 /// A part and what its pictures need, ready for the GL; copies share it.
 struct LoadedPart {
   std::string path;
+  ReadOptions reading;
   std::shared_ptr<const PartModel> model;
   std::shared_ptr<const ViewGeometry> geometry;
   std::shared_ptr<const Faces> faces;

@@ -8,7 +8,8 @@ namespace moldlight::gui {
 void draw_sweep_options(const PanelContext& context) {
   constexpr int k_columns = 3;
   // Most of them range over many powers of ten, some from 0 on.
-  const TypedNumbers numbers{[&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+  const RowOptions numbers{
+      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
   SweepSettings& settings = context.edits.sweep_choices.options;
   if (ImGui::BeginTable("options", k_columns,
                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
