@@ -8,7 +8,6 @@ uniform float u_facet_edge;  // half width in pixels; 0: none
 uniform vec3 u_facet_edge_colour;
 uniform float u_level_step;  // between level lines on near-vertical facets; 0: none
 uniform vec3 u_level_colour;
-uniform bool u_section;
 uniform vec3 u_cut_colour;
 uniform samplerBuffer t_positions;  // three floats a vertex, one a texel
 uniform usamplerBuffer t_corners;   // three vertices a facet, one a texel
@@ -30,10 +29,9 @@ float distance_to_line(vec2 at, vec2 a, vec2 b) {
   return abs(along.x * (at.y - a.y) - along.y * (at.x - a.x)) / max(length(along), 1e-6);
 }
 
-void detail(vec2 at, uint facet, uint bits, bool back, inout vec3 n, inout vec3 albedo, inout float hatch) {
+void detail(vec2 at, uint facet, uint bits, bool cut, inout vec3 albedo, inout float hatch) {
   vec4 plane = facet_plane(facet);
   vec3 shift = shift_of(bits);
-  bool cut = u_section && back;
   if (u_draft_colours && !cut) {
     float sine = dot(plane.xyz, u_parting);
     int band = 0;
@@ -54,14 +52,12 @@ void detail(vec2 at, uint facet, uint bits, bool back, inout vec3 n, inout vec3 
     albedo = mix(albedo, u_facet_edge_colour, 0.55 * clamp(u_facet_edge + 0.5 - nearest, 0.0, 1.0));
   }
   if (cut) {
-    n = -u_parting;
     float across = abs(fract((at.x - at.y) * 0.70711 / 9.0) - 0.5) * 9.0;
-    // Backs are dimmed later on; the cut is no back.
-    albedo = u_cut_colour * (1.0 - 0.25 * clamp(across - 3.2, 0.0, 1.0)) / 0.45;
+    albedo = u_cut_colour * (1.0 - 0.25 * clamp(across - 3.2, 0.0, 1.0));
     ivec2 pixel = ivec2(at);
     for (int i = 0; i < 4; ++i) {
       ivec2 beside = pixel + ivec2((i & 1) * 2 - 1, 0) * (1 - (i >> 1)) + ivec2(0, (i & 1) * 2 - 1) * (i >> 1);
-      if (!surface_shows_back(texelFetch(t_surface, beside, 0).rg)) albedo = vec3(0.0);
+      if (!surface_is_cut(texelFetch(t_surface, beside, 0).rg)) albedo = vec3(0.0);
     }
     hatch = 0.0;
   }

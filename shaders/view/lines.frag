@@ -1,5 +1,6 @@
 #version 330 core
-// A line with a soft border of one pixel. OPENED: only over the surface that it has been moved with.
+// A line with a soft border of one pixel. OPENED: only over the surface that it has been moved with. OVER: over a
+// finished picture, paler where surface hides it.
 uniform float u_half_width_px;  // with the soft border
 uniform vec4 u_colour;          // sRGB and opacity
 noperspective in float v_across;
@@ -15,9 +16,16 @@ uniform vec3 u_shift;
 uniform mat4 u_clip_from_unit;
 uniform float u_slack;  // how far a line may lie before the surface, unit frame
 #endif
+#ifdef OVER
+uniform sampler2D t_depth;
+uniform float u_hidden;  // share of the opacity that is left
+#endif
 
 void main() {
   float cover = clamp(u_half_width_px - abs(v_across), 0.0, 1.0);
+#ifdef OVER
+  if (gl_FragCoord.z > texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).r) cover *= u_hidden;
+#endif
 #ifdef OPENED
   uvec2 surface = texelFetch(t_surface, ivec2(gl_FragCoord.xy), 0).rg;
   if (surface.x == 0u || (u_regions >> surface_accessible(surface) & 1u) == 0u) discard;

@@ -12,7 +12,6 @@ uniform vec3 u_eye_up;
 uniform vec3 u_eye_back;
 uniform float u_radius;       // unit frame
 uniform float u_radius_px;    // at distance 1 for the perspective
-uniform vec4 u_cut;           // normal of a section's cut, which shows where backs are seen; w: there is one
 uniform int u_taps;
 uniform int u_sample;
 layout(location = 0) out float o_openness;
@@ -30,7 +29,7 @@ void main() {
   // The loop is left at once where there is no surface: software GL follows both sides of an if.
   int taps = surface.x == 0u ? 0 : u_taps;
   vec3 n = surface_normal(surface);
-  if (surface_shows_back(surface)) n = u_cut.w > 0.0 ? u_cut.xyz : -n;
+  if (surface_shows_back(surface)) n = -n;
   vec3 normal = vec3(dot(n, u_eye_right), dot(n, u_eye_up), dot(n, u_eye_back));
   vec3 origin = eye_position(gl_FragCoord.xy, texelFetch(t_depth, at, 0).r);
   vec2 seed = gl_FragCoord.xy + 5.588238 * float(u_sample);

@@ -53,6 +53,8 @@ void main() {
 #else
   uint bits = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
 #endif
+  bool cut = surface_is_cut(surface);
+  if (cut) bits = 3u;
   o_accessible = bits;
   bool back = surface_shows_back(surface);
   vec3 n = surface_normal(surface);
@@ -64,7 +66,7 @@ void main() {
   if (bits == 0u) hatch = u_hatch.y * stripes(from_origin, u_hatch.x, 0.58);
 #endif
 #ifdef DETAIL
-  detail(gl_FragCoord.xy, facet, bits, back, n, albedo, hatch);
+  detail(gl_FragCoord.xy, facet, bits, cut, albedo, hatch);
 #endif
 #ifdef COMPARED
 #if defined(KNOWN) && defined(LOOK_UP) && defined(DETAIL)
@@ -74,7 +76,7 @@ void main() {
 #else
   uint other = surface_exact(surface);
 #endif
-  if (other != bits) {
+  if (other != bits && !cut) {
     // Between the stripes too, so that slivers narrower than the stripes show.
     albedo = mix(albedo, u_difference_colour, mix(0.45, 1.0, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.5)));
     hatch = 0.0;

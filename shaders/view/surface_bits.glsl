@@ -1,23 +1,32 @@
-// A visible fragment in two words. First: facet + 1 (0: background); from bit 29 on the accessibility bits of the
-// split surface; top bit set if its back is seen. Second: the smooth normal in 15 + 15 bits, and the accessibility bits
+// A visible fragment in two words. First: facet + 1 (0: background); bit 28 set if it is the cut of a section, which
+// belongs to no facet; from bit 29 on the accessibility bits of the split surface; top bit set if its back is seen. Second: the smooth normal in 15 + 15 bits, and the accessibility bits
 // by which the surface was drawn, where they were known then.
 #include "common/octahedral.glsl"
 
 const uint k_back_bit = 0x80000000u;
-const uint k_number_mask = 0x1FFFFFFFu;
+const uint k_cut_bit = 0x10000000u;
+const uint k_number_mask = 0x0FFFFFFFu;
 const int k_accessibilities = 4;  // sums of the bits
 
 // A piece of the split surface: its facet, and its accessibility bits from bit 30 on.
 uint source_facet(uint source) { return source & 0x3FFFFFFFu; }
 uint source_accessible(uint source) { return source >> 30; }
 
-uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible, uint exact) {
+uint normal_bits(vec3 normal) {
   uvec2 steps = uvec2((to_octahedral(normal) * 0.5 + 0.5) * 32767.0 + 0.5);
-  return uvec2((facet + 1u) | exact << 29 | (front ? 0u : k_back_bit), steps.x | steps.y << 15 | accessible << 30);
+  return steps.x | steps.y << 15;
 }
+
+uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible, uint exact) {
+  return uvec2((facet + 1u) | exact << 29 | (front ? 0u : k_back_bit), normal_bits(normal) | accessible << 30);
+}
+
+// Facet 0 stands for what no shader is to ask.
+uvec2 cut_bits(vec3 normal) { return uvec2(1u | k_cut_bit | 3u << 29, normal_bits(normal) | 3u << 30); }
 
 uint surface_number(uvec2 surface) { return surface.x & k_number_mask; }
 uint surface_facet(uvec2 surface) { return surface_number(surface) - 1u; }
+bool surface_is_cut(uvec2 surface) { return (surface.x & k_cut_bit) != 0u; }
 bool surface_shows_back(uvec2 surface) { return (surface.x & k_back_bit) != 0u; }
 uint surface_exact(uvec2 surface) { return surface.x >> 29 & 3u; }
 uint surface_accessible(uvec2 surface) { return surface.y >> 30; }

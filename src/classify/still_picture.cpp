@@ -188,7 +188,7 @@ struct DrawnPart {
 };
 
 /// Says which half comes off along which arrow, where its tip is not behind the part.
-void label_arrows(Canvas& canvas, const DrawnPart& part, const std::array<PartingArrow, 2>& arrows,
+void label_arrows(Canvas& canvas, const DrawnPart& part, const std::array<ViewArrow, 2>& arrows,
                   const LegendStyle& style) {
   for (const auto& [arrow, label] : {std::pair(arrows[0], "core"), std::pair(arrows[1], "cavity")}) {
     const auto tip = project(part.camera, part.size, arrow.tip);
@@ -242,8 +242,8 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
 
   const LegendContent content = legend_content(*model_, result);
   const StillLayout places = still_layout(size, settings.legend ? &content : nullptr);
-  const std::array<PartingArrow, 2> arrows = {parting_arrow(geometry_.extremes, result.direction, 0.0),
-                                              parting_arrow(geometry_.extremes, -result.direction, 0.0)};
+  const std::array<ViewArrow, 2> arrows = {parting_arrow(geometry_.extremes, result.direction, 0.0),
+                                           parting_arrow(geometry_.extremes, -result.direction, 0.0)};
   Camera camera;
   camera.orientation = orientation(*model_, split, result.direction, settings);
   camera.projection = settings.view == PictureView::automatic || settings.view == PictureView::isometric

@@ -124,6 +124,8 @@ void App::frame(const FrameInput& input) {
   for (const KeyPress& press : input.played.keys) {
     if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
   }
+  state_.cut =
+      scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
   const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
@@ -202,7 +204,8 @@ void App::follow_figures() {
 
 void App::measure_face() {
   if (!state_.face || !state_.figures.shown) return;
-  state_.face->figures = face_figures(*state_.model, *state_.figures.shown, state_.face->number);
+  state_.face->figures =
+      face_figures(*state_.model, *state_.figures.shown, state_.faces->facets(state_.face->number));
 }
 
 void App::install(LoadedPart part, const PartNotes& notes) {
@@ -214,6 +217,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   scene_ = std::move(scene);
   if (again) convert_lengths(state_.settings.method, state_.model->part.unit, part.model->part.unit);
   state_.model = part.model;
+  state_.faces = part.faces;
   state_.reading = part.reading;
   state_.extremes = part.geometry->extremes;
   state_.path = part.path;
@@ -223,6 +227,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   turn_.stop();
   state_.hover.reset();
   state_.face.reset();
+  state_.measuring.reset();
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
@@ -244,11 +249,25 @@ void App::install(LoadedPart part, const PartNotes& notes) {
 
 void App::pick() {
   state_.hover.reset();
+  state_.span.reset();
   if (!scene_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid()) return;
   const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   const auto split = split_view();
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= (split ? split->left : size_.x) || pixel.y >= size_.y) return;
-  if (const auto point = scene_->pick(pixel)) state_.hover = describe(*state_.model, state_.settings, *point);
+  const auto point = scene_->pick(pixel);
+  if (!point) return;
+  if (point->facet != k_no_facet) state_.hover = describe(*state_.model, state_.settings, *point);
+  if (!state_.cut || opening_.at(now_s_) > 0.0) return;
+  // The plane's point on the line of sight, if it lies before the surface.
+  const Camera& camera = state_.camera;
+  const glm::dvec3 seen(point->position);
+  const glm::dvec3 toward =
+      camera.projection == Projection::perspective ? camera.eye() - seen : camera.toward_viewer();
+  const double height = state_.cut->offset - glm::dot(seen, state_.cut->normal);
+  const double rise = glm::dot(toward, state_.cut->normal);
+  if (rise <= 0.0 || height < -1e-4) return;
+  state_.span =
+      cut_span(*state_.model, *state_.cut, state_.settings.direction.unit(), seen + height / rise * toward);
 }
 
 void App::apply(const Edits& edits) {
@@ -306,18 +325,20 @@ SceneSettings App::scene_settings() const {
   shown.tau_deg = state_.settings.method.tau_deg;
   shown.open_mold = opening_.at(now_s_);
   shown.pixel_scale = scale_;
-  if (look.section)
-    shown.cut_at = scene_->section_height(state_.settings.direction.unit(), look.section_height);
+  shown.cut = scene_->section(look, state_.settings.direction.unit());
+  shown.cut_arrow = true;
   scene.view.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
-  if (marked || !regions_by_maps()) scene.split = state_.figures.split;
+  if (marked || look.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
-  scene.view.marks.undercut_glow = glow_.at(now_s_);
+  ViewMarks& marks = scene.view.marks;
+  marks.undercut_glow = glow_.at(now_s_);
+  if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
-    scene.view.marks.hovered = state_.hover->point.facet;
-    if (state_.hover->blocker) scene.view.marks.blocking = state_.hover->blocker->facet;
+    marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
+    if (state_.hover->blocker) marks.blocking = state_.faces->of_facet[state_.hover->blocker->facet];
   }
   return scene;
 }
@@ -326,6 +347,7 @@ bool App::draw(const ViewTarget& target) {
   bool refining = false;
   if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
+    scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
   } else {

@@ -9,6 +9,7 @@
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/sweep_state.hpp"
+#include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/settings.hpp"
 #include "gui/view/surface.hpp"
@@ -62,17 +63,21 @@ struct Editable {
   Camera camera;
   Dialogs dialogs;
   SweepChoices sweep_choices;
+  std::optional<Measuring> measuring;  // the tool, while it is on
 };
 
 struct AppState : Editable {
   std::shared_ptr<const PartModel> model;  // none: the start page
+  std::shared_ptr<const Faces> faces;      // of the model
   std::vector<glm::vec3> extremes;         // of the part: its outermost points, unit frame
   std::string path;                        // of the part, absolute
   std::vector<FeatureDirection> features;
   std::vector<std::string> recent, shipped;  // parts to offer; paths
   Figures figures;
   SweepState sweep;
+  std::optional<CutPlane> cut;  // by the section that is shown
   std::optional<Hover> hover;
+  std::optional<CutSpan> span;     // under the cursor, where there is a section
   std::optional<ChosenFace> face;  // chosen by a click
   std::optional<Loading> loading;
   std::vector<Toast> toasts;

@@ -73,11 +73,10 @@ void Commands::fly_to_direction(const glm::dvec3& direction) {
 }
 
 void Commands::choose_face(const std::optional<FacetIndex>& facet) {
-  auto face = facet ? face_of(*app.state_.model, *facet) : std::nullopt;
+  const auto face = facet ? std::optional(app.state_.faces->of_facet[*facet]) : std::nullopt;
   auto& chosen = app.state_.face;
-  if (chosen.has_value() == face.has_value() && (!face || face->number == chosen->number)) return;
-  chosen = std::move(face);
-  app.scene_->choose_face(chosen ? &*chosen : nullptr);
+  chosen = face ? std::optional(ChosenFace{*face, {}}) : std::nullopt;
+  app.scene_->choose_face(face);
   app.measure_face();
 }
 
@@ -169,6 +168,7 @@ void escape(const Pressed& p) {
   p.edits.dialogs.panels_hidden = hidden;
   p.edits.sweep_choices.compared.reset();
   p.edits.sweep_choices.large_ball = false;
+  p.edits.measuring.reset();
   if (p.state.face) p.edits.ask(&Commands::choose_face, std::nullopt);
   p.edits.ask(&Commands::dismiss_toasts);
 }
@@ -205,6 +205,12 @@ void look_from_side(const Pressed& p) {
   p.edits.ask(&Commands::look_from, standard_orientation(p.key.ctrl ? opposite : view));
 }
 
+Section next_section(Section section) {
+  return section == Section::off      ? Section::across
+         : section == Section::across ? Section::along
+                                      : Section::off;
+}
+
 /// When a key acts: with a part alone or without one, too; with Ctrl alone, without it, or either way.
 enum class When : std::uint8_t { always, with_ctrl, part, part_no_ctrl };
 
@@ -226,7 +232,7 @@ const std::vector<Shortcut>& shortcuts() {
       {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
       {{direction, "Esc", "undo the drag"}, always, {GLFW_KEY_ESCAPE}, escape},
       {{direction, "Double click", "direction: normal of that facet"}},
-      {{direction, "Click", "choose the CAD face there (STEP)"}},
+      {{direction, "Click", "choose the face there"}},
       {{direction, "Alt + double click", "direction: axis of that round wall"}},
       {{direction, "N / A", "the same for the facet under the cursor"},
        part_no_ctrl,
@@ -259,7 +265,14 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'O'},
        [](P p) { p.look.open_mold = p.look.open_mold > 0.0 ? 0.0 : 0.5; }},
-      {{view, "S", "section plane"}, part_no_ctrl, {'S'}, [](P p) { p.look.section = !p.look.section; }},
+      {{view, "S", "section across, along the direction, none"},
+       part_no_ctrl,
+       {'S'},
+       [](P p) { p.look.section = next_section(p.look.section); }},
+      {{view, "R", "measure between two places, or end it"},
+       part_no_ctrl,
+       {'R'},
+       [](P p) { p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{}); }},
       {{view, "D", "colour by region or by draft angle"},
        part_no_ctrl,
        {'D'},

@@ -35,7 +35,7 @@ struct Commands {
   void take_axis();
   /// The parting direction turns to this one.
   void fly_to_direction(const glm::dvec3& direction);
-  /// Chooses the CAD face of the facet; of nothing, none.
+  /// Chooses the face of the facet; of nothing, none.
   void choose_face(const std::optional<FacetIndex>& facet);
   void take_picture();
   /// Writes files that `classify` would write too, and a picture, each if its path is not empty.

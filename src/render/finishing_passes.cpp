@@ -28,21 +28,25 @@ void present(ViewTools& tools, int samples, GLuint framebuffer) {
 }
 
 void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
-  const ChosenFacets& chosen = tools.mesh.chosen;
-  if (!marks.hovered && !marks.blocking && marks.undercut_glow <= 0.0 && !chosen.any()) return;
+  const gl::Texture& faces = tools.mesh.faces.texels();
+  const bool any_face = faces && (marks.hovered || marks.blocking || marks.chosen);
+  if (!any_face && marks.undercut_glow <= 0.0) return;
   gl::begin(tools.gl,
             {.framebuffer = framebuffer, .size = tools.targets.size, .blend = gl::Blend::over_keeping_alpha});
-  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/marks.frag");
+  const gl::Program& program =
+      tools.programs.use("common/fullscreen.vert", "view/marks.frag", {any_face ? "FACES" : ""});
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, tools.targets.surface);
   program.set_texture("t_accessible", 1, GL_TEXTURE_2D, tools.targets.accessible);
-  program.set_texture("t_chosen", 2, GL_TEXTURE_BUFFER, chosen.flags());
-  program.set("u_any_chosen", chosen.any());
-  const auto number = [](const std::optional<FacetIndex>& facet) { return facet ? *facet + 1 : 0U; };
-  program.set("u_hovered", number(marks.hovered));
-  program.set("u_blocking", number(marks.blocking));
   program.set("u_glow", marks.undercut_glow);
-  program.set("u_hover_colour", screen_value(k_hover_mark));
-  program.set("u_block_colour", screen_value(k_block_mark));
+  if (any_face) {
+    const auto number = [](const std::optional<std::uint32_t>& face) { return face.value_or(~0U); };
+    program.set_texture("t_faces", 2, GL_TEXTURE_BUFFER, faces);
+    program.set("u_hovered", number(marks.hovered));
+    program.set("u_blocking", number(marks.blocking));
+    program.set("u_chosen", number(marks.chosen));
+    program.set("u_hover_colour", screen_value(k_hover_mark));
+    program.set("u_block_colour", screen_value(k_block_mark));
+  }
   tools.corners.draw();
 }
 

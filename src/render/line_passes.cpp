@@ -16,18 +16,31 @@ struct LineStyle {
   double width_px;
 };
 
+/// Where lines are drawn over a finished picture.
+struct OverPicture {
+  GLuint framebuffer;
+  float hidden;     // share of the opacity that is left where surface hides the line
+  bool on_surface;  // they go with the surface that a mold moves, and end where it is cut
+};
+
 void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer& segments,
-                   const LineStyle& style) {
+                   const LineStyle& style, const std::optional<OverPicture>& over) {
   if (segments.empty()) return;
-  const bool moved = frame.opened(), cut = frame.settings.cut_at.has_value();
-  gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
+  const bool on_surface = !over || over->on_surface;
+  const bool moved = on_surface && frame.opened(), cut = on_surface && frame.settings.cut.has_value();
+  gl::begin(tools.gl, {.framebuffer = over ? over->framebuffer : tools.targets.to_colour.name(),
                        .size = tools.targets.size,
-                       .depth = gl::DepthTest::less,
-                       .blend = gl::Blend::over,
+                       .depth = over ? gl::DepthTest::off : gl::DepthTest::less,
+                       .blend = over ? gl::Blend::over_keeping_alpha : gl::Blend::over,
                        .clipped = cut});
   const gl::Program& program =
-      tools.programs.use("view/lines.vert", "view/lines.frag", {moved ? "OPENED" : "", cut ? "SECTION" : ""});
+      tools.programs.use("view/lines.vert", "view/lines.frag",
+                         {moved ? "OPENED" : "", cut ? "SECTION" : "", over ? "OVER" : ""});
   if (cut) frame.set_section(program);
+  if (over) {
+    program.set_texture("t_depth", 3, GL_TEXTURE_2D, tools.targets.depth);
+    program.set("u_hidden", over->hidden);
+  }
   program.set_texture("t_segments", 0, GL_TEXTURE_BUFFER, segments.texels());
   program.set("u_eye_from_unit", glm::mat4(frame.eye_from_unit));
   program.set("u_clip_from_eye", glm::mat4(frame.clip_from_eye));
@@ -64,22 +77,45 @@ void draw_lines(ViewTools& tools, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const float opacity = 1.0F - 0.65F * static_cast<float>(settings.transparency);
   const auto draw = [&](const SegmentBuffer& segments, const glm::vec4& colour, double width_px) {
-    draw_segments(tools, frame, segments, {colour, width_px});
+    draw_segments(tools, frame, segments, {colour, width_px}, std::nullopt);
   };
   if (settings.feature_edges) {
     const Colour ink = settings.theme == Theme::dark ? Colour{14, 15, 18} : Colour{34, 38, 46};
     draw(tools.mesh.feature_edges, glm::vec4(screen_value(ink), 0.8F * opacity), 1.1);
   }
-  if (settings.contour_edges) {
-    draw(tools.mesh.convex_contour, glm::vec4(1.0F, 1.0F, 1.0F, 0.95F * opacity), 1.8);
-    draw(tools.mesh.concave_contour, glm::vec4(0.04F, 0.04F, 0.05F, opacity), 2.6);
+  if (settings.parting_line) {
+    draw(tools.mesh.parting_line, glm::vec4(0.04F, 0.04F, 0.05F, 0.8F * opacity), 3.8);
+    draw(tools.mesh.parting_line, glm::vec4(1.0F, 1.0F, 1.0F, opacity), 2.0);
   }
-  // Dark below light: it stands out from every colour.
-  draw(tools.mesh.outline, glm::vec4(0.0F, 0.0F, 0.0F, 0.75F), 4.2);
-  draw(tools.mesh.outline, glm::vec4(screen_value(k_hover_mark), 1.0F), 2.2);
+}
+
+void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {
+  const auto draw = [&](MarkedLines which, Colour colour, const OverPicture& over) {
+    const SegmentBuffer& lines = tools.mesh.marked[static_cast<std::size_t>(which)];
+    // Dark below light: it stands out from every colour.
+    draw_segments(tools, frame, lines, {glm::vec4(0.0F, 0.0F, 0.0F, 0.75F), 4.2}, over);
+    draw_segments(tools, frame, lines, {glm::vec4(screen_value(colour), 1.0F), 2.2}, over);
+  };
+  draw(MarkedLines::chosen, k_hover_mark, {framebuffer, 0.0F, true});
+  draw(MarkedLines::blocking, k_block_mark, {framebuffer, 0.45F, true});
+  draw(MarkedLines::ways, k_block_mark, {framebuffer, 0.6F, false});
 }
 
 void draw_arrows(ViewTools& tools, const ViewFrame& frame) {
+  const ViewSettings& settings = frame.settings;
+  struct Painted {
+    ViewArrow arrow;
+    Colour colour;
+  };
+  std::vector<Painted> arrows;
+  for (const bool plus : {true, false}) {
+    if (!settings.arrows) continue;
+    arrows.push_back(
+        {parting_arrow(tools.mesh.extremes, plus ? frame.direction : -frame.direction, settings.open_mold),
+         region_colour(plus ? Region::core : Region::cavity, settings.palette)});
+  }
+  if (settings.cut && settings.cut_arrow) arrows.push_back({section_arrow(*settings.cut), k_cut_surface});
+  if (arrows.empty()) return;
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::less,
@@ -89,19 +125,16 @@ void draw_arrows(ViewTools& tools, const ViewFrame& frame) {
   program.set("u_sides", k_arrow_sides);
   frame.set_eye_axes(program);
   program.set("u_opacity", 1.0F);
-  for (const bool plus : {true, false}) {
-    const glm::dvec3 axis = plus ? frame.direction : -frame.direction;
-    const PartingArrow arrow = parting_arrow(tools.mesh.extremes, axis, frame.settings.open_mold);
+  for (const auto& [arrow, colour] : arrows) {
+    const double length = glm::distance(arrow.tip, arrow.tail);
+    const glm::dvec3 axis = (arrow.tip - arrow.tail) / length;
     const glm::dvec3 least = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     program.set("u_tail", glm::vec3(arrow.tail));
     program.set("u_axis", glm::vec3(axis));
     program.set("u_aside", glm::vec3(glm::normalize(glm::cross(axis, least))));
-    program.set("u_shape", glm::vec4(glm::distance(arrow.tip, arrow.tail), arrow.head_length,
-                                     arrow.shaft_radius, arrow.head_radius));
+    program.set("u_shape", glm::vec4(length, arrow.head_length, arrow.shaft_radius, arrow.head_radius));
     // Lighter than the surface that it may stand before.
-    const glm::vec3 colour =
-        light_value(region_colour(plus ? Region::core : Region::cavity, frame.settings.palette));
-    program.set("u_colour", glm::mix(colour, glm::vec3(1.0F), 0.12F));
+    program.set("u_colour", glm::mix(light_value(colour), glm::vec3(1.0F), 0.12F));
     tools.corners.draw(12 * k_arrow_sides);
   }
 }

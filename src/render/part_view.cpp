@@ -64,7 +64,9 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
     accumulate(tools_, false);
   }
   present(tools_, samples_, target.framebuffer);
+  const ViewFrame frame(shown_, subject, target.size, 0);
   draw_marks(tools_, view.marks, target.framebuffer);
+  draw_marked_lines(tools_, frame, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
   return samples_ < settings.samples;
 }
@@ -83,23 +85,21 @@ void PartView::draw_sample(const ViewSubject& subject) {
     shade(tools_, frame);
   }
   draw_lines(tools_, frame);
-  if (settings.arrows) draw_arrows(tools_, frame);
+  draw_arrows(tools_, frame);
   unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++samples_;
 }
 
-void PartView::choose_facets(std::span<const FacetIndex> facets) {
-  tools_.mesh.chosen = ChosenFacets(tools_.gl, tools_.mesh.facet_count, facets);
+void PartView::set_faces(std::span<const std::uint32_t> of_facet) {
+  tools_.mesh.faces = FaceNumbers(tools_.gl, of_facet);
 }
 
-void PartView::set_outline(std::span<const ViewSegment> segments) {
-  tools_.mesh.outline = SegmentBuffer(tools_.gl, segments);
-  samples_ = 0;
+void PartView::set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments) {
+  tools_.mesh.marked[static_cast<std::size_t>(which)] = SegmentBuffer(tools_.gl, segments);
 }
 
-void PartView::set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave) {
-  tools_.mesh.convex_contour = SegmentBuffer(tools_.gl, convex);
-  tools_.mesh.concave_contour = SegmentBuffer(tools_.gl, concave);
+void PartView::set_parting_line(std::span<const ViewSegment> segments) {
+  tools_.mesh.parting_line = SegmentBuffer(tools_.gl, segments);
   samples_ = 0;
 }
 
@@ -114,6 +114,7 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   const std::uint32_t number = surface[0] & k_surface_number_mask;
   if (number == 0) return std::nullopt;
+  const bool cut = (surface[0] & k_surface_cut_bit) != 0;
   float depth = 0.0F;
   gl.ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   std::array<std::uint8_t, 4> bits{};
@@ -125,8 +126,8 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
                         2.0 * depth - 1.0, 1.0);
   const glm::dvec4 seen = unit_from_clip_ * clip;
   const double travel = shown_.settings.travel();
-  const double opened = bits[0] == 1 ? travel : bits[0] == 2 ? -travel : 0.0;
-  return PickedPoint{.facet = number - 1,
+  const double opened = cut ? 0.0 : bits[0] == 1 ? travel : bits[0] == 2 ? -travel : 0.0;
+  return PickedPoint{.facet = cut ? k_no_facet : number - 1,
                      .position = glm::vec3(glm::dvec3(seen) / seen.w - opened * shown_.direction),
                      .region = region_of((bits[0] & 1U) != 0, (bits[0] & 2U) != 0)};
 }

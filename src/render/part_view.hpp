@@ -29,7 +29,7 @@ struct View {
 
 /// What is seen at a pixel.
 struct PickedPoint {
-  FacetIndex facet = 0;
+  FacetIndex facet = 0;      // k_no_facet: the cut of a section
   glm::vec3 position{0.0F};  // on the part, unit frame; not moved by an opened mold
   Region region = Region::both;
 };
@@ -49,12 +49,12 @@ class PartView {
     }
   }
 
-  /// Facets that are marked from the next call of draw() on.
-  void choose_facets(std::span<const FacetIndex> facets);
-  /// Segments that are drawn over the picture in the colour of marks, from the next call of draw() on.
-  void set_outline(std::span<const ViewSegment> segments);
-  /// The contour edges of the direction, which ViewSettings::contour_edges shows (see contour_edges()).
-  void set_contour_edges(std::span<const ViewSegment> convex, std::span<const ViewSegment> concave);
+  /// The number of the face that each facet belongs to: marks name faces. Without it nothing is marked.
+  void set_faces(std::span<const std::uint32_t> of_facet);
+  /// Lines over the finished picture from the next call of draw() on; like marks they refine nothing anew.
+  void set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments);
+  /// What ViewSettings::parting_line shows (see parting_line()).
+  void set_parting_line(std::span<const ViewSegment> segments);
 
   /// What the picture last drawn shows at a pixel, counted from its upper left corner; nothing for the
   /// background. Waits for the GL.

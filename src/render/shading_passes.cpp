@@ -52,7 +52,6 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
   const double wanted = k_level_pitch_px * settings.pixel_scale * length;
   program.set("u_level_step", settings.near_vertical ? std::exp2(std::ceil(std::log2(wanted))) : 0.0);
   program.set("u_level_colour", light_value({255, 255, 255}));
-  program.set("u_section", settings.cut_at && !frame.opened());
   program.set("u_cut_colour", light_value(k_cut_surface));
   const glm::dmat4 to_pixels = glm::scale(glm::dmat4(1.0), glm::dvec3(0.5 * glm::dvec2(frame.size), 1.0)) *
                                glm::translate(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.0));
@@ -64,7 +63,7 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
 
 bool needs_detail(const ViewSettings& settings) {
   return settings.colour_mode == ColourMode::draft_angle || settings.facet_edges || settings.near_vertical ||
-         settings.cut_at || settings.open_mold > 0.0;
+         settings.cut || settings.open_mold > 0.0;
 }
 
 void draw_background(ViewTools& tools, const ViewFrame& frame) {

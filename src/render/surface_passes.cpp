@@ -9,16 +9,29 @@ namespace {
 /// Ambient occlusion looks this far, in the unit frame, but no further than a share of the picture's height.
 constexpr double k_openness_radius = 0.09, k_openness_share = 0.11;
 
-/// Puts the plane of a section where backs are seen.
+/// Puts the plane of a section where it is inside of solids: lines of sight that begin there leave more of
+/// them than they enter.
 void draw_cut(ViewTools& tools, const ViewFrame& frame) {
-  const ViewTargets& targets = tools.targets;
-  gl::begin(tools.gl, {.framebuffer = targets.to_depth.name(),
+  ViewTargets& targets = tools.targets;
+  targets.make_winding(tools.gl);
+  gl::begin(tools.gl, {.framebuffer = targets.to_winding.name(),
+                       .size = targets.size,
+                       .blend = gl::Blend::add,
+                       .clipped = true});
+  constexpr GLfloat k_outside[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+  tools.gl.ClearBufferfv(GL_COLOR, 0, k_outside);
+  const gl::Program& winding = tools.programs.use("view/geometry.vert", "view/winding.frag", {"SECTION"});
+  winding.set("u_clip_from_unit", frame.clip_from_unit);
+  frame.set_section(winding);
+  tools.mesh.solids().draw(tools.gl);
+
+  gl::begin(tools.gl, {.framebuffer = targets.to_surface.name(),
                        .size = targets.size,
                        .depth = gl::DepthTest::always,
                        .writes_depth = true});
-  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/cut_depth.frag");
-  program.set_texture("t_surface", 0, GL_TEXTURE_2D, targets.surface);
-  program.set("u_section", glm::vec4(glm::dvec4(frame.direction, *frame.settings.cut_at)));
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/cut.frag");
+  program.set_texture("t_winding", 0, GL_TEXTURE_2D, targets.winding);
+  program.set("u_section", glm::vec4(glm::dvec4(frame.settings.cut->normal, frame.settings.cut->offset)));
   program.set("u_clip_from_unit", frame.clip_from_unit);
   frame.set_sight(program);
   tools.corners.draw();
@@ -27,12 +40,12 @@ void draw_cut(ViewTools& tools, const ViewFrame& frame) {
 }  // namespace
 
 void draw_surface(ViewTools& tools, const ViewFrame& frame) {
-  const bool separate = frame.by_region(), cut = frame.settings.cut_at.has_value();
+  const bool separate = frame.by_region(), cut = frame.settings.cut.has_value();
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_surface.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::less,
                        .writes_depth = true,
-                       .cull = tools.mesh.closed && !separate && !cut ? gl::Cull::back : gl::Cull::none,
+                       .cull = tools.mesh.closed && !separate ? gl::Cull::back : gl::Cull::none,
                        .clipped = cut});
   gl::clear_numbers(tools.gl);
   const SplitSurface* split = frame.subject.split;
@@ -80,7 +93,6 @@ void draw_openness(ViewTools& tools, const ViewFrame& frame, int taps) {
   const double radius = std::min(k_openness_radius, k_openness_share * frame.camera.height);
   program.set("u_radius", radius);
   program.set("u_radius_px", radius / scale);
-  program.set("u_cut", glm::vec4(frame.direction, frame.settings.cut_at && !frame.opened() ? 1.0 : 0.0));
   program.set("u_taps", taps);
   program.set("u_sample", frame.sample);
   tools.corners.draw();

@@ -67,8 +67,8 @@ void ViewFrame::set_eye_depth(const gl::Program& program) const {
 }
 
 void ViewFrame::set_section(const gl::Program& program) const {
-  program.set("u_section_normal", glm::vec3(direction));
-  program.set("u_section_offset", *settings.cut_at);
+  program.set("u_section_normal", glm::vec3(settings.cut->normal));
+  program.set("u_section_offset", settings.cut->offset);
 }
 
 std::vector<Piece> ViewFrame::pieces() const {

@@ -10,7 +10,7 @@
 
 #include "base/check.hpp"
 #include "mesh/edges.hpp"
-#include "render/view_settings.hpp"
+#include "mesh/solids.hpp"
 
 namespace moldlight {
 
@@ -72,6 +72,14 @@ glm::dvec3 corner_weights(const TriangleMesh& mesh, FacetIndex facet, const glm:
 constexpr double k_gap = 0.035, k_length = 0.13, k_head_length = 0.048, k_head_radius = 0.0145,
                  k_shaft_radius = 0.0045;
 
+ViewArrow arrow_from(const glm::dvec3& tail, const glm::dvec3& toward) {
+  return {.tail = tail,
+          .tip = tail + k_length * toward,
+          .shaft_radius = k_shaft_radius,
+          .head_radius = k_head_radius,
+          .head_length = k_head_length};
+}
+
 }  // namespace
 
 std::array<std::int16_t, 2> octahedral(const glm::vec3& vector) {
@@ -107,22 +115,29 @@ ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geomet
       if (across == k_no_facet && geometry.areas[facet] > 0.0) view.closed = false;
     }
   }
+  const std::vector<bool> solid = solid_facets(mesh, adjacency);
+  view.all_solid = std::ranges::find(solid, false) == solid.end();
+  for (FacetIndex facet = 0; facet < solid.size() && !view.all_solid; ++facet) {
+    if (solid[facet]) view.solids.push_back(view.facets[facet]);
+  }
   return view;
 }
 
-std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh, std::span<const FacetEdge> edges,
-                                       std::span<const FacetClass> classes, const UnitFrame& frame) {
+std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame) {
   std::vector<ViewSegment> segments;
-  for (const FacetEdge& edge : edges) {
-    if (classes[edge.left] == classes[edge.right]) continue;
-    segments.push_back({frame.to_unit(mesh.vertices[edge.a]), frame.to_unit(mesh.vertices[edge.b])});
+  for (const RegionBorder& border : region_borders(split)) {
+    if (border.left == Region::undercut || border.right == Region::undercut) continue;
+    for (std::size_t k = 1; k < border.vertices.size(); ++k) {
+      segments.push_back({frame.to_unit(split.vertices[border.vertices[k - 1]]),
+                          frame.to_unit(split.vertices[border.vertices[k]])});
+    }
   }
   return segments;
 }
 
 SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, const ViewGeometry& view,
                              const UnitFrame& frame) {
-  CHECK(mesh.facets.size() < std::size_t{1} << k_source_bits_shift);
+  CHECK(mesh.facets.size() < k_surface_number_mask);
   SplitGeometry geometry;
   geometry.vertices.reserve(view.vertices.size() + 2 * (split.vertices.size() - mesh.vertices.size()));
   geometry.vertices = view.vertices;
@@ -169,15 +184,13 @@ SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, c
   return geometry;
 }
 
-PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward, double open_mold) {
+ViewArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward, double open_mold) {
   double top = 0.0;
   for (const glm::vec3& point : extremes) top = std::max(top, glm::dot(glm::dvec3(point), toward));
-  const double reach = top + open_mold * k_mold_travel + k_gap;
-  return {.tail = reach * toward,
-          .tip = (reach + k_length) * toward,
-          .shaft_radius = k_shaft_radius,
-          .head_radius = k_head_radius,
-          .head_length = k_head_length};
+  const glm::dvec3 tail = (top + open_mold * k_mold_travel + k_gap) * toward;
+  return arrow_from(tail, toward);
 }
+
+ViewArrow section_arrow(const CutPlane& cut) { return arrow_from(cut.offset * cut.normal, cut.normal); }
 
 }  // namespace moldlight

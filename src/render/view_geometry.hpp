@@ -15,12 +15,13 @@
 #include "mesh/unit_frame.hpp"
 #include "mold/draft.hpp"
 #include "mold/exact/split_mesh.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight {
 
-/// As shaders/view/surface_bits.glsl has them: where a surface's first word tells facet + 1, and from where
-/// on a piece's source tells its accessibility bits.
-inline constexpr std::uint32_t k_surface_number_mask = 0x1FFFFFFFU;
+/// As shaders/view/surface_bits.glsl has them: where a surface's first word tells facet + 1 and that it is a
+/// section's cut, and from where on a piece's source tells its accessibility bits.
+inline constexpr std::uint32_t k_surface_number_mask = 0x0FFFFFFFU, k_surface_cut_bit = 0x10000000U;
 inline constexpr int k_source_bits_shift = 30;
 
 /// A corner as the geometry pass reads it: 16 bytes.
@@ -40,17 +41,16 @@ struct ViewGeometry {
   std::vector<ViewSegment> feature_edges;
   std::vector<glm::vec3> extremes;  // outermost vertices in a few hundred directions, unit frame: enough to
                                     // frame a picture by
-  bool closed = false;  // every facet has a neighbour across each edge, so that no back is ever seen
+  bool closed = false;     // every facet has a neighbour across each edge, so that no back is ever seen
+  bool all_solid = false;  // every facet is of a body without open edges
+  std::vector<std::array<VertexIndex, 3>> solids;  // the facets that are, where not all of them are
 };
 [[nodiscard]] ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geometry,
                                          const Adjacency& adjacency, const UnitFrame& frame);
 
-/// Those of `edges` (the concave or the convex ones) that are contour edges of a direction: up on one side,
-/// down on the other; near-vertical facets count as both. `classes` are those for the direction.
-[[nodiscard]] std::vector<ViewSegment> contour_edges(const TriangleMesh& mesh,
-                                                     std::span<const FacetEdge> edges,
-                                                     std::span<const FacetClass> classes,
-                                                     const UnitFrame& frame);
+/// Where regions other than undercuts border on each other: along the direction these lines make the part's
+/// outline, and they are where mold halves can meet.
+[[nodiscard]] std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame);
 
 /// A vector of any length but zero on the octahedron, folded into a square (Cigolle et al. 2014), in steps of
 /// 1 / 32767.
@@ -71,15 +71,17 @@ struct SplitGeometry {
 [[nodiscard]] SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh,
                                            const ViewGeometry& view, const UnitFrame& frame);
 
-/// Where a parting arrow stands: beside the part, along the direction. Unit frame.
-struct PartingArrow {
+/// Where an arrow stands. Unit frame.
+struct ViewArrow {
   glm::dvec3 tail{0.0}, tip{0.0};
   double shaft_radius = 0.0, head_radius = 0.0, head_length = 0.0;
 };
 
 /// The arrow that points along `toward` (unit) from above the part, of which `extremes` are the outermost
 /// points; an opened mold moves it out by `opened`.
-[[nodiscard]] PartingArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
-                                         double opened);
+[[nodiscard]] ViewArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& toward,
+                                      double opened);
+/// The arrow by which a section plane is held: on the plane, towards what is cut away.
+[[nodiscard]] ViewArrow section_arrow(const CutPlane& cut);
 
 }  // namespace moldlight

@@ -70,21 +70,16 @@ SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometr
   classes_.set(gl, classes);
 }
 
-ChosenFacets::ChosenFacets(const gl::Functions& gl, std::size_t facet_count,
-                           std::span<const FacetIndex> chosen)
-    : any_(!chosen.empty()) {
-  std::vector<std::uint8_t> flags(facet_count, 0);
-  for (const FacetIndex facet : chosen) flags[facet] = 1;
-  buffer_ = gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const std::uint8_t>(flags));
-  flags_ = gl::make_buffer_texture(gl, GL_R8UI, buffer_);
-}
+FaceNumbers::FaceNumbers(const gl::Functions& gl, std::span<const std::uint32_t> of_facet)
+    : buffer_(gl::make_buffer(gl, GL_TEXTURE_BUFFER, of_facet)),
+      texels_(gl::make_buffer_texture(gl, GL_R32UI, buffer_)) {}
 
 ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
     : facets(gl, geometry.vertices, geometry.facets),
-      facet_count(geometry.facets.size()),
       closed(geometry.closed),
       extremes(geometry.extremes),
-      feature_edges(gl, geometry.feature_edges),
-      chosen(gl, facet_count, {}) {}
+      feature_edges(gl, geometry.feature_edges) {
+  if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
+}
 
 }  // namespace moldlight

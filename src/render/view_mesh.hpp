@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,30 +66,37 @@ class SplitSurface {
   std::uint64_t revision_;
 };
 
-/// Which facets are marked, as shaders/view/marks.frag reads it. Valid for one context.
-class ChosenFacets {
+/// The face of each facet, as shaders/view/marks.frag reads it; none as it is made. Valid for one context.
+class FaceNumbers {
  public:
-  ChosenFacets(const gl::Functions& gl, std::size_t facet_count, std::span<const FacetIndex> chosen);
+  FaceNumbers() = default;
+  FaceNumbers(const gl::Functions& gl, std::span<const std::uint32_t> of_facet);
 
-  [[nodiscard]] bool any() const { return any_; }
-  [[nodiscard]] const gl::Texture& flags() const { return flags_; }  // R8UI, one a facet
+  [[nodiscard]] const gl::Texture& texels() const { return texels_; }  // R32UI, one a facet
 
  private:
   gl::Buffer buffer_;
-  gl::Texture flags_;
-  bool any_;
+  gl::Texture texels_;
 };
+
+/// Lines among the marks: outlines of the chosen face and of the blocking one; ways that are told with their
+/// lengths.
+enum class MarkedLines : std::uint8_t { chosen, blocking, ways };
+inline constexpr std::size_t k_marked_lines = 3;
 
 /// Valid for one context.
 struct ViewMesh {
   ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
 
   TriangleBuffer facets;  // triangle k is facet k
-  std::size_t facet_count;
   bool closed;
+  /// The facets of bodies without open edges.
+  [[nodiscard]] const TriangleBuffer& solids() const { return some_solid ? *some_solid : facets; }
+  std::optional<TriangleBuffer> some_solid;  // where not all of them are
   std::vector<glm::vec3> extremes;
-  SegmentBuffer feature_edges, convex_contour, concave_contour, outline;
-  ChosenFacets chosen;
+  SegmentBuffer feature_edges, parting_line;
+  std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines
+  FaceNumbers faces;
 };
 
 /// What a picture shows: a part, a parting direction, and what tells the regions. A plain picture needs

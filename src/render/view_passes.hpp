@@ -26,12 +26,15 @@ void shade(ViewTools& tools, const ViewFrame& frame);
 // line_passes.cpp: what is drawn over it.
 void draw_lines(ViewTools& tools, const ViewFrame& frame);
 void draw_arrows(ViewTools& tools, const ViewFrame& frame);
+/// Over the finished picture; surface that hides them makes them paler.
+void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer);
 
 // finishing_passes.cpp: from samples to the picture.
 /// Adds the finished sample to the sum.
 void accumulate(ViewTools& tools, bool first);
 /// Puts the picture of `samples` samples into `framebuffer`; a single one comes straight from the colours.
 void present(ViewTools& tools, int samples, GLuint framebuffer);
+/// Over the finished picture, the surface that is marked.
 void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer);
 
 }  // namespace moldlight

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "mesh/triangle_mesh.hpp"
+#include <glm/vec3.hpp>
+
 #include "mold/region.hpp"
 
 namespace moldlight {
@@ -19,19 +20,23 @@ enum class Backdrop : std::uint8_t { gradient, flat, none };
 /// subject has but one of them, it is that.
 enum class RegionsBy : std::uint8_t { exact, maps };
 
+/// How a section plane lies: across the parting direction, along it, or across an axis of the part.
+enum class Section : std::uint8_t { off, across, along, x, y, z };
+
 /// What a user chooses to see of a part; classify/look_options.hpp has its table.
 struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
-  double open_mold = 0.0;       // [0, 1]: how far core and cavity surface are moved apart along +-d
-  double transparency = 0.0;    // of everything but the undercuts, [0, 1]
-  bool section = false;         // cut the part by a plane across d
-  double section_height = 0.5;  // [0, 1] of the part's extent along d; what lies above is cut away
-  bool hatching = true;         // stripes on undercuts
-  bool feature_edges = true;    // edges sharper than the crease angle, and open ones
+  double open_mold = 0.0;     // [0, 1]: how far core and cavity surface are moved apart along +-d
+  double transparency = 0.0;  // of everything but the undercuts, [0, 1]
+  Section section = Section::off;
+  double section_at = 0.5;  // [0, 1] of the part's extent across the plane; what lies beyond is cut away
+  double section_turn_deg = 0.0;  // [0, 360]: of a plane along d, about d
+  bool hatching = true;           // stripes on undercuts
+  bool feature_edges = true;      // edges sharper than the crease angle, and open ones
   bool facet_edges = false;
   bool near_vertical = false;               // level lines on facets that are neither up nor down
-  bool contour_edges = false;               // of the parting direction: convex ones light, concave ones dark
+  bool parting_line = false;                // of exact regions
   bool arrows = true;                       // the parting arrows
   RegionsBy regions_by = RegionsBy::exact;  // of a direction at rest; one that moves has the maps' regions
   bool mark_difference = false;             // where shadow maps and exact regions differ
@@ -42,16 +47,25 @@ struct LookSettings {
 /// A mold that is open all the way: the halves have moved by this much of the part's diagonal each.
 inline constexpr double k_mold_travel = 0.5;
 
+/// A plane that cuts a part: what lies beyond `offset` along `normal` is cut away. Unit frame.
+struct CutPlane {
+  glm::dvec3 normal{0.0, 0.0, 1.0};  // unit
+  double offset = 0.0;               // from the frame's origin
+  double extent = 0.0;               // of the part along the normal
+
+  bool operator==(const CutPlane&) const = default;
+};
+
 /// All of it. What is changed here restarts the refinement of a picture at rest.
 struct ViewSettings : LookSettings {
   Theme theme = Theme::dark;
   Backdrop backdrop = Backdrop::gradient;
   bool ambient_occlusion = true;
-  double tau_deg = 1.0;            // for the scale of the draft colours
-  std::optional<double> cut_at{};  // what lies beyond this offset along +d from the frame's origin is cut
-                                   // away, unit frame; follows from the section
-  double pixel_scale = 1.0;        // widths of lines and hatches in units of a pixel
-  int samples = 16;                // pictures at rest average this many shifted ones, [1, 64]
+  double tau_deg = 1.0;           // for the scale of the draft colours
+  std::optional<CutPlane> cut{};  // follows from the section
+  bool cut_arrow = false;         // on the plane, for a hand to hold it by
+  double pixel_scale = 1.0;       // widths of lines and hatches in units of a pixel
+  int samples = 16;               // pictures at rest average this many shifted ones, [1, 64]
 
   /// By which core and cavity surface are moved, unit frame.
   [[nodiscard]] double travel() const { return open_mold * k_mold_travel; }
@@ -60,9 +74,11 @@ struct ViewSettings : LookSettings {
 
 /// What is marked on top of a finished picture; changing it costs next to nothing.
 struct ViewMarks {
-  std::optional<FacetIndex> hovered = {};   // under the cursor
-  std::optional<FacetIndex> blocking = {};  // what is in the hovered point's way
-  double undercut_glow = 0.0;               // [0, 1]: for a pulse when an undercut appears
+  // Faces, by the numbers that PartView::set_faces() has given them:
+  std::optional<std::uint32_t> hovered = {};   // under the cursor
+  std::optional<std::uint32_t> blocking = {};  // what is in the hovered point's way
+  std::optional<std::uint32_t> chosen = {};
+  double undercut_glow = 0.0;  // [0, 1]: for a pulse when an undercut appears
 
   bool operator==(const ViewMarks&) const = default;
 };

@@ -14,7 +14,6 @@ ViewTargets::ViewTargets(const gl::Functions& gl, const glm::ivec2& wanted) : si
   to_colour = gl::make_framebuffer(gl, colour, &depth);
   const GLuint shaded[] = {colour.name(), accessible.name()};
   to_shaded = gl::make_framebuffer(gl, {.colours = shaded, .depth = depth.name()});
-  to_depth = gl::make_framebuffer(gl, {.colours = {}, .depth = depth.name()});
   to_openness = gl::make_framebuffer(gl, openness);
 }
 
@@ -22,6 +21,12 @@ void ViewTargets::make_sum(const gl::Functions& gl) {
   if (sum) return;
   sum = gl::make_texture_2d(gl, GL_RGBA32F, size.x, size.y);
   to_sum = gl::make_framebuffer(gl, sum);
+}
+
+void ViewTargets::make_winding(const gl::Functions& gl) {
+  if (winding) return;
+  winding = gl::make_texture_2d(gl, GL_R16F, size.x, size.y);
+  to_winding = gl::make_framebuffer(gl, winding);
 }
 
 }  // namespace moldlight

@@ -19,8 +19,9 @@ struct ViewTarget {
 struct ViewTargets {
   ViewTargets() = default;
   ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
-  /// Makes what pictures at rest alone need, unless it is there already.
+  /// Each makes what pictures at rest, or sections, alone need, unless it is there already.
   void make_sum(const gl::Functions& gl);
+  void make_winding(const gl::Functions& gl);
 
   glm::ivec2 size{0};
   gl::Texture surface;                                   // RG32UI, see shaders/view/surface_bits.glsl
@@ -28,10 +29,11 @@ struct ViewTargets {
   gl::Texture accessible;                                // R8UI, accessibility bits
   gl::Texture openness;                                  // R8, 1: sees the whole sky
   gl::Texture colour;                                    // RGBA8, one sample in sRGB
+  gl::Texture winding;                                   // R16F, see shaders/view/winding.frag
   gl::Texture sum;                                       // RGBA32F, squares of samples
   gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
   gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
-  gl::Framebuffer to_depth, to_openness, to_sum;
+  gl::Framebuffer to_openness, to_winding, to_sum;
 };
 
 /// Valid for one context.

@@ -81,7 +81,7 @@ TEST_F(Controls, OfTheMethod) {
 }
 
 TEST_F(Controls, OfTheLook) {
-  click("Section");  // its height is shown with it
+  click("Section=along");  // its place and its turn are shown with it
   walk(
       look_options(), [&] { return state().settings.look; }, true);
 }

@@ -1,4 +1,4 @@
-// CAD faces: a click chooses the whole face; its figures are those of the table of faces.
+// Faces: a click chooses the whole face; its figures are those of a table of faces.
 #include <glm/geometric.hpp>
 
 #include "classify/classify_report.hpp"
@@ -7,7 +7,7 @@
 namespace moldlight::gui::test {
 namespace {
 
-/// A box of six quadrangles: the file's polygons stand for the faces of a CAD part.
+/// A box of six quadrangles, which are its faces.
 constexpr const char* k_box =
     "OFF\n8 6 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
@@ -38,14 +38,16 @@ TEST_F(Faces, AClickChoosesTheWholeFace) {
   press();
   ASSERT_TRUE(state().face);
   EXPECT_EQ(state().face->number, 1U);
-  EXPECT_EQ(state().face->facets.size(), 2U);
-  EXPECT_EQ(outline_of(*state().model, *state().face).size(), 4U) << "no diagonal";
+  EXPECT_EQ(state().faces->facets(1).size(), 2U);
+  EXPECT_EQ(outline_of(*state().model, *state().faces, 1).size(), 4U) << "no diagonal";
   ASSERT_TRUE(state().face->figures);
   EXPECT_DOUBLE_EQ(state().face->figures->areas.total(), 600.0);
   const auto table = face_areas(*state().model, *state().figures.shown);
   ASSERT_EQ(table.size(), 6U);
   for (const Region region : k_regions)
     EXPECT_EQ(state().face->figures->areas[region], table[1].areas[region]);
+  EXPECT_EQ(state().face->figures->least_draft_deg, 90.0);
+  EXPECT_EQ(state().face->figures->most_draft_deg, 90.0);
   EXPECT_EQ(direction(), glm::dvec3(0, 0, 1)) << "a click leaves the direction";
   EXPECT_FALSE(state().can_undo);
   const std::vector<std::uint8_t> chosen = settled_pixels();
@@ -80,19 +82,22 @@ TEST_F(Faces, ADragChoosesNothingAndTheBackgroundClears) {
   EXPECT_FALSE(state().face);
 }
 
-TEST_F(Faces, APartWithoutFacesStaysAsItIs) {
-  const std::vector<std::uint8_t> bare = settled_pixels();
+TEST_F(Faces, OfAPartThatNamesNoneAreFoundByHowItBends) {
   move_to({640, 360});
   ASSERT_TRUE(state().hover);
+  ASSERT_TRUE(state().model->part.facet_source.empty());
+  const std::vector<std::uint8_t> hovered = window.pixels();
   press();
-  EXPECT_FALSE(state().face);
-  EXPECT_EQ(settled_pixels(), bare);
+  ASSERT_TRUE(state().face);
+  EXPECT_EQ(state().face->number, state().faces->of_facet[state().hover->point.facet]);
+  window.settle();
+  EXPECT_NE(window.pixels(), hovered);
 }
 
-TEST_F(Faces, ContourEdgesAreDrawn) {
+TEST_F(Faces, ThePartingLineIsDrawn) {
   const std::vector<std::uint8_t> bare = settled_pixels();
-  click("Contour edges");
-  EXPECT_TRUE(state().settings.look.contour_edges);
+  click("Parting line");
+  EXPECT_TRUE(state().settings.look.parting_line);
   EXPECT_NE(settled_pixels(), bare);
   undo();
   EXPECT_EQ(settled_pixels(), bare);

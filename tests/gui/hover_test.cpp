@@ -1,6 +1,8 @@
 // The surface under the cursor: facet, draft, region, and for an undercut what blocks it.
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "gui/panels/panels.hpp"
 #include "gui/window_with_part.hpp"
 #include "mold/round_wall.hpp"
 
@@ -81,6 +83,46 @@ TEST_F(Hovering, TellsWhatBlocksAnUndercut) {
     const glm::dvec3& b = mesh.corner(blocker.facet, (corner + 1) % 3);
     EXPECT_GT(glm::dot(glm::cross(b - a, hit - a), normal), -1e-2 * glm::length(b - a)) << corner;
   }
+}
+
+TEST_F(Hovering, IsExplainedBesideTheCursor) {
+  find(Region::undercut);
+  const std::vector<std::string> lines = readout_lines(state());
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], "Undercut");
+  EXPECT_NE(lines[1].find("draft 0.0°"), std::string::npos) << lines[1];
+  const Blocker& blocker = *state().hover->blocker;
+  EXPECT_NE(lines[2].find(
+                fmt::format("blocked {:.4g} unit {}", blocker.distance, blocker.above ? "above" : "below")),
+            std::string::npos)
+      << lines[2];
+  EXPECT_NEAR(glm::distance(blocker.from, blocker.at) * state().model->frame.diagonal, blocker.distance,
+              1e-4);
+}
+
+TEST_F(Hovering, TheReadoutIsNeitherUnderTheCursorNorUnderAPanelNorOutside) {
+  key({.key = '7'});
+  move_to({640, 360});
+  for (int step = 0; step < 3; ++step) {  // the part grows over the whole window
+    window.turn_wheel(6.0F);
+    window.frames(2);
+  }
+  const ScreenBox left = window.control("panel Direction"), right = window.control("panel Regions"),
+                  below = window.control("panel Sweep");
+  int seen = 0;
+  for (float x = left.max.x + 4.0F; x < right.min.x; x += 110.0F) {
+    for (float y = 50.0F; y < below.min.y; y += 110.0F) {
+      move_to({x, y});
+      if (!state().hover) continue;
+      ++seen;
+      const ScreenBox box = window.control("readout");
+      EXPECT_TRUE(x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) << x << " " << y;
+      EXPECT_TRUE(box.min.x >= left.max.x && box.max.x <= right.min.x && box.min.y >= 40.0F &&
+                  box.max.y <= below.min.y)
+          << x << " " << y;
+    }
+  }
+  EXPECT_GT(seen, 15);
 }
 
 TEST_F(Hovering, NothingBesideThePart) {

@@ -43,6 +43,7 @@ class SceneMaps : public ::testing::Test {
     const PartModel& model = *loaded_.model;
     loaded_.geometry = std::make_shared<const ViewGeometry>(
         view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
+    loaded_.faces = std::make_shared<const Faces>(part_faces(model.part, model.geometry, model.adjacency));
   }
 
   std::vector<std::uint8_t> picture(Scene& scene, const Query& query) const {
@@ -51,7 +52,6 @@ class SceneMaps : public ::testing::Test {
     settings.maps_looked_at = true;
     settings.view.settings.samples = 1;
     settings.view.settings.arrows = false;
-    settings.view.settings.contour_edges = true;
     settings.view.camera.orientation = standard_orientation(StandardView::isometric);
     settings.view.camera =
         fitted(settings.view.camera, unit_positions(loaded_.model->part.mesh, loaded_.model->frame), k_size);

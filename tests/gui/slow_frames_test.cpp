@@ -106,7 +106,7 @@ class SlowFrames : public WindowWithPart {
           break;
         }
         case 5:
-          hand.go(window.control("Section").centre());
+          hand.go(window.control("Section=x").centre());
           hand.press(0, true);
           hand.press(0, false);
           hand.go(place());

@@ -61,7 +61,7 @@ TEST(GoldenPictures, OpenedMold) {
 
 TEST(GoldenPictures, SectionThroughAHollowSphere) {
   ViewSettings settings = flat_backdrop();
-  settings.cut_at = 0.05;
+  settings.cut = CutPlane{.normal = {0, 0, 1}, .offset = 0.05};
   EXPECT_TRUE(matches_golden(drawn(hollow_sphere(ShapeSettings{}), settings), "hollow_sphere_section"));
 }
 
@@ -71,16 +71,14 @@ TEST(GoldenPictures, UndercutsThroughTheRest) {
   EXPECT_TRUE(matches_golden(drawn(dovetail_slot(ShapeSettings{}), settings), "dovetail_slot_ghost"));
 }
 
-TEST(GoldenPictures, FacetEdgesLevelLinesAndContourEdges) {
+TEST(GoldenPictures, FacetEdgesLevelLinesAndPartingLine) {
   ViewSettings settings = flat_backdrop();
-  settings.facet_edges = settings.near_vertical = settings.contour_edges = true;
+  settings.facet_edges = settings.near_vertical = settings.parting_line = true;
   settings.colour_mode = ColourMode::plain;
   const Shape shape = cup(ShapeSettings{});
   ShapePicture picture(test::shared_context(), shape);
   const PartModel& model = *picture.model;
-  const auto classes = facet_classes(model.geometry, shape.direction, picture.query.method.tau_deg);
-  picture.view.set_contour_edges(contour_edges(model.part.mesh, model.edges.convex, classes, model.frame),
-                                 contour_edges(model.part.mesh, model.edges.concave, classes, model.frame));
+  picture.view.set_parting_line(parting_line(test::exact_regions(model, picture.query), model.frame));
   EXPECT_TRUE(matches_golden(picture.draw(picture.camera(), settings), "cup_edges"));
 }
 

@@ -2,11 +2,14 @@
 // every backend, refinement that ends, marks that change nothing below them.
 #include "render/part_view.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include <gtest/gtest.h>
 
+#include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
+#include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
@@ -184,6 +187,14 @@ TEST(PartView, RefinesUntilItIsDoneAndStartsAgainOnChange) {
   EXPECT_EQ(picture.read().rgba, done.rgba) << "the same picture again, to the bit";
 }
 
+/// Of every pixel: whether the pictures differ there.
+std::size_t differing_pixels(const Image& a, const Image& b) {
+  std::size_t pixels = 0;
+  for (std::size_t k = 0; k < a.rgba.size(); k += 4)
+    pixels += std::equal(a.rgba.begin() + k, a.rgba.begin() + k + 4, b.rgba.begin() + k) ? 0 : 1;
+  return pixels;
+}
+
 TEST(PartView, MarksLieOnTop) {
   ShapePicture picture(test::shared_context(), cup_with_side_hole(ShapeSettings{}));
   const Camera camera = picture.camera();
@@ -191,14 +202,48 @@ TEST(PartView, MarksLieOnTop) {
   const Image bare = picture.draw(camera, settings);
   const auto point = picture.view.pick({100, 75});
   ASSERT_TRUE(point);
-  const Image marked = picture.draw(camera, settings, {.hovered = point->facet});
-  EXPECT_GT(marked.at(100, 75)[0], bare.at(100, 75)[0]);
+  EXPECT_EQ(picture.draw(camera, settings, {.hovered = 0}).rgba, bare.rgba) << "no face is known";
+  const PartModel& model = *picture.model;
+  const Faces faces = smooth_faces(model.part.mesh, model.geometry, model.adjacency);
+  picture.view.set_faces(faces.of_facet);
+  const std::uint32_t face = faces.of_facet[point->facet];
+  const std::vector<std::uint32_t> facets = picture.view.read_facets();
+  const auto of_face = std::ranges::count_if(
+      facets, [&](std::uint32_t number) { return number != 0 && faces.of_facet[number - 1] == face; });
+  for (const ViewMarks& marks :
+       {ViewMarks{.hovered = face}, ViewMarks{.blocking = face}, ViewMarks{.chosen = face}}) {
+    const Image marked = picture.draw(camera, settings, marks);
+    EXPECT_GT(marked.at(100, 75)[0], bare.at(100, 75)[0]);
+    EXPECT_EQ(differing_pixels(marked, bare), static_cast<std::size_t>(of_face))
+        << "the whole face and no more";
+  }
   EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
-  const FacetIndex chosen[] = {point->facet};
-  picture.view.choose_facets(chosen);
-  EXPECT_NE(picture.draw(camera, settings).rgba, bare.rgba);
-  picture.view.choose_facets({});
-  EXPECT_EQ(picture.draw(camera, settings).rgba, bare.rgba);
+}
+
+TEST(PartView, MarkedLinesShowThroughAndRefineNothingAnew) {
+  ShapePicture picture(test::shared_context(), box_shape(ShapeSettings{}));
+  const Camera camera = picture.camera();
+  ViewSettings settings = one_sample();
+  settings.samples = 4;
+  const Image bare = picture.draw(camera, settings);
+  const auto drawn_over = [&](MarkedLines which, const ViewSegment& segment) {
+    picture.view.set_marked_lines(which, {&segment, 1});
+    EXPECT_FALSE(picture.view.draw(picture.target(), picture.maps.subject(), {camera, settings}));
+    const Image marked = picture.read();
+    picture.view.set_marked_lines(which, {});
+    EXPECT_FALSE(picture.view.draw(picture.target(), picture.maps.subject(), {camera, settings}));
+    EXPECT_EQ(picture.read().rgba, bare.rgba);
+    return differing_pixels(marked, bare);
+  };
+  const glm::vec3 aside(0.2 * camera.right());
+  const ViewSegment behind{-aside - glm::vec3(camera.toward_viewer()),
+                           aside - glm::vec3(camera.toward_viewer())};
+  const ViewSegment before{-aside + glm::vec3(camera.toward_viewer()),
+                           aside + glm::vec3(camera.toward_viewer())};
+  EXPECT_EQ(drawn_over(MarkedLines::chosen, behind), 0U);
+  EXPECT_GT(drawn_over(MarkedLines::blocking, behind), 50U);
+  for (const MarkedLines which : {MarkedLines::chosen, MarkedLines::blocking, MarkedLines::ways})
+    EXPECT_GT(drawn_over(which, before), 50U);
 }
 
 TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
@@ -280,6 +325,49 @@ TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
   }
   EXPECT_GT(before, 50U);
   EXPECT_GT(kept, before * 9 / 10) << "what moved away must not hide them more than a little";
+}
+
+/// Pixels that show the cut of a section across x through a mesh, and those that show anything.
+struct CutPixels {
+  int cut = 0, all = 0;
+};
+CutPixels cut_pixels(const TriangleMesh& mesh) {
+  ShapePicture picture(test::shared_context(),
+                       {.name = {}, .mesh = mesh, .direction = {0, 0, 1}, .expected = {}, .settings = {}});
+  Camera camera = picture.camera();
+  camera.orientation = standard_orientation(StandardView::right);
+  ViewSettings settings = one_sample();
+  settings.cut = CutPlane{.normal = {1, 0, 0}, .offset = 0.0};
+  static_cast<void>(picture.draw(camera, settings));
+  CutPixels pixels;
+  for (int y = 0; y < picture.target().size.y; ++y) {
+    for (int x = 0; x < picture.target().size.x; ++x) {
+      const auto point = picture.view.pick({x, y});
+      if (!point) continue;
+      ++pixels.all;
+      if (point->facet != k_no_facet) continue;
+      ++pixels.cut;
+      EXPECT_NEAR(point->position.x, 0.0F, 1e-4F);
+    }
+  }
+  EXPECT_GT(pixels.all, 1000);
+  return pixels;
+}
+
+TEST(PartView, ASectionShowsWhereSolidsAreCutHoweverManyTheyAre) {
+  using test::box_mesh, test::joined;
+  const TriangleMesh box = box_mesh({0, 0, 0}, {8, 4, 4});
+  const auto whole = [](const CutPixels& pixels) { return pixels.cut == pixels.all; };
+  EXPECT_TRUE(whole(cut_pixels(box)));
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({0, 4, 0}, {8, 6, 4}))))) << "they touch";
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({1, 2, 1}, {7, 6, 3}))))) << "they overlap";
+  EXPECT_TRUE(whole(cut_pixels(joined(box, box_mesh({1, 1, 1}, {5, 3, 3}))))) << "one is in the other";
+  TriangleMesh open = box;
+  open.facets.pop_back();
+  EXPECT_EQ(cut_pixels(open).cut, 0) << "an open part encloses nothing";
+  const CutPixels beside = cut_pixels(joined(open, box_mesh({0, 6, 0}, {8, 8, 4})));
+  EXPECT_GT(beside.cut, beside.all / 4) << "the closed one of two";
+  EXPECT_LT(beside.cut, beside.all / 2);
 }
 
 TEST(PartView, APlainPictureNeedsNoRegions) {

@@ -207,6 +207,14 @@ void PanelLayout::fold(bool collapsed) {
   open_->place.collapsed = collapsed;
 }
 
+glm::vec2 FreeArea::beside(const glm::vec2& point, const glm::vec2& size, float gap) const {
+  const glm::vec2 most = glm::vec2(max) - size;
+  glm::vec2 corner = point + gap;
+  if (corner.x > most.x) corner.x = point.x - gap - size.x;
+  if (corner.y > most.y) corner.y = point.y - gap - size.y;
+  return glm::max(glm::min(corner, most), glm::vec2(min));
+}
+
 FreeArea PanelLayout::free_area(bool panels_hidden) const {
   FreeArea area{.window = size_, .min = {0, 0}, .max = size_};
   if (panels_hidden) return area;

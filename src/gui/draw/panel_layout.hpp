@@ -40,6 +40,9 @@ struct FreeArea {
   glm::ivec2 min{0}, max{0};
 
   [[nodiscard]] float middle_x() const { return 0.5F * static_cast<float>(min.x + max.x); }
+  /// The upper left corner of a box that stands beside a point: to the right and below, or where there is
+  /// room.
+  [[nodiscard]] glm::vec2 beside(const glm::vec2& point, const glm::vec2& size, float gap) const;
   bool operator==(const FreeArea&) const = default;
 };
 

@@ -400,6 +400,25 @@ void hint(const Ui& ui, std::string_view text) {
   if (wraps) ImGui::PopTextWrapPos();
 }
 
+void copy_menu(const char* id, const std::string& text) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
+  if (!ImGui::BeginPopup(id)) return;
+  if (ImGui::MenuItem(fmt::format("Copy {}", text).c_str())) ImGui::SetClipboardText(text.c_str());
+  ImGui::EndPopup();
+}
+
+glm::vec2 tag_size(const Ui& ui, std::string_view text) {
+  return text_size(ui.fonts.small, text) + 2.0F * glm::vec2(ui.px(8), ui.px(3));
+}
+
+void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, float alpha) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const glm::vec2 half = 0.5F * tag_size(ui, text);
+  list.AddRectFilled(im(middle - half), im(middle + half), faded(ui.colours->panel, 0.85F * alpha), half.y);
+  draw_text(list, {ui.fonts.small, faded(ui.colours->text, alpha)},
+            middle - 0.5F * text_size(ui.fonts.small, text), text);
+}
+
 void progress_bar(const Ui& ui, double fraction, float width) {
   const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
   const float height = ui.px(4);

@@ -85,6 +85,9 @@ inline constexpr ImGuiWindowFlags k_card_window =
 /// The next window's place: that of its point at `pivot`, which is a share of its size.
 void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
+/// A right click on the item just drawn offers to copy a text.
+void copy_menu(const char* id, const std::string& text);
+
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);
 void coloured_text(ImU32 colour, std::string_view text);
@@ -94,6 +97,10 @@ void hint(const Ui& ui, std::string_view text);
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text);
 /// A texture of the GL, whose rows begin below; nothing for 0.
 void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding);
+
+/// A word in the scene, behind the panels, on a tag that reads on any colour.
+[[nodiscard]] glm::vec2 tag_size(const Ui& ui, std::string_view text);
+void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, float alpha);
 
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);

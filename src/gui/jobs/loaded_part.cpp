@@ -30,11 +30,13 @@ LoadedPart load_for_window(const std::string& path, const ReadOptions& options, 
                     .reading = options,
                     .model = load_part(path, options, progress),
                     .geometry = {},
+                    .faces = {},
                     .features = {}};
   progress.report("preparing the picture", 0.0);
   const PartModel& model = *loaded.model;
   loaded.geometry = std::make_shared<const ViewGeometry>(
       view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
+  loaded.faces = std::make_shared<const Faces>(part_faces(model.part, model.geometry, model.adjacency));
   loaded.features = feature_directions(model, progress);
   progress.report("ready", 1.0);
   return loaded;

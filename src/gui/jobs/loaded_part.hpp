@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "classify/part_model.hpp"
+#include "mesh/faces.hpp"
 #include "render/view_geometry.hpp"
 
 namespace moldlight::gui {
@@ -24,6 +25,7 @@ struct LoadedPart {
   ReadOptions reading;
   std::shared_ptr<const PartModel> model;
   std::shared_ptr<const ViewGeometry> geometry;
+  std::shared_ptr<const Faces> faces;
   /// The axes of the file, axes of round walls, normals of large planes, directions along much wall area.
   std::vector<FeatureDirection> features;
 };

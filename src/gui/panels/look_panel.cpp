@@ -18,7 +18,7 @@ void draw_chips(const Ui& ui, LookSettings& look) {
   bool first = true;
   for (const Option<LookSettings>& option : look_options()) {
     const auto* kind = std::get_if<SwitchKind<LookSettings>>(&option.kind);
-    if (kind == nullptr || option.key == "section" || is_among(k_map_look_options, option)) continue;
+    if (kind == nullptr || is_among(k_map_look_options, option)) continue;
     const float width = text_size(ui.fonts.body, option.label).x + ui.px(18);
     if (!first) {
       ImGui::SameLine(0.0F, ui.px(4));
@@ -66,8 +66,9 @@ void draw_look_panel(const PanelContext& context) {
     const PartLengths lengths(context.state);
     for (const Option<LookSettings>& option : look_options()) {
       const bool is_switch = std::holds_alternative<SwitchKind<LookSettings>>(option.kind);
-      if ((is_switch && option.key != "section") || is_among(k_map_look_options, option)) continue;
-      if (option.key == "section_height" && !look.section) continue;
+      if (is_switch || is_among(k_map_look_options, option)) continue;
+      if (option.key == "section_at" && look.section == Section::off) continue;
+      if (option.key == "section_turn" && look.section != Section::along) continue;
       option_row(ui, option, look, {.lengths = &lengths});
       if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
@@ -48,7 +49,12 @@ void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
-void draw_status(const PanelContext& context);
+void draw_chosen_face(const PanelContext& context);
+void draw_cursor_readout(const PanelContext& context);
+/// What the readout says of what is under the cursor; nothing beside the part.
+[[nodiscard]] std::vector<std::string> readout_lines(const AppState& state);
+/// With a degree sign; what prints as nothing has no sign.
+[[nodiscard]] std::string draft_text(double draft_deg);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);

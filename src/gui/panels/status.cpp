@@ -1,4 +1,4 @@
-// The line about the surface under the cursor, and cards for what goes on: loading, messages.
+// Cards for what goes on: the chosen face, loading, messages.
 #include <algorithm>
 #include <filesystem>
 
@@ -12,16 +12,11 @@ namespace moldlight::gui {
 
 namespace {
 
-std::string facet_line(const Hover& hover) {
-  const double draft = std::abs(hover.draft_deg) < 0.05 ? 0.0 : hover.draft_deg;
-  return fmt::format("facet {}  ·  draft {}{:.1f}°  ·  {}", grouped(std::to_string(hover.point.facet)),
-                     draft < 0.0 ? "−" : "", std::abs(draft), region_name(hover.point.region));
-}
-
-/// The chosen face, with the shares that `--faces` tells; those that print as nothing are left out.
+/// With the shares of its regions; those that print as nothing are left out.
 std::string face_line(const AppState& state) {
   const ChosenFace& face = *state.face;
-  std::string line = fmt::format("face {}", grouped(std::to_string(face.number)));
+  std::string line = "face";
+  if (state.model->part.has_cad_faces) line += " " + grouped(std::to_string(face.number));
   if (!face.figures) return line + "  ·  measuring …";
   const double area = face.figures->areas.total();
   line += fmt::format("  ·  {} {}", grouped(fmt::format("{:.5g}", area)), powered_unit(state.model->part, 2));
@@ -29,29 +24,21 @@ std::string face_line(const AppState& state) {
     const double percent = 100.0 * share(face.figures->areas[region], area);
     if (percent >= 0.05) line += fmt::format("  ·  {} {:.1f} %", region_name(region), percent);
   }
-  return line;
-}
-
-std::string blocker_line(const AppState& state, const Blocker& blocker) {
-  return fmt::format("blocked by facet {}, {:.4g} {} {}", grouped(std::to_string(blocker.facet)),
-                     blocker.distance, length_unit(state.model->part), blocker.above ? "above" : "below");
+  const std::string least = draft_text(face.figures->least_draft_deg),
+                    most = draft_text(face.figures->most_draft_deg);
+  return line + "  ·  draft " + (least == most ? least : least + " … " + most);
 }
 
 }  // namespace
 
-void draw_status(const PanelContext& context) {
-  if (!context.state.model || (!context.state.hover && !context.state.face)) return;
+void draw_chosen_face(const PanelContext& context) {
+  const AppState& state = context.state;
+  if (!state.model || !state.face) return;
   const Ui& ui = context.ui;
-  const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
+  const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
   place_window({area.middle_x(), static_cast<float>(area.max.y) - ui.px(12)}, {0.5F, 1.0F});
-  ImGui::Begin("Status", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
-  if (context.state.face)
-    coloured_text(context.state.figures.pale ? ui.colours->muted : ui.colours->text,
-                  face_line(context.state));
-  if (const auto& hover = context.state.hover) {
-    coloured_text(ui.colours->text, facet_line(*hover));
-    if (hover->blocker) coloured_text(ui.colours->muted, blocker_line(context.state, *hover->blocker));
-  }
+  ImGui::Begin("Chosen face", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
+  coloured_text(state.figures.pale ? ui.colours->muted : ui.colours->text, face_line(state));
   ImGui::End();
 }
 

@@ -21,7 +21,9 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   }
   if (context.state.model) {
     draw_view_cube(context);
-    draw_status(context);
+    draw_chosen_face(context);
+    draw_measuring(context);
+    draw_cursor_readout(context);
   }
   draw_start_page(context, textures.shipped_parts);
   draw_loading(context);

@@ -58,7 +58,8 @@ void set_settings(Query& query, Json json) {
 }
 
 /// Takes notes of former versions to the present one. Until 1, figures were sums over samples, and a kernel
-/// was always set; until 2, a look had the opacity of other surface.
+/// was always set; until 2, a look had the opacity of other surface, one way to lay a section, and
+/// contour edges.
 void renew(Json& json) {
   const auto object = [&](const char* key) { return json.contains(key) && json[key].is_object(); };
   if (json["schema"] == "moldlight.view/1") {
@@ -67,10 +68,19 @@ void renew(Json& json) {
     json["schema"] = "moldlight.view/2";
   }
   if (json["schema"] == "moldlight.view/2") {
-    if (object("look") && json["look"].contains("others_opacity")) {
-      const Json opacity = json["look"]["others_opacity"];
-      json["look"].erase("others_opacity");
-      if (opacity.is_number()) json["look"]["transparency"] = 1.0 - opacity.get<double>();
+    if (object("look")) {
+      Json& look = json["look"];
+      const auto take = [&](const char* key) {
+        const Json value = look.contains(key) ? look[key] : Json();
+        look.erase(key);
+        return value;
+      };
+      if (const Json opacity = take("others_opacity"); opacity.is_number())
+        look["transparency"] = 1.0 - opacity.get<double>();
+      if (const Json cut = take("section"); cut.is_boolean())
+        look["section"] = cut.get<bool>() ? "across" : "off";
+      if (const Json height = take("section_height"); height.is_number()) look["section_at"] = height;
+      if (const Json edges = take("contour_edges"); edges.is_boolean()) look["parting_line"] = edges;
     }
     json["schema"] = k_schema;
   }

@@ -1,8 +1,5 @@
 #include "gui/view/scene.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include <glm/geometric.hpp>
 
 #include "classify/classifier.hpp"
@@ -21,20 +18,9 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
-      tools_(context.functions()) {}
-
-double Scene::section_height(const glm::dvec3& direction, double share) {
-  if (direction != extent_.direction) {
-    extent_ = {direction, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const glm::dvec3& vertex : part_.model->part.mesh.vertices) {
-      const double height = glm::dot(vertex, direction);
-      extent_.least = std::min(extent_.least, height);
-      extent_.greatest = std::max(extent_.greatest, height);
-    }
-  }
-  const double height = extent_.least + share * (extent_.greatest - extent_.least);
-  const UnitFrame& frame = part_.model->frame;
-  return (height - glm::dot(frame.center, direction)) / frame.diagonal;
+      tools_(context.functions()),
+      sections_(part.model->part.mesh, part.model->frame) {
+  view_.set_faces(part_.faces->of_facet);
 }
 
 bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
@@ -56,7 +42,7 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
     thumbnails_stale_ = true;
   }
   if (fine && settings.samples) compare_with(settings.samples);
-  if (settings.view.settings.contour_edges) find_contour_edges(inputs);
+  if (settings.view.settings.parting_line) find_parting_line();
   drawn_ = true;
   return view_.draw(target, maps_.subject(), settings.view);
 }
@@ -71,19 +57,33 @@ void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
   compared_maps_ = revision;
 }
 
-void Scene::find_contour_edges(const MapInputs& inputs) {
-  if (contour_of_ == inputs) return;
-  const PartModel& model = *part_.model;
-  const std::vector<FacetClass> classes = facet_classes(model.geometry, inputs.direction, inputs.tau_deg);
-  const TriangleMesh& mesh = model.part.mesh;
-  view_.set_contour_edges(contour_edges(mesh, model.edges.convex, classes, model.frame),
-                          contour_edges(mesh, model.edges.concave, classes, model.frame));
-  contour_of_ = inputs;
+void Scene::find_parting_line() {
+  if (parting_line_of_ == split_) return;
+  view_.set_parting_line(split_ ? parting_line(*split_, part_.model->frame) : std::vector<ViewSegment>());
+  parting_line_of_ = split_;
 }
 
-void Scene::choose_face(const ChosenFace* face) {
-  view_.choose_facets(face != nullptr ? face->facets : std::vector<FacetIndex>());
-  view_.set_outline(face != nullptr ? outline_of(*part_.model, *face) : std::vector<ViewSegment>());
+void Scene::choose_face(const std::optional<std::uint32_t>& face) {
+  view_.set_marked_lines(MarkedLines::chosen,
+                         face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
+}
+
+void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span) {
+  if (blocker == blocker_ && span == span_) return;
+  const auto face = [&](const std::optional<Blocker>& of) {
+    return of ? std::optional(part_.faces->of_facet[of->facet]) : std::nullopt;
+  };
+  if (face(blocker) != face(blocker_)) {
+    view_.set_marked_lines(MarkedLines::blocking, blocker
+                                                      ? outline_of(*part_.model, *part_.faces, *face(blocker))
+                                                      : std::vector<ViewSegment>());
+  }
+  std::vector<ViewSegment> ways;
+  if (blocker) ways.push_back({blocker->from, blocker->at});
+  if (span) ways.push_back({span->start, span->end});
+  view_.set_marked_lines(MarkedLines::ways, ways);
+  blocker_ = blocker;
+  span_ = span;
 }
 
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {

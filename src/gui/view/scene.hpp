@@ -13,6 +13,7 @@
 #include "gui/app_state.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "render/sample_pass.hpp"
+#include "render/section_planes.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_passes.hpp"
 
@@ -37,10 +38,13 @@ class Scene {
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
   /// Marks a face, or none.
-  void choose_face(const ChosenFace* face);
-  /// Where a section plane lies along `direction` (unit), in the unit frame, at this share of the part's
-  /// extent.
-  [[nodiscard]] double section_height(const glm::dvec3& direction, double share);
+  void choose_face(const std::optional<std::uint32_t>& face);
+  /// Marks what is in a point's way, and the way there; and the span in a section.
+  void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
+  /// The plane that cuts the part; nothing where no section is chosen.
+  [[nodiscard]] std::optional<CutPlane> section(const LookSettings& look, const glm::dvec3& direction) {
+    return sections_.plane(look, direction);
+  }
   /// What the picture last drawn shows at a pixel.
   [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
   /// Of the maps last compared.
@@ -51,7 +55,7 @@ class Scene {
   [[nodiscard]] const LoadedPart& part() const { return part_; }
 
  private:
-  /// All that maps and contour edges depend on; other settings are about measuring.
+  /// All that maps depend on; other settings are about measuring.
   struct MapInputs {
     glm::dvec3 direction{0.0};
     double tau_deg = 0.0;
@@ -59,30 +63,27 @@ class Scene {
     bool operator==(const MapInputs&) const = default;
   };
   void compare_with(const std::shared_ptr<const PieceSamples>& samples);
-  void find_contour_edges(const MapInputs& inputs);
+  void find_parting_line();
 
   const gl::Context* context_;
   LoadedPart part_;
   PictureMaps maps_;
   PartView view_;
   gl::Tools tools_;
+  SectionPlanes sections_;
   std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
   std::optional<MapInputs> maps_of_;        // from which the maps were drawn
   bool maps_are_coarse_ = false;            // they are those of a moving direction
   std::optional<SamplePass> sample_pass_;
   std::shared_ptr<const MapComparison> comparison_;
   std::shared_ptr<const PieceSamples> compared_samples_;
-  std::uint64_t compared_maps_ = 0;      // revision
-  std::optional<MapInputs> contour_of_;  // for which the contour edges were found
+  std::uint64_t compared_maps_ = 0;                   // revision
+  std::shared_ptr<const SplitMesh> parting_line_of_;  // of which the line was found
   std::optional<gl::ColourTarget> plus_, minus_;
+  std::optional<Blocker> blocker_;  // that are shown
+  std::optional<CutSpan> span_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;
-  struct Extent {
-    glm::dvec3 direction{0.0};
-    double least = 0.0, greatest = 0.0;  // model units
-  };
-  Extent
-      extent_;  // along the direction last asked for: millions of vertices are not gone through every frame
 };
 
 /// The camera with its orientation and projection, so that the part fills the free area; opened halves

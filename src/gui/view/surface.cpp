@@ -5,11 +5,18 @@
 #include <glm/geometric.hpp>
 
 #include "classify/classifier.hpp"
-#include "classify/classify_report.hpp"
 #include "mold/exact_rays.hpp"
 #include "mold/map_frame.hpp"
 
 namespace moldlight::gui {
+
+namespace {
+
+/// Around a point, of which the shortest span is taken: an odd number, so that none is another one backwards.
+constexpr int k_span_ways = 61;
+constexpr double k_level = 1e-6;  // of a cross product; a shorter one tells no direction
+
+}  // namespace
 
 Hover describe(const PartModel& model, const Query& query, const PickedPoint& point) {
   const glm::dvec3& normal = model.geometry.normals[point.facet];
@@ -26,39 +33,69 @@ Hover describe(const PartModel& model, const Query& query, const PickedPoint& po
           : point.position;
   for (const bool above : {true, false}) {
     if (hover.facet_class == (above ? FacetClass::down : FacetClass::up)) continue;
-    const auto hit = model.rays().first_hit(origin, glm::vec3(above ? direction : -direction), true);
+    const glm::vec3 way(above ? direction : -direction);
+    const auto hit = model.rays().first_hit(origin, way, true);
     if (!hit) continue;
-    const Blocker blocker{hit->facet, hit->distance * model.frame.diagonal, above};
+    const Blocker blocker{hit->facet, hit->distance * model.frame.diagonal, above, origin,
+                          origin + hit->distance * way};
     if (!hover.blocker || blocker.distance < hover.blocker->distance) hover.blocker = blocker;
   }
   return hover;
 }
 
-std::optional<ChosenFace> face_of(const PartModel& model, FacetIndex facet) {
-  const std::vector<std::uint32_t>& sources = model.part.facet_source;
-  if (sources.empty() || sources[facet] == k_no_facet) return std::nullopt;
-  ChosenFace face{.number = sources[facet], .facets = {}, .figures = {}};
-  for (FacetIndex other = 0; other < sources.size(); ++other) {
-    if (sources[other] == face.number) face.facets.push_back(other);
+std::optional<CutSpan> cut_span(const PartModel& model, const CutPlane& plane, const glm::dvec3& direction,
+                                const glm::dvec3& point) {
+  const glm::vec3 from(point);
+  std::optional<CutSpan> shortest;
+  std::vector<glm::dvec3> walls;  // their normals, where the shortest span ends
+  const auto try_way = [&](const glm::dvec3& along) {
+    const glm::vec3 way(along);
+    const auto ahead = model.rays().first_hit(from, way, false),
+               behind = model.rays().first_hit(from, -way, false);
+    if (!ahead || !behind) return;
+    const double length = (ahead->distance + behind->distance) * model.frame.diagonal;
+    if (shortest && shortest->length <= length) return;
+    walls = {model.geometry.normals[ahead->facet], model.geometry.normals[behind->facet]};
+    // Walls look away from material.
+    shortest = CutSpan{length, glm::dot(walls[0], along) > 0.0, from - behind->distance * way,
+                       from + ahead->distance * way};
+  };
+  const glm::dvec3 level = glm::cross(plane.normal, direction);
+  if (glm::length(level) > k_level) {
+    try_way(glm::normalize(level));
+    return shortest;
   }
-  return face;
+  for (const glm::dvec3& way : ring_around(plane.normal, 90.0, k_span_ways, 0.0)) try_way(way);
+  // Straight across the walls that were found, to the last digit.
+  for (const glm::dvec3& wall : std::vector(walls)) {
+    const glm::dvec3 across = wall - glm::dot(wall, plane.normal) * plane.normal;
+    if (glm::length(across) > k_level) try_way(glm::normalize(across));
+  }
+  return shortest;
 }
 
-std::optional<SourceAreas> face_figures(const PartModel& model, const Classification& result,
-                                        std::uint32_t number) {
-  const std::vector<SourceAreas> all = face_areas(model, result);
-  const auto found = std::ranges::find(all, number, &SourceAreas::source);
-  return found == all.end() ? std::nullopt : std::optional(*found);
+FaceFigures face_figures(const PartModel& model, const Classification& result,
+                         std::span<const FacetIndex> face) {
+  FaceFigures figures{.areas = {}, .least_draft_deg = 90.0, .most_draft_deg = -90.0};
+  for (const FacetIndex facet : face) {
+    const double area = model.geometry.areas[facet];
+    if (area <= 0.0) continue;
+    for (const Region region : k_regions)
+      figures.areas[region] += area * result.facet_fractions[facet][static_cast<std::size_t>(region)];
+    const double draft = draft_angle_deg(model.geometry.normals[facet], result.direction);
+    figures.least_draft_deg = std::min(figures.least_draft_deg, draft);
+    figures.most_draft_deg = std::max(figures.most_draft_deg, draft);
+  }
+  return figures;
 }
 
-std::vector<ViewSegment> outline_of(const PartModel& model, const ChosenFace& face) {
+std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces, std::uint32_t number) {
   const TriangleMesh& mesh = model.part.mesh;
-  const std::vector<std::uint32_t>& sources = model.part.facet_source;
   std::vector<ViewSegment> outline;
-  for (const FacetIndex facet : face.facets) {
+  for (const FacetIndex facet : faces.facets(number)) {
     for (int edge = 0; edge < 3; ++edge) {
       const FacetIndex across = model.adjacency.across[facet][static_cast<std::size_t>(edge)];
-      if (across != k_no_facet && sources[across] == face.number) continue;
+      if (across != k_no_facet && faces.of_facet[across] == number) continue;
       outline.push_back({model.frame.to_unit(mesh.corner(facet, edge)),
                          model.frame.to_unit(mesh.corner(facet, (edge + 1) % 3))});
     }

@@ -1,14 +1,15 @@
-// What is said of the part's surface: at the point under the cursor, and of the CAD face that was chosen.
+// What is said of the part's surface: at the point under the cursor, and of the face that was chosen.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
+#include "mesh/faces.hpp"
 #include "mold/draft.hpp"
-#include "mold/measure.hpp"
 #include "render/part_view.hpp"
 #include "render/view_geometry.hpp"
 
@@ -17,8 +18,11 @@ namespace moldlight::gui {
 /// What stands in a point's way.
 struct Blocker {
   FacetIndex facet = 0;
-  double distance = 0.0;  // model units, along the direction of removal
-  bool above = true;      // towards +d
+  double distance = 0.0;           // model units, along the direction of removal
+  bool above = true;               // towards +d
+  glm::vec3 from{0.0F}, at{0.0F};  // ends of the way there, unit frame
+
+  bool operator==(const Blocker&) const = default;
 };
 
 /// The surface under the cursor.
@@ -32,21 +36,36 @@ struct Hover {
 /// Draft, class and, for an undercut, what blocks it: found by exact rays, so that it names one facet.
 [[nodiscard]] Hover describe(const PartModel& model, const Query& query, const PickedPoint& point);
 
-/// A CAD face: its facets and figures.
-struct ChosenFace {
-  std::uint32_t number = 0;  // as in the file: see Part::facet_source
-  std::vector<FacetIndex> facets;
-  std::optional<SourceAreas> figures;  // of the last measuring; none yet
+/// In a section plane, how far it is from the cursor's place to the outline on both sides.
+struct CutSpan {
+  double length = 0.0;               // model units
+  bool material = true;              // thickness of it; else a gap between two walls
+  glm::vec3 start{0.0F}, end{0.0F};  // unit frame
+
+  bool operator==(const CutSpan&) const = default;
 };
 
-/// The face that a facet belongs to; nothing for a part whose facets belong to none.
-[[nodiscard]] std::optional<ChosenFace> face_of(const PartModel& model, FacetIndex facet);
+/// The span at a point of the plane, in material or not: across the parting direction, and where the whole
+/// plane lies across it in the way that is shortest. Nothing where one side is open.
+[[nodiscard]] std::optional<CutSpan> cut_span(const PartModel& model, const CutPlane& plane,
+                                              const glm::dvec3& direction, const glm::dvec3& point);
 
-/// What `--faces` would write of this face.
-[[nodiscard]] std::optional<SourceAreas> face_figures(const PartModel& model, const Classification& result,
-                                                      std::uint32_t number);
+/// What a face is made of, for the last measuring.
+struct FaceFigures {
+  RegionValues areas;                                  // model units squared
+  double least_draft_deg = 0.0, most_draft_deg = 0.0;  // of its facets
+};
 
-/// The edges between its facets and others.
-[[nodiscard]] std::vector<ViewSegment> outline_of(const PartModel& model, const ChosenFace& face);
+struct ChosenFace {
+  std::uint32_t number = 0;            // among the part's faces
+  std::optional<FaceFigures> figures;  // none yet
+};
+
+[[nodiscard]] FaceFigures face_figures(const PartModel& model, const Classification& result,
+                                       std::span<const FacetIndex> face);
+
+/// The edges between facets of a face and others.
+[[nodiscard]] std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces,
+                                                  std::uint32_t number);
 
 }  // namespace moldlight::gui

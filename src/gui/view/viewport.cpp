@@ -1,12 +1,15 @@
 #include "gui/view/viewport.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "gui/draw/panel_layout.hpp"
+#include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/scene.hpp"
 
@@ -17,22 +20,9 @@ namespace {
 constexpr float k_tip_reach = 12.0F;    // layout units around a tip in which it is grabbed
 constexpr float k_names_apart = 40.0F;  // layout units between tips whose names do not cover each other
 constexpr float k_click_reach = 3.0F;   // pixels; a mouse that moves further drags
+constexpr double k_least_way = 0.15;    // of a length that is seen askew, to drag along it
 constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
 constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
-
-PartingArrow arrow_in_scene(const AppState& state, const SceneFrame& frame, bool core) {
-  const glm::dvec3 direction = state.settings.direction.unit();
-  return parting_arrow(state.extremes, core ? direction : -direction, frame.open_mold);
-}
-
-std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, bool core) {
-  const PartingArrow shape = arrow_in_scene(state, frame, core);
-  const auto tail = project(state.camera, frame.size, shape.tail);
-  const auto tip = project(state.camera, frame.size, shape.tip);
-  if (!tail || !tip) return std::nullopt;
-  return ArrowOnScreen{glm::vec2(*tail), glm::vec2(*tip),
-                       glm::dot(shape.tip, state.camera.toward_viewer()) >= 0.0};
-}
 
 /// As in the programs that people come from.
 Gesture middle_gesture(NavigationPreset preset, const ImGuiIO& io) {
@@ -58,20 +48,37 @@ Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
   return io.KeyShift ? Gesture::pan : Gesture::orbit;
 }
 
-/// The arrow's name beyond its tip, where the arrow itself does not run, on a tag that reads on any colour.
+/// The arrow's name beyond its tip, where the arrow itself does not run.
 void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, float alpha) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const glm::vec2 along = arrow.tip - arrow.tail, text = text_size(ui.fonts.small, name);
+  const glm::vec2 along = arrow.tip - arrow.tail;
   const float length = glm::length(along);
   const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
-  const glm::vec2 room = 0.5F * text + glm::vec2(ui.px(8), ui.px(3));
+  const glm::vec2 room = 0.5F * tag_size(ui, name);
   glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  list.AddRectFilled(im(middle - room), im(middle + room), faded(ui.colours->panel, 0.85F * alpha), room.y);
-  draw_text(list, {ui.fonts.small, faded(ui.colours->text, alpha)}, middle - 0.5F * text, name);
+  draw_tag(ui, middle, name, alpha);
 }
 
 }  // namespace
+
+/// Nothing for one that is not shown.
+std::optional<ViewArrow> Viewport::arrow_in_scene(const AppState& state, const SceneFrame& frame,
+                                                  Arrow which) {
+  if (which == Arrow::section) return state.cut ? std::optional(section_arrow(*state.cut)) : std::nullopt;
+  if (!state.settings.look.arrows) return std::nullopt;
+  const glm::dvec3 direction = state.settings.direction.unit();
+  return parting_arrow(state.extremes, which == Arrow::core ? direction : -direction, frame.open_mold);
+}
+
+std::optional<ArrowOnScreen> Viewport::arrow(const AppState& state, const SceneFrame& frame, Arrow which) {
+  const auto shape = arrow_in_scene(state, frame, which);
+  if (!shape) return std::nullopt;
+  const auto tail = project(state.camera, frame.size, shape->tail);
+  const auto tip = project(state.camera, frame.size, shape->tip);
+  if (!tail || !tip) return std::nullopt;
+  return ArrowOnScreen{glm::vec2(*tail), glm::vec2(*tip),
+                       glm::dot(shape->tip, state.camera.toward_viewer()) >= 0.0};
+}
 
 void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFrame& frame, Edits& edits) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -87,22 +94,24 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (drag_ && !io.MouseDown[0]) drag_.reset();
   if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
   if (press_ && !io.MouseDown[0]) {
-    edits.ask(&Commands::choose_face, press_->facet);
+    const auto& point = press_->point;
+    if (!edits.measuring) {
+      edits.ask(&Commands::choose_face, point ? std::optional(point->facet) : std::nullopt);
+    } else if (point) {
+      edits.measuring->add(measured_place(*state.model, *point));
+    }
     press_.reset();
   }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   if (!dragging() && on_scene) {
-    for (const bool core : {true, false}) {
-      const auto shown = arrow(state, frame, core);
-      if (state.settings.look.arrows && shown &&
-          glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) {
-        near_tip_ = core;
-      }
+    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
+      const auto shown = arrow(state, frame, each);
+      if (shown && glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) near_tip_ = each;
     }
     for (int button = 0; button < 3; ++button) {
       if (io.MouseClicked[button]) start(state, frame, button);
     }
-    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_) {
+    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring) {
       edits.ask(io.KeyAlt ? &Commands::take_axis : &Commands::take_normal);
     }
     if (io.MouseWheel != 0.0F) {
@@ -112,7 +121,9 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     hovers_ = !dragging() && !near_tip_;
   }
   if (near_tip_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (drag_) drag_arrow(state, frame, edits);
+  // A press alone, or a hand that trembles, leaves what it holds as it is.
+  if (drag_ && ImGui::IsMouseDragging(0, k_click_reach))
+    drag_->arrow == Arrow::section ? drag_section(state, frame, edits) : drag_direction(state, frame, edits);
   move_camera(ui, frame, edits);
 }
 
@@ -120,11 +131,14 @@ void Viewport::start(const AppState& state, const SceneFrame& frame, int button)
   const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
   if (button == ImGuiMouseButton_Left && near_tip_) {
     const auto shown = arrow(state, frame, *near_tip_);
-    drag_ = ArrowDrag{.core = *near_tip_, .front = shown->toward_viewer, .grip = shown->tip - mouse};
+    drag_ = ArrowDrag{.arrow = *near_tip_,
+                      .front = shown->toward_viewer,
+                      .grip = shown->tip - mouse,
+                      .place = state.settings.look.section_at};
     return;
   }
   if (button == ImGuiMouseButton_Left)
-    press_ = Press{state.hover ? std::optional(state.hover->point.facet) : std::nullopt};
+    press_ = Press{state.hover ? std::optional(state.hover->point) : std::nullopt};
   gesture_ = gesture_of(state.window.navigation, button, ImGui::GetIO());
   button_ = button;
   // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.
@@ -152,37 +166,56 @@ void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) 
   }
 }
 
-void Viewport::drag_arrow(const AppState& state, const SceneFrame& frame, Edits& edits) const {
+void Viewport::drag_direction(const AppState& state, const SceneFrame& frame, Edits& edits) const {
   const auto centre = project(state.camera, frame.size, glm::dvec3(0.0));
-  // A press alone, or a hand that trembles, leaves the direction as it is.
-  if (!centre || !ImGui::IsMouseDragging(0, k_click_reach)) return;
+  if (!centre) return;
   const glm::dvec2 tip = glm::dvec2(from_im(ImGui::GetIO().MousePos) + drag_->grip) - *centre;
   // How far out the tip stands depends on where it points: that is found by going round a few times.
-  glm::dvec3 direction = state.settings.direction.unit() * (drag_->core ? 1.0 : -1.0);
+  glm::dvec3 direction = state.settings.direction.unit() * (drag_->arrow == Arrow::core ? 1.0 : -1.0);
   for (int round = 0; round < 6; ++round) {
     const double distance = glm::length(parting_arrow(state.extremes, direction, frame.open_mold).tip);
     const double radius = distance / pixel_length(state.camera, frame.size);
     direction = ball_direction(state.camera, {glm::dvec2(tip.x, -tip.y) / radius, drag_->front});
   }
-  if (!drag_->core) direction = -direction;
+  if (drag_->arrow == Arrow::cavity) direction = -direction;
   if (ImGui::GetIO().KeyCtrl) direction = snapped_to(state.features, direction);
   edits.settings.direction = tidy(direction);
   edits.dragging = true;
 }
 
+void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const {
+  if (!state.cut) return;
+  const ViewArrow held = section_arrow(*state.cut);
+  const auto tail = project(state.camera, frame.size, held.tail),
+             tip = project(state.camera, frame.size, held.tip);
+  if (!tail || !tip) return;
+  // Pixels by which the plane's way of a unit is seen; where it runs towards the eye, up is out.
+  glm::dvec2 unit = (*tip - *tail) / glm::distance(held.tip, held.tail);
+  const double pixels = 1.0 / pixel_length(state.camera, frame.size);
+  if (glm::length(unit) < k_least_way * pixels) unit = {0.0, -pixels};
+  const glm::dvec2 by(from_im(ImGui::GetIO().MousePos) - from_im(ImGui::GetIO().MouseClickedPos[0]));
+  const double way = glm::dot(by, unit) / glm::dot(unit, unit);
+  edits.settings.look.section_at = std::clamp(drag_->place + way / state.cut->extent, 0.0, 1.0);
+  edits.dragging = true;
+}
+
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
-  if (!state.model || !state.settings.look.arrows) return;
-  for (const bool core : {true, false}) {
-    const auto shown = arrow(state, frame, core), opposite = arrow(state, frame, !core);
+  if (!state.model) return;
+  for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
+    const auto shown = arrow(state, frame, each);
     if (!shown) continue;
-    // Seen along the direction one arrow is behind the other, and so is its name.
-    const bool behind =
-        opposite && !shown->toward_viewer && glm::distance(shown->tip, opposite->tip) < ui.px(k_names_apart);
-    if (behind) continue;
+    const std::string_view name = each == Arrow::core ? "core" : each == Arrow::cavity ? "cavity" : "section";
+    if (each != Arrow::section) {
+      // Seen along the direction one arrow is behind the other, and so is its name.
+      const auto opposite = arrow(state, frame, each == Arrow::core ? Arrow::cavity : Arrow::core);
+      const bool behind = opposite && !shown->toward_viewer &&
+                          glm::distance(shown->tip, opposite->tip) < ui.px(k_names_apart);
+      if (behind) continue;
+    }
     const glm::vec2 reach(ui.px(k_tip_reach));
-    ui.memory->controls[core ? "core arrow" : "cavity arrow"] = {shown->tip - reach, shown->tip + reach};
-    const bool lively = (drag_ && drag_->core == core) || (near_tip_ && *near_tip_ == core);
-    draw_name(ui, *shown, core ? "core" : "cavity", lively ? 1.0F : shown->toward_viewer ? 0.85F : 0.5F);
+    ui.memory->controls[fmt::format("{} arrow", name)] = {shown->tip - reach, shown->tip + reach};
+    const bool lively = drag_ ? drag_->arrow == each : near_tip_ == each;
+    draw_name(ui, *shown, name, lively ? 1.0F : shown->toward_viewer ? 0.85F : 0.5F);
     if (lively)
       ImGui::GetBackgroundDrawList()->AddCircle(im(shown->tip), ui.px(k_tip_reach),
                                                 faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);

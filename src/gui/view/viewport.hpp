@@ -20,7 +20,7 @@ struct SceneFrame {
   double open_mold = 0.0;  // as it is shown, [0, 1]
 };
 
-/// A parting arrow on the screen.
+/// An arrow on the screen.
 struct ArrowOnScreen {
   glm::vec2 tail{0.0F}, tip{0.0F};  // pixels
   bool toward_viewer = true;
@@ -39,24 +39,29 @@ class Viewport {
   void give_up_drag() { drag_.reset(); }
 
  private:
+  enum class Arrow : std::uint8_t { core, cavity, section };
   struct ArrowDrag {
-    bool core = true;   // the core's arrow, or the cavity's
-    bool front = true;  // it was grabbed on the viewer's side
-    glm::vec2 grip{0.0F};
+    Arrow arrow = Arrow::core;
+    bool front = true;     // it was grabbed on the viewer's side
+    glm::vec2 grip{0.0F};  // from the cursor to the tip, pixels
+    double place = 0.0;    // a section's, when it was grabbed
   };
   void start(const AppState& state, const SceneFrame& frame, int button);
   void move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const;
-  void drag_arrow(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+  void drag_direction(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+  void drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+  static std::optional<ViewArrow> arrow_in_scene(const AppState& state, const SceneFrame& frame, Arrow which);
+  static std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, Arrow which);
 
   Gesture gesture_ = Gesture::none;
   int button_ = 0;  // ImGui's, of the gesture
   glm::dvec3 pivot_{0.0};
   struct Press {
-    std::optional<FacetIndex> facet;
+    std::optional<PickedPoint> point;  // of the part
   };
   std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
   std::optional<ArrowDrag> drag_;
-  std::optional<bool> near_tip_;  // the tip under the cursor: the core's or not
+  std::optional<Arrow> near_tip_;  // whose tip is under the cursor
   bool hovers_ = false;
 };
 

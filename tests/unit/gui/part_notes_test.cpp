@@ -46,12 +46,19 @@ TEST(PartNotes, OfAnOlderVersionKeepWhatStillMeansTheSame) {
   EXPECT_THROW(static_cast<void>(parse_part_notes(R"({"schema": "moldlight.view/9"})", {})), UsageError);
 }
 
-TEST(PartNotes, OfVersionTwoTellTheOpacityThatIsATransparencyNow) {
-  const PartNotes notes =
-      parse_part_notes(R"({"schema": "moldlight.view/2", "look": {"others_opacity": 0.25}})", {});
+TEST(PartNotes, OfVersionTwoTellALookInItsOwnWords) {
+  const PartNotes notes = parse_part_notes(
+      R"({"schema": "moldlight.view/2", "look": {"others_opacity": 0.25, "section": true,
+          "section_height": 0.75, "contour_edges": true}})",
+      {});
   PartNotes expected;
   expected.settings.look.transparency = 0.75;
+  expected.settings.look.section = Section::across;
+  expected.settings.look.section_at = 0.75;
+  expected.settings.look.parting_line = true;
   EXPECT_EQ(notes, expected);
+  EXPECT_EQ(parse_part_notes(R"({"schema": "moldlight.view/2", "look": {"section": false}})", {}),
+            PartNotes{});
 }
 
 TEST(PartNotes, RefuseAUnitThatIsNone) {

@@ -7,9 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "mesh/health.hpp"
+#include "mold/exact/exact_regions.hpp"
 #include "render/view_colours.hpp"
-#include "render/view_geometry.hpp"
 #include "support/shapes.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight {
 namespace {
@@ -31,12 +32,10 @@ struct Made {
       : geometry(facet_geometry(mesh)),
         adjacency(build_adjacency(mesh)),
         frame(unit_frame(bounds(mesh))),
-        edges(bent_edges(mesh, geometry, adjacency)),
         view(view_geometry(mesh, geometry, adjacency, frame)) {}
   FacetGeometry geometry;
   Adjacency adjacency;
   UnitFrame frame;
-  BentEdges edges;
   ViewGeometry view;
 };
 
@@ -52,20 +51,48 @@ TEST(ViewGeometry, BoxHasItsEdgesItsCornersAndIsClosed) {
   EXPECT_FALSE(Made(open).view.closed);
 }
 
-TEST(ViewGeometry, ContourEdgesAreWhereUpMeetsDown) {
-  const test::Shape box = test::box_shape({});
-  const Made made(box.mesh);
-  std::vector<FacetClass> classes;
-  for (const glm::dvec3& normal : made.geometry.normals)
-    classes.push_back(facet_class(normal, {0, 0, 1}, 1.0));
-  EXPECT_EQ(contour_edges(box.mesh, made.edges.convex, classes, made.frame).size(), 8U);
-  EXPECT_TRUE(contour_edges(box.mesh, made.edges.concave, classes, made.frame).empty());
+/// Segments of the parting line along z.
+std::vector<ViewSegment> line_of(const TriangleMesh& mesh) {
+  const Made made(mesh);
+  const ExactPart part(mesh, made.geometry, made.frame, Progress{});
+  const SplitMesh split = exact_split(part, {.direction = {0, 0, 1}, .lateral = 1e-3}, Progress{}).mesh;
+  return parting_line(split, made.frame);
 }
 
-TEST(PartingArrow, StandsClearOfThePart) {
+TEST(ViewGeometry, ThePartingLineRunsAroundRoundWallsAndNotUpThem) {
+  const test::Loop2 outline = test::regular_polygon(64, 8.0), narrow = test::regular_polygon(64, 7.0);
+  for (const bool drafted : {false, true}) {
+    test::SolidBuilder solid;
+    const test::Loop low = test::at_height(outline, 0.0),
+                     high = test::at_height(drafted ? narrow : outline, 9.0);
+    solid.face({low.rbegin(), low.rend()});
+    solid.face(high);
+    solid.walls(low, high);
+    const std::vector<ViewSegment> line = line_of(solid.mesh());
+    // Where a wall may be formed by either half, both its ends are where they can meet.
+    EXPECT_EQ(line.size(), drafted ? 64U : 128U);
+    for (const ViewSegment& segment : line) EXPECT_EQ(segment.start.z, segment.end.z);
+  }
+}
+
+TEST(ViewGeometry, ThePartingLineLeavesUndercutsOut) {
+  test::SolidBuilder solid;
+  solid.extrude({{0, 0}, {10, 0}, {10, 9}, {0, 9}, {0, 6}, {6, 6}, {6, 3}, {0, 3}}, {}, 5.0);
+  const std::vector<ViewSegment> line = line_of(solid.mesh());
+  EXPECT_FALSE(line.empty());
+  const auto height = [&](float z) {
+    return std::abs(z * static_cast<float>(std::sqrt(10.0 * 10.0 + 9.0 * 9.0 + 5.0 * 5.0)));
+  };
+  for (const ViewSegment& segment : line) {
+    EXPECT_NEAR(height(segment.start.z), 4.5F, 1e-4F) << "the groove is not outlined";
+    EXPECT_NEAR(height(segment.end.z), 4.5F, 1e-4F);
+  }
+}
+
+TEST(ViewArrow, StandsClearOfThePart) {
   const Made made(test::cup({}).mesh);
   for (const glm::dvec3& toward : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(0.6, 0.0, 0.8)}) {
-    const PartingArrow arrow = parting_arrow(made.view.extremes, toward, 0.0);
+    const ViewArrow arrow = parting_arrow(made.view.extremes, toward, 0.0);
     double top = -1.0;
     for (const ViewVertex& vertex : made.view.vertices)
       top = std::max(top, glm::dot(glm::dvec3(vertex.position), toward));
