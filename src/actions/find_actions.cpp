@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -13,6 +14,8 @@
 #include "actions/revolved.hpp"
 #include "actions/set_cover.hpp"
 #include "actions/side_action.hpp"
+#include "classify/map_comparison.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/length_unit.hpp"
 
 namespace moldlight {
@@ -63,7 +66,8 @@ class Finder {
         progress_(progress),
         query_(exact_query(model, result.query())),
         pulls_(model, query_, settings),
-        undercuts_(find_undercuts(model, split_, query_)) {
+        undercuts_(find_undercuts(model, split_, query_)),
+        faces_(part_faces(model.part, model.geometry, model.adjacency)) {
     const auto unit = find_length_unit(model.part.unit);
     unit_per_mm_ = 1.0 / (unit ? unit->mm : 1.0);
   }
@@ -339,6 +343,34 @@ class Finder {
     return chosen;
   }
 
+  /// The undercut, and what the same straight pull frees of the faces that it lies on.
+  [[nodiscard]] double formed_area(const Undercut& undercut, const SideAction* action) const {
+    std::map<FacetIndex, double> undercut_of;
+    for (const std::uint32_t piece : undercut.pieces)
+      undercut_of[split_.pieces[piece].facet] += piece_area(split_, split_.pieces[piece]);
+    if (action == nullptr || action->about) return undercut.area;
+    std::set<std::uint32_t> faces;
+    for (const auto& [facet, area] : undercut_of) faces.insert(faces_.of_facet[facet]);
+    const double far = action->kind == ActionKind::lifter ? action->travel / model_.frame.diagonal : k_never;
+    double formed = 0.0;
+    for (const std::uint32_t face : faces) {
+      for (const FacetIndex facet : faces_.facets(face)) {
+        const glm::dvec3 middle = (model_.part.mesh.corner(facet, 0) + model_.part.mesh.corner(facet, 1) +
+                                   model_.part.mesh.corner(facet, 2)) /
+                                  3.0;
+        const UndercutSample sample{model_.frame.to_unit(middle), model_.geometry.normals[facet], 0.0};
+        const auto hidden = undercut_of.find(facet);
+        if (model_.geometry.areas[facet] > 0.0 &&
+            pulls_.release().free_length(sample, action->direction) >= far) {
+          formed += model_.geometry.areas[facet];
+        } else if (hidden != undercut_of.end()) {
+          formed += hidden->second;
+        }
+      }
+    }
+    return formed;
+  }
+
   void report(ActionPlan& plan) const {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       UndercutReport told;
@@ -352,7 +384,7 @@ class Finder {
         told.depth = action->travel - (slides ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         told.core_side = action->core_side;
       }
-      told.formed_area = told.undercut.area;
+      told.formed_area = formed_area(told.undercut, action == plan.actions.end() ? nullptr : &*action);
       plan.patches.push_back(std::move(told));
     }
   }
@@ -380,6 +412,7 @@ class Finder {
   ExactQuery query_;
   PullFinder pulls_;
   Undercuts undercuts_;
+  Faces faces_;
   double unit_per_mm_ = 1.0;
   std::vector<Atom> atoms_;
   std::vector<Column> revolved_;  // threads and rings

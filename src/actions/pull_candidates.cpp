@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "actions/release.hpp"
+#include "classify/map_comparison.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/round_wall.hpp"
 

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "classify/map_comparison.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/surface_samples.hpp"
@@ -22,11 +23,6 @@ using PieceIndex = std::uint32_t;
 
 glm::dvec3 corner(const SplitMesh& split, PieceIndex piece, std::size_t k) {
   return split.vertices[split.pieces[piece].corners[k]];
-}
-
-double area_of(const SplitMesh& split, PieceIndex piece) {
-  const glm::dvec3 a = corner(split, piece, 0);
-  return 0.5 * glm::length(glm::cross(corner(split, piece, 1) - a, corner(split, piece, 2) - a));
 }
 
 /// Joins pieces whose corners are within `reach` (model units) of each other and face the same way. Cells of
@@ -71,7 +67,7 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
 void measure(const SplitMesh& split, const glm::dvec3& direction, Undercut& patch) {
   glm::dvec3 sum(0.0);
   for (const PieceIndex piece : patch.pieces) {
-    const double area = area_of(split, piece);
+    const double area = piece_area(split, split.pieces[piece]);
     patch.area += area;
     sum += area * (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
   }
@@ -147,7 +143,7 @@ std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitM
   const double step = undercut.area / static_cast<double>(count);
   double sum = 0.0, next = 0.5 * step;
   for (const PieceIndex piece : undercut.pieces) {
-    sum += area_of(split, piece);
+    sum += piece_area(split, split.pieces[piece]);
     for (; next < sum && samples.size() < count; next += step) {
       const glm::dvec3 at =
           triangle_place(samples.size())
@@ -179,7 +175,7 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
   };
   std::vector<Corner> corners;
   for (const PieceIndex piece : undercut.pieces) {
-    if (area_of(split, piece) <= 0.0) continue;
+    if (piece_area(split, split.pieces[piece]) <= 0.0) continue;
     for (std::size_t k = 0; k < 3; ++k)
       corners.push_back({glm::dot(corner(split, piece, k), direction), piece, k});
   }

@@ -118,6 +118,7 @@ TEST(SideHole, InOneDirectionOnlyIfBlind) {
   EXPECT_EQ(planned.plan.patches.size(), 1U);
   EXPECT_FALSE(planned.plan.patches[0].blocked_by.empty());
   EXPECT_NEAR(planned.plan.patches[0].depth, 14.0, 0.02);
+  EXPECT_NEAR(planned.plan.patches[0].formed_area, planned.plan.patches[0].undercut.area, 1e-6);
 }
 
 /// Within 5 degrees of the plane it is a slide, up to 30 an inclined one, beyond nothing.
@@ -135,6 +136,19 @@ TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
   }
   const glm::dquat steep = glm::angleAxis(glm::radians(-45.0), glm::dvec3(0, 1, 0));
   EXPECT_FALSE(plan_of(test::rotated(laid(block_with_hole({}), 0.0), steep)).plan.unreleased.empty());
+}
+
+/// A slot in a side, whose floor leans out under the part's top: the lower part of the floor is the core's,
+/// but the slide that forms the rest forms it, too.
+TEST(SideAction, FormsTheWholeFacesOfItsUndercut) {
+  SolidBuilder solid;  // in the xz-plane: the notch's back runs from (10, 4) to (16, 16), over it a lid
+  solid.extrude({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {16, 16}, {22, 16}, {22, 20}, {0, 20}}, {}, 12.0);
+  const Planned planned = plan_of(solid.mesh(), {}, {0, 0, 1});
+  ASSERT_EQ(planned.plan.patches.size(), 1U);
+  const UndercutReport& patch = planned.plan.patches.front();
+  const double back_and_lid = 12.0 * (std::sqrt(180.0) + 6.0);
+  EXPECT_NEAR(patch.undercut.area, back_and_lid + 12.0 * 12.0, 0.1) << "with the floor from x = 10 to 22";
+  EXPECT_NEAR(patch.formed_area, back_and_lid + 20.0 * 12.0, 0.1) << "with the whole floor, to x = 30";
 }
 
 TEST(SideAction, OfAPartWithoutUndercutsIsNone) {
