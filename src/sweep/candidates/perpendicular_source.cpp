@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/symmetric_eigen.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
-#include "sweep/candidates/symmetric_eigen.hpp"
 
 namespace moldlight {
 namespace {
@@ -58,7 +58,7 @@ std::vector<Perpendicular> refined(const glm::dvec3& start, const std::vector<No
       area += cell.area;
     }
     if (area <= 0.0 || area < k_least_kept * best.area) break;
-    const SymmetricEigen eigen = symmetric_eigen(moments);
+    const SymmetricEigen<3> eigen = symmetric_eigen<3>(moments);
     if (eigen.values[1] < k_least_second_moment * total_area) break;
     if (area < k_mostly_kept * best.area) results.push_back(best);
     best = {half_sphere(eigen.vectors[0]), area, band_deg};

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/symmetric_eigen.hpp"
 #include "mesh/union_find.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
-#include "sweep/candidates/symmetric_eigen.hpp"
 
 namespace moldlight {
 
@@ -114,7 +114,7 @@ Fit fit_cone(const Strips& strips, std::span<const Strip> members) {
     const glm::dvec3 offset = strips.normals[strip] - mean;
     covariance += strips.areas[strip] / fit.area * glm::outerProduct(offset, offset);
   }
-  const SymmetricEigen eigen = symmetric_eigen(covariance);
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(covariance);
   fit.cone = {eigen.vectors[0], glm::dot(mean, eigen.vectors[0])};
   fit.good = std::sqrt(std::max(0.0, eigen.values[0])) < k_fit_sine &&
              std::sqrt(std::max(0.0, eigen.values[1])) > k_least_sagitta &&

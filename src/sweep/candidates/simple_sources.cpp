@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/symmetric_eigen.hpp"
 #include "mold/map_frame.hpp"
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
-#include "sweep/candidates/symmetric_eigen.hpp"
 
 namespace moldlight {
 
@@ -102,7 +102,7 @@ std::vector<Candidate> principal_axis_candidates(const TriangleMesh& mesh, const
     moments += geometry.areas[facet] / 12.0 * glm::outerProduct(sum, sum);
   }
 
-  const SymmetricEigen eigen = symmetric_eigen(moments);
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(moments);
   const double gap = k_least_moment_gap * eigen.values[2];
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "mesh/symmetric_eigen.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
 #include "sweep/candidates/find_candidates.hpp"
-#include "sweep/candidates/symmetric_eigen.hpp"
 
 namespace moldlight {
 namespace {
@@ -66,8 +66,8 @@ TEST(LineAngle, IsExactForSmallAnglesAndBlindToSense) {
 TEST(SymmetricEigen, SolvesAKnownMatrix) {
   const glm::dvec3 a = glm::normalize(glm::dvec3(1, 2, -2)), b = glm::normalize(glm::dvec3(2, 1, 2)),
                    c = glm::cross(a, b);
-  const SymmetricEigen eigen = symmetric_eigen(5.0 * glm::outerProduct(a, a) - 1.0 * glm::outerProduct(b, b) +
-                                               3.0 * glm::outerProduct(c, c));
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(
+      5.0 * glm::outerProduct(a, a) - 1.0 * glm::outerProduct(b, b) + 3.0 * glm::outerProduct(c, c));
   EXPECT_NEAR(eigen.values[0], -1.0, 1e-13);
   EXPECT_NEAR(eigen.values[1], 3.0, 1e-13);
   EXPECT_NEAR(eigen.values[2], 5.0, 1e-13);

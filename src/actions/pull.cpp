@@ -1,0 +1,168 @@
+#include "actions/pull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr std::size_t k_quick_samples = 24;   // which tell soon that a lifter is hopeless
+constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
+constexpr double k_same_elevation_deg = 0.01;
+constexpr std::size_t k_lifters = 3;   // of an undercut that are looked at closely
+constexpr int k_most_parts = 3;        // of an undercut that nothing releases whole
+constexpr double k_least_part = 0.05;  // of its area: less is not worth an action
+
+double area_of(std::span<const UndercutSample> samples) {
+  double area = 0.0;
+  for (const UndercutSample& sample : samples) area += sample.area;
+  return area;
+}
+
+std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
+  return samples.first(std::min(samples.size(), k_quick_samples));
+}
+
+/// From one to the other about the parting direction, (-180, 180].
+double turn_between(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& direction) {
+  const glm::dvec3 a = from - glm::dot(from, direction) * direction;
+  const glm::dvec3 b = to - glm::dot(to, direction) * direction;
+  return glm::degrees(std::atan2(glm::dot(glm::cross(a, b), direction), glm::dot(a, b)));
+}
+
+}  // namespace
+
+std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
+                                   std::span<const PullCandidate> tried) const {
+  struct Band {
+    ActionKind kind;
+    double above_deg, up_to_deg;
+  };
+  std::vector<Pull> pulls;
+  for (const auto& [kind, above_deg, up_to_deg] :
+       {Band{ActionKind::slide, -1.0, std::min(k_same_elevation_deg, settings_.slide_angle_deg)},
+        Band{ActionKind::slide, k_same_elevation_deg, settings_.slide_angle_deg},
+        Band{ActionKind::inclined, settings_.slide_angle_deg, settings_.incline_deg}}) {
+    for (const PullCandidate& candidate : tried) {
+      const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
+      if (angle_deg <= above_deg || angle_deg > up_to_deg || is_known(pulls, candidate.direction)) continue;
+      if (!release_.releases(samples, candidate.direction, k_never)) continue;
+      pulls.push_back(in_the_middle(samples, candidate, kind));
+      estimate_travel(samples, pulls.back());
+    }
+    if (!pulls.empty()) return pulls;
+  }
+  return find_lifters(samples, tried);
+}
+
+/// Whether a pull that was found reaches it by turning about the parting direction.
+bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const {
+  return std::ranges::any_of(pulls, [&](const Pull& known) {
+    const double lean_deg = elevation_deg(known.direction, direction_) - elevation_deg(pull, direction_);
+    if (std::abs(lean_deg) > k_same_elevation_deg) return false;
+    const double angle_deg = turn_between(known.direction, pull, direction_);
+    return angle_deg >= known.interval.from_deg - 1e-6 && angle_deg <= known.interval.to_deg + 1e-6;
+  });
+}
+
+Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
+                               ActionKind kind) const {
+  constexpr double k_wide_deg = 10.0, k_least_margin_deg = 0.5;
+  Pull pull{.kind = kind, .direction = candidate.direction, .source = candidate.source};
+  pull.interval = release_.free_turn(samples, pull.direction, direction_);
+  const auto [from_deg, to_deg] = pull.interval;
+  const double middle = pull.interval.middle_deg(), half = 0.5 * (to_deg - from_deg);
+  const bool central = std::abs(middle) < 0.5 * half;
+  const bool roomy = 2.0 * half > k_wide_deg && std::min(to_deg, -from_deg) >= k_least_margin_deg;
+  if ((pull.source == PullSource::exact && central) || (pull.source != PullSource::even && roomy))
+    return pull;
+  const glm::dvec3 centred = turned_about(pull.direction, direction_, middle);
+  if (!release_.releases(samples, centred, k_never)) return pull;
+  pull.direction = centred;
+  pull.source = PullSource::even;
+  pull.interval = {-half, half};
+  return pull;
+}
+
+void PullFinder::set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const {
+  const double core = release_.clear_beyond(samples, pull.direction, direction_, step);
+  const double cavity = release_.clear_beyond(samples, pull.direction, -direction_, step);
+  pull.core_side = core <= cavity;
+  pull.travel = std::min(core, cavity);
+}
+
+void PullFinder::estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const {
+  set_travel(few_of(samples), k_coarse_step, pull);
+}
+
+std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> samples,
+                                           std::span<const PullCandidate> tried) const {
+  const auto side = [&](bool core_side) { return core_side ? direction_ : -direction_; };
+  std::vector<Pull> found;
+  for (const PullCandidate& candidate : tried) {
+    if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
+    for (const bool core_side : {true, false}) {
+      const auto travel = release_.first_clear(few_of(samples), candidate.direction, side(core_side), 1.0);
+      if (!travel) continue;
+      found.push_back({.kind = ActionKind::lifter,
+                       .direction = candidate.direction,
+                       .source = candidate.source,
+                       .travel = *travel,
+                       .core_side = core_side});
+    }
+  }
+  std::ranges::stable_sort(found, {}, &Pull::travel);
+  std::vector<Pull> pulls;
+  for (Pull& pull : found) {
+    if (pulls.size() == k_lifters) break;
+    const auto travel = release_.first_clear(samples, pull.direction, side(pull.core_side), 1.0);
+    if (!travel) continue;
+    pull.travel = *travel;
+    pulls.push_back(pull);
+  }
+  return pulls;
+}
+
+std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples,
+                                         std::span<const PullCandidate> tried) const {
+  std::vector<FreedPart> parts;
+  std::vector<UndercutSample> rest(samples.begin(), samples.end());
+  const double whole = area_of(samples);
+  for (int round = 0; round < k_most_parts; ++round) {
+    double most = 0.0;
+    Pull best;
+    for (const PullCandidate& candidate : tried) {
+      const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
+      if (angle_deg > settings_.incline_deg) continue;
+      // Of equal ones that which comes first: it is better meant.
+      const double freed = release_.free_area(rest, candidate.direction, k_never);
+      if (freed <= most * (1.0 + 1e-9)) continue;
+      most = freed;
+      best = {.kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined,
+              .direction = candidate.direction,
+              .source = PullSource::exact};
+    }
+    if (most < k_least_part * whole) break;
+    FreedPart part;
+    std::erase_if(rest, [&](const UndercutSample& sample) {
+      if (release_.free_length(sample, best.direction) < k_never) return false;
+      part.samples.push_back(sample);
+      return true;
+    });
+    best.interval = release_.free_turn(part.samples, best.direction, direction_);
+    estimate_travel(part.samples, best);
+    part.pulls = {best};
+    parts.push_back(std::move(part));
+  }
+  if (!parts.empty() && area_of(rest) > k_blocked_share * whole)
+    parts.push_back({.samples = rest, .pulls = find_lifters(rest, tried)});
+  return parts;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,66 @@
+// The pulls that release one undercut: straight ones, lifters, and several that share it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "actions/pull_candidates.hpp"
+#include "actions/release.hpp"
+#include "actions/side_action.hpp"
+
+namespace moldlight {
+
+/// A direction that releases an undercut, or what one of its samples stands for.
+struct Pull {
+  ActionKind kind = ActionKind::slide;
+  glm::dvec3 direction{1, 0, 0};  // unit
+  PullSource source = PullSource::even;
+  TurnInterval interval = {};
+  double travel = 0.0;  // share of the diagonal, without clearance
+  bool core_side = true;
+  std::optional<Revolution> about = {};
+};
+
+/// What a pull frees of an undercut that none frees whole; the last part is what no pull frees, if there is
+/// more of it than may stay blocked, and has none.
+struct FreedPart {
+  std::vector<UndercutSample> samples;
+  std::vector<Pull> pulls;
+};
+
+class PullFinder {
+ public:
+  PullFinder(const PartModel& model, const ExactQuery& query, const ActionSettings& settings)
+      : direction_(query.direction), settings_(settings), release_(model, query) {}
+
+  [[nodiscard]] const Release& release() const { return release_; }
+
+  /// Slides; where there is none, such as lean; where there is none either, inclined ones; at last lifters.
+  [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
+                                       std::span<const PullCandidate> tried) const;
+  /// One pull after another, each of which frees most of the rest.
+  [[nodiscard]] std::vector<FreedPart> split(std::span<const UndercutSample> samples,
+                                             std::span<const PullCandidate> tried) const;
+
+  /// A direction that releases the samples, moved to the middle of what is free, unless the part says better:
+  /// an axis is kept unless it lies near an end, and where much is free, so is a direction of the part's own
+  /// shape.
+  [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
+                                   ActionKind kind) const;
+  /// The travel beyond which the part passes, on the side on which it is shorter; to a step of so much.
+  void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;
+  /// The same from few samples and by coarse steps.
+  void estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const;
+
+ private:
+  [[nodiscard]] std::vector<Pull> find_lifters(std::span<const UndercutSample> samples,
+                                               std::span<const PullCandidate> tried) const;
+  [[nodiscard]] bool is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const;
+
+  glm::dvec3 direction_;
+  const ActionSettings& settings_;
+  Release release_;
+};
+
+}  // namespace moldlight
