@@ -9,6 +9,7 @@ uniform vec3 u_facet_edge_colour;
 uniform float u_level_step;  // between level lines on near-vertical facets; 0: none
 uniform vec3 u_level_colour;
 uniform vec3 u_cut_colour;
+uniform float u_cut_pitch;  // of its stripes, pixels
 uniform samplerBuffer t_positions;  // three floats a vertex, one a texel
 uniform usamplerBuffer t_corners;   // three vertices a facet, one a texel
 uniform mat4 u_pixel_from_unit;     // pixels before the division by w
@@ -52,8 +53,8 @@ void detail(vec2 at, uint facet, uint bits, bool cut, inout vec3 albedo, inout f
     albedo = mix(albedo, u_facet_edge_colour, 0.55 * clamp(u_facet_edge + 0.5 - nearest, 0.0, 1.0));
   }
   if (cut) {
-    float across = abs(fract((at.x - at.y) * 0.70711 / 9.0) - 0.5) * 9.0;
-    albedo = u_cut_colour * (1.0 - 0.25 * clamp(across - 3.2, 0.0, 1.0));
+    float across = abs(fract((at.x - at.y) * 0.70711 / u_cut_pitch) - 0.5) * u_cut_pitch;
+    albedo = u_cut_colour * (1.0 - 0.25 * clamp(across - 0.36 * u_cut_pitch, 0.0, 1.0));
     ivec2 pixel = ivec2(at);
     for (int i = 0; i < 4; ++i) {
       ivec2 beside = pixel + ivec2((i & 1) * 2 - 1, 0) * (1 - (i >> 1)) + ivec2(0, (i & 1) * 2 - 1) * (i >> 1);

@@ -3,6 +3,12 @@
 
 namespace moldlight {
 
+namespace {
+
+constexpr float k_veil = 0.22F;  // opacity
+
+}  // namespace
+
 void accumulate(ViewTools& tools, bool first) {
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_sum.name(),
                        .size = tools.targets.size,
@@ -48,6 +54,22 @@ void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
     program.set("u_block_colour", screen_value(k_block_mark));
   }
   tools.corners.draw();
+}
+
+void draw_veil(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {
+  if (!tools.mesh.veiled || frame.opened()) return;
+  const bool cut = frame.settings.cut.has_value();
+  gl::begin(tools.gl, {.framebuffer = framebuffer,
+                       .size = tools.targets.size,
+                       .blend = gl::Blend::over_keeping_alpha,
+                       .clipped = cut});
+  const gl::Program& program =
+      tools.programs.use("view/geometry.vert", "view/veil.frag", {cut ? "SECTION" : ""});
+  program.set("u_clip_from_unit", frame.clip_from_unit);
+  if (cut) frame.set_section(program);
+  program.set_texture("t_depth", 0, GL_TEXTURE_2D, tools.targets.depth);
+  program.set("u_colour", glm::vec4(screen_value(k_block_mark), k_veil));
+  tools.mesh.veiled->draw(tools.gl);
 }
 
 }  // namespace moldlight

@@ -66,6 +66,7 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
   present(tools_, samples_, target.framebuffer);
   const ViewFrame frame(shown_, subject, target.size, 0);
   draw_marks(tools_, view.marks, target.framebuffer);
+  draw_veil(tools_, frame, target.framebuffer);
   draw_marked_lines(tools_, frame, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
   return samples_ < settings.samples;
@@ -96,6 +97,12 @@ void PartView::set_faces(std::span<const std::uint32_t> of_facet) {
 
 void PartView::set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments) {
   tools_.mesh.marked[static_cast<std::size_t>(which)] = SegmentBuffer(tools_.gl, segments);
+}
+
+void PartView::set_veiled_surface(std::span<const ViewVertex> vertices,
+                                  std::span<const std::array<VertexIndex, 3>> triangles) {
+  tools_.mesh.veiled.reset();
+  if (!triangles.empty()) tools_.mesh.veiled.emplace(tools_.gl, vertices, triangles);
 }
 
 void PartView::set_parting_line(std::span<const ViewSegment> segments) {

@@ -6,6 +6,7 @@
 // copies shifted by parts of a pixel.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -53,6 +54,10 @@ class PartView {
   void set_faces(std::span<const std::uint32_t> of_facet);
   /// Lines over the finished picture from the next call of draw() on; like marks they refine nothing anew.
   void set_marked_lines(MarkedLines which, std::span<const ViewSegment> segments);
+  /// Surface that shows through whatever hides it, as a veil over the finished picture; none for no
+  /// triangles.
+  void set_veiled_surface(std::span<const ViewVertex> vertices,
+                          std::span<const std::array<VertexIndex, 3>> triangles);
   /// What ViewSettings::parting_line shows (see parting_line()).
   void set_parting_line(std::span<const ViewSegment> segments);
 

@@ -11,6 +11,8 @@ namespace moldlight {
 
 namespace {
 
+constexpr double k_aside = 0.12;  // unit frame
+
 /// Across the direction: the coordinate axis that lies most across it, turned about it.
 glm::dvec3 across(const glm::dvec3& direction, double turn_deg) {
   const glm::dvec3 size = glm::abs(direction);
@@ -43,7 +45,11 @@ std::optional<CutPlane> SectionPlanes::plane(const LookSettings& look, const glm
     }
   }
   const double extent = greatest_ - least_;
-  return CutPlane{.normal = normal, .offset = least_ + look.section_at * extent, .extent = extent};
+  const double offset = least_ + look.section_at * extent;
+  // Beside the direction's own arrow.
+  const glm::dvec3 aside =
+      std::abs(glm::dot(normal, direction)) > 0.9 ? k_aside * across(normal, 45.0) : glm::dvec3(0.0);
+  return CutPlane{.normal = normal, .offset = offset, .extent = extent, .foot = offset * normal + aside};
 }
 
 }  // namespace moldlight

@@ -12,7 +12,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_hatch_pitch_px = 7.0, k_hatch_strength = 0.30;
-constexpr double k_level_pitch_px = 6.0;
+constexpr double k_level_pitch_px = 6.0, k_cut_pitch_px = 9.0;
 constexpr int k_first_map_unit = 7;  // of the shading's textures
 
 std::string element(const char* name, std::size_t index) {
@@ -53,6 +53,7 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
   program.set("u_level_step", settings.near_vertical ? std::exp2(std::ceil(std::log2(wanted))) : 0.0);
   program.set("u_level_colour", light_value({255, 255, 255}));
   program.set("u_cut_colour", light_value(k_cut_surface));
+  program.set("u_cut_pitch", k_cut_pitch_px * settings.pixel_scale);
   const glm::dmat4 to_pixels = glm::scale(glm::dmat4(1.0), glm::dvec3(0.5 * glm::dvec2(frame.size), 1.0)) *
                                glm::translate(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.0));
   program.set("u_pixel_from_unit", glm::mat4(to_pixels * frame.clip_from_eye * frame.eye_from_unit));

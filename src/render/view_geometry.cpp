@@ -191,6 +191,6 @@ ViewArrow parting_arrow(std::span<const glm::vec3> extremes, const glm::dvec3& t
   return arrow_from(tail, toward);
 }
 
-ViewArrow section_arrow(const CutPlane& cut) { return arrow_from(cut.offset * cut.normal, cut.normal); }
+ViewArrow section_arrow(const CutPlane& cut) { return arrow_from(cut.foot, cut.normal); }
 
 }  // namespace moldlight

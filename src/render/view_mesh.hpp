@@ -96,6 +96,7 @@ struct ViewMesh {
   std::vector<glm::vec3> extremes;
   SegmentBuffer feature_edges, parting_line;
   std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines
+  std::optional<TriangleBuffer> veiled;
   FaceNumbers faces;
 };
 

@@ -36,5 +36,8 @@ void accumulate(ViewTools& tools, bool first);
 void present(ViewTools& tools, int samples, GLuint framebuffer);
 /// Over the finished picture, the surface that is marked.
 void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer);
+/// And surface that is marked, where other surface hides it; not in an opened mold, whose pieces are
+/// elsewhere.
+void draw_veil(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer);
 
 }  // namespace moldlight

@@ -52,6 +52,7 @@ struct CutPlane {
   glm::dvec3 normal{0.0, 0.0, 1.0};  // unit
   double offset = 0.0;               // from the frame's origin
   double extent = 0.0;               // of the part along the normal
+  glm::dvec3 foot{0.0};              // on the plane: where its arrow stands
 
   bool operator==(const CutPlane&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "render/part_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -325,6 +326,27 @@ TEST(PartView, OpeningTheMoldLeavesTheUndercutsWhereTheyAre) {
   }
   EXPECT_GT(before, 50U);
   EXPECT_GT(kept, before * 9 / 10) << "what moved away must not hide them more than a little";
+}
+
+TEST(PartView, AVeiledSurfaceShowsThroughWhatHidesItAndNowhereElse) {
+  ShapePicture picture(test::shared_context(), box_shape(ShapeSettings{}));
+  const Camera camera = picture.camera();
+  const Image bare = picture.draw(camera, one_sample());
+  const TriangleMesh& mesh = picture.model->part.mesh;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const auto& corners = picture.geometry.facets[facet];
+    picture.view.set_veiled_surface(picture.geometry.vertices, {&corners, 1});
+    const std::size_t veiled = differing_pixels(picture.draw(camera, one_sample()), bare);
+    const double facing = glm::dot(picture.model->geometry.normals[facet], camera.toward_viewer());
+    ASSERT_GT(std::abs(facing), 0.1);
+    if (facing > 0.0) {
+      EXPECT_EQ(veiled, 0U) << "it is in sight";
+    } else {
+      EXPECT_GT(veiled, 100U);
+    }
+  }
+  picture.view.set_veiled_surface({}, {});
+  EXPECT_EQ(picture.draw(camera, one_sample()).rgba, bare.rgba);
 }
 
 /// Pixels that show the cut of a section across x through a mesh, and those that show anything.

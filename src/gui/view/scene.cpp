@@ -68,16 +68,29 @@ void Scene::choose_face(const std::optional<std::uint32_t>& face) {
                          face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
 }
 
+void Scene::mark_blocking(const std::optional<std::uint32_t>& face) {
+  std::vector<ViewSegment> outline;
+  std::vector<ViewVertex> vertices;
+  std::vector<std::array<VertexIndex, 3>> triangles;
+  if (face) {
+    outline = outline_of(*part_.model, *part_.faces, *face);
+    for (const FacetIndex facet : part_.faces->facets(*face)) {
+      const auto first = static_cast<VertexIndex>(vertices.size());
+      triangles.push_back({first, first + 1, first + 2});
+      for (const VertexIndex corner : part_.geometry->facets[facet])
+        vertices.push_back(part_.geometry->vertices[corner]);
+    }
+  }
+  view_.set_marked_lines(MarkedLines::blocking, outline);
+  view_.set_veiled_surface(vertices, triangles);
+}
+
 void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span) {
   if (blocker == blocker_ && span == span_) return;
   const auto face = [&](const std::optional<Blocker>& of) {
     return of ? std::optional(part_.faces->of_facet[of->facet]) : std::nullopt;
   };
-  if (face(blocker) != face(blocker_)) {
-    view_.set_marked_lines(MarkedLines::blocking, blocker
-                                                      ? outline_of(*part_.model, *part_.faces, *face(blocker))
-                                                      : std::vector<ViewSegment>());
-  }
+  if (face(blocker) != face(blocker_)) mark_blocking(face(blocker));
   std::vector<ViewSegment> ways;
   if (blocker) ways.push_back({blocker->from, blocker->at});
   if (span) ways.push_back({span->start, span->end});

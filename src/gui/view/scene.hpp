@@ -64,6 +64,7 @@ class Scene {
   };
   void compare_with(const std::shared_ptr<const PieceSamples>& samples);
   void find_parting_line();
+  void mark_blocking(const std::optional<std::uint32_t>& face);
 
   const gl::Context* context_;
   LoadedPart part_;

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "support/boxes.hpp"
@@ -46,6 +47,15 @@ TEST_F(Planes, LieAcrossTheAxesOrTheDirection) {
   expect(plane(Section::across, 0.0), {0, 0, 1}, 30.0);
   expect(plane(Section::across, 0.0, {0, -1, 0}), {0, -1, 0}, -24.0);
   EXPECT_NEAR(plane(Section::y, 0.1).extent * frame.diagonal, 4.0, 1e-9);
+}
+
+TEST_F(Planes, HaveTheirArrowsBesideThoseOfTheDirection) {
+  for (const Section section : {Section::across, Section::z, Section::x, Section::along}) {
+    const CutPlane cut = plane(section, 0.8);
+    EXPECT_NEAR(glm::dot(cut.foot, cut.normal), cut.offset, 1e-12);
+    const bool level = std::abs(cut.normal.z) > 0.5;
+    EXPECT_NEAR(glm::length(glm::dvec2(cut.foot)), level ? 0.12 : std::abs(cut.offset), 1e-12);
+  }
 }
 
 TEST_F(Planes, AlongTheDirectionTurnAboutIt) {
