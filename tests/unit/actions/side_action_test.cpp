@@ -170,23 +170,68 @@ TEST(SideAction, OfAClosedVoidIsNone) {
   EXPECT_NEAR(planned.plan.unreleased_area, 6.0 * 16.0, 1e-9);
 }
 
-/// A box with a hook from one inner wall to the other: it keeps the hook's lower side, and what is below it,
-/// from the core; a lifter moves under it by its length.
+/// A block with a cavity, open above, whose profile in the xz-plane (counter-clockwise, from and to the top's
+/// opening) goes from y = 0 to `length`; its ends are closed.
+TriangleMesh block_with_cavity(const Loop2& profile, const glm::dvec2& size, double length) {
+  const glm::dvec3 low(0, -2, 0), high(size.x, length + 2.0, size.y);
+  SolidBuilder solid;
+  solid.box(low, high, {5});
+  const auto at = [](const glm::dvec2& point, double y) { return glm::dvec3(point.x, y, point.y); };
+  for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+    solid.face(
+        {at(profile[k], 0), at(profile[k + 1], 0), at(profile[k + 1], length), at(profile[k], length)});
+  test::Loop near, far;
+  for (const glm::dvec2& point : profile) far.push_back(at(point, length));
+  for (auto point = profile.rbegin(); point != profile.rend(); ++point) near.push_back(at(*point, 0));
+  solid.face(near);
+  solid.face(far);
+  const double left = profile.front().x, right = profile.back().x;
+  solid.face(box_face(low, high, 5),
+             {{{left, 0, size.y}, {right, 0, size.y}, {right, length, size.y}, {left, length, size.y}}});
+  return solid.mesh();
+}
+
+/// A hook sticks out of the wall at x = 2 over the whole width: a lifter moves out from under it by the
+/// hook's length.
 TEST(SideAction, UnderAHookInABoxIsALifter) {
   constexpr double k_hook = 3.0;
-  SolidBuilder solid;  // open above, and the hook sticks out of the wall at x = 2 over the whole width
-  const Loop2 outer = {{0, 0},  {40, 0},          {40, 20},         {38, 20}, {38, 2}, {2, 2},
-                       {2, 14}, {2 + k_hook, 14}, {2 + k_hook, 16}, {2, 16},  {2, 20}, {0, 20}};
-  solid.extrude(outer, {}, 30.0);
-  TriangleMesh mesh = solid.mesh();
+  const TriangleMesh mesh = block_with_cavity(
+      {{2, 20}, {2, 16}, {2 + k_hook, 16}, {2 + k_hook, 14}, {2, 14}, {2, 2}, {38, 2}, {38, 20}}, {40, 20},
+      30.0);
   for (const double sense : {1.0, -1.0}) {
     ActionSettings settings;
     settings.lifter_angle_deg = 10.0;
     const Planned planned = plan_of(mesh, settings, {0, 0, sense});
-    // Its ends are open: there it is a slide along y as well, and that is simpler.
     ASSERT_EQ(planned.plan.actions.size(), 1U);
-    EXPECT_EQ(planned.plan.actions[0].kind, ActionKind::slide);
-    EXPECT_NEAR(std::abs(planned.plan.actions[0].direction.y), 1.0, 1e-9);
+    const SideAction& action = planned.plan.actions.front();
+    ASSERT_EQ(action.kind, ActionKind::lifter);
+    EXPECT_GT(action.direction.x, 1.0 - 1e-6);
+    EXPECT_NEAR(action.travel, k_hook, 1e-3 * planned.model->frame.diagonal);
+    EXPECT_NEAR(*action.stroke, action.travel / std::tan(glm::radians(10.0)), 1e-9);
+    EXPECT_EQ(action.core_side, sense > 0.0) << "the box is open above";
+    EXPECT_NEAR(action.clear_to, 33.0, 0.2) << "from below the hook's tip to the wall across";
+    EXPECT_TRUE(planned.plan.unreleased.empty());
+  }
+}
+
+/// The slot's two undercut wings lie across from each other: each is a lifter that moves in by its overhang,
+/// or where the slot's ends are open both are one slide along it.
+TEST(SideAction, InATSlotIsALifterForEachWing) {
+  constexpr double k_overhang = 4.0;
+  const Loop2 profile = {{16, 20},
+                         {16, 12},
+                         {16 - k_overhang, 12},
+                         {16 - k_overhang, 6},
+                         {24 + k_overhang, 6},
+                         {24 + k_overhang, 12},
+                         {24, 12},
+                         {24, 20}};
+  const Planned planned = plan_of(block_with_cavity(profile, {40, 20}, 30.0));
+  EXPECT_EQ(planned.plan.actions.size(), 2U);
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_EQ(action.kind, ActionKind::lifter);
+    EXPECT_NEAR(std::abs(action.direction.x), 1.0, 1e-6);
+    EXPECT_NEAR(action.travel, k_overhang, 0.05);
   }
 }
 
