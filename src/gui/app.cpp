@@ -74,7 +74,7 @@ void App::say(std::string text, bool failure) {
 void App::prepare(const FrameInput& input) {
   now_s_ = input.now_s;
   size_ = glm::max(input.size, glm::ivec2(1));
-  scale_ = input.content_scale * static_cast<float>(state_.window.ui_scale);
+  scale_ = fitting_scale(size_, input.content_scale * static_cast<float>(state_.window.ui_scale));
   imgui_.prepare(state_.window.theme, scale_);
 }
 

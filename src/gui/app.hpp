@@ -72,8 +72,10 @@ class App {
   /// Where the controls of the last frame are: a slider or switch by its label, a choice's word as
   /// "label=word".
   [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
-    return imgui_.controls();
+    return imgui_.memory().controls;
   }
+  /// The texts of the last frame.
+  [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
   /// True while figures, or the split mesh, are not there that will be.

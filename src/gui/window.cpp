@@ -69,7 +69,7 @@ class WindowContext final : public gl::Context {
     const gl::Turn turn(true);
     window_ = glfwCreateWindow(k_first_size.x, k_first_size.y, "moldlight", nullptr, nullptr);
     if (window_ == nullptr) throw Error(glfw_reason());
-    glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, 720, 450, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &events_);
     listen();
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {

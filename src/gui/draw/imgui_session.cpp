@@ -13,6 +13,7 @@ ImguiSession::ImguiSession() : context_(ImGui::CreateContext()) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
+  io.UserData = &memory_;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would draw twice a second
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   const gl::Turn turn(true);
@@ -56,6 +57,7 @@ void ImguiSession::prepare(Theme theme, float scale) {
 const Ui& ImguiSession::begin_frame(double now_s) {
   memory_.wake_s = std::numeric_limits<double>::infinity();
   memory_.controls.clear();
+  memory_.texts.clear();
   memory_.type_in_next = false;
   memory_.field_before = 0;
   ui_.now_s = now_s;

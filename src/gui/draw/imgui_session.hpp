@@ -27,11 +27,9 @@ class ImguiSession {
   const Ui& begin_frame(double now_s);
   /// Ends the frame and draws it into the framebuffer that is bound.
   void draw();
+  /// What the controls of the last frame have left.
+  [[nodiscard]] const UiMemory& memory() const { return memory_; }
   /// When the controls want the next frame at the latest; infinity for not at all.
-  /// Where the controls of the last frame are, by label.
-  [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
-    return memory_.controls;
-  }
   [[nodiscard]] double wake_s() const { return memory_.wake_s; }
 
  private:

@@ -208,40 +208,39 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   ImGui::PushID(label.text.data(), label.text.data() + label.text.size());
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
-  std::vector<float> widths;
+  const auto width_of = [&](std::string_view word) { return text_size(ui.fonts.body, word).x + ui.px(12); };
   float total = 0.0F;
-  for (const std::string_view word : words) {
-    widths.push_back(text_size(ui.fonts.body, word).x + ui.px(12));
-    total += widths.back();
-  }
-  const glm::vec2 box_min(start.x + width - total, start.y);
+  for (const std::string_view word : words) total += width_of(word);
+  // Words that have no room beside the name stand below it, in as many lines as they need.
+  const bool below = text_size(ui.fonts.body, label.text).x + ui.px(label.modified ? 17 : 8) + total > width;
+  glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  Row label_row{.min = start, .max = start + glm::vec2(width, height)};
-  draw_label(ui, label_row, label);
-  list.AddRectFilled(im(box_min), im(label_row.max), ui.colours->field, ui.px(6));
+  draw_label(ui, {.min = start, .max = start + glm::vec2(width, height)}, label);
+  if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
   bool changed = false;
-  float left = box_min.x;
   ImGui::BeginGroup();
   ImGui::Dummy(ImVec2(width, height));
   for (std::size_t k = 0; k < words.size(); ++k) {
-    ImGui::SetCursorScreenPos(ImVec2(left, start.y));
+    const float word_width = width_of(words[k]);
+    if (below && at.x + word_width > start.x + width) at = {start.x + ui.px(2), at.y + height};
+    ImGui::SetCursorScreenPos(im(at));
     ImGui::PushID(static_cast<int>(k));
-    const bool clicked = ImGui::InvisibleButton("word", ImVec2(widths[k], height));
+    const bool clicked = ImGui::InvisibleButton("word", ImVec2(word_width, height));
     const bool chosen = static_cast<int>(k) == index;
-    const glm::vec2 min(left, start.y), max(left + widths[k], start.y + height);
+    const glm::vec2 min = at, max = at + glm::vec2(word_width, height);
     if (chosen || ImGui::IsItemHovered()) {
       const glm::vec2 inset(ui.px(2), ui.px(2));
       list.AddRectFilled(im(min + inset), im(max - inset),
                          chosen ? ui.colours->accent : ui.colours->field_hovered, ui.px(4));
     }
     draw_text(list, {ui.fonts.body, chosen ? ui.colours->on_accent : ui.colours->text},
-              {left + ui.px(6), start.y + 0.5F * (height - ui.fonts.body.size)}, words[k]);
+              at + glm::vec2(ui.px(6), 0.5F * (height - ui.fonts.body.size)), words[k]);
     ui.memory->controls[fmt::format("{}={}", label.text, words[k])] = {min, max};
     if (clicked && !chosen) {
       index = static_cast<int>(k);
       changed = true;
     }
-    left += widths[k];
+    at.x = max.x;
     ImGui::PopID();
   }
   ImGui::EndGroup();
@@ -272,7 +271,12 @@ bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
   return row.clicked;
 }
 
-bool chip(const Ui& ui, std::string_view label, bool on, float width) {
+bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
+  const float width = text_size(ui.fonts.body, label).x + ui.px(18);
+  if (!first) {
+    ImGui::SameLine(0.0F, ui.px(4));
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+  }
   const Row row = begin_row(ui, label, width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = 0.5F * (row.max.y - row.min.y);
@@ -291,9 +295,8 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
   std::vector<std::string_view> after;
   ImGui::BeginGroup();
   for (const std::string_view word : words) {
-    if (word != words.front()) ImGui::SameLine(0.0F, ui.px(4));
     const bool on = is_chosen(word);
-    const bool clicked = chip(ui, word, on, text_size(ui.fonts.body, word).x + ui.px(18));
+    const bool clicked = chip(ui, word, on, word == words.front());
     if (on != clicked) after.push_back(word);
   }
   ImGui::EndGroup();
@@ -338,9 +341,9 @@ void end_dialog() {
   ImGui::PopStyleColor();
 }
 
-void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
+bool begin_tooltip(const Ui& ui) {
   constexpr double k_rest_s = 0.5;
-  if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) return false;
   UiMemory& memory = *ui.memory;
   const glm::vec2 corner = from_im(ImGui::GetItemRectMin());
   const auto item = static_cast<ImGuiID>(static_cast<int>(corner.x) * 8192 + static_cast<int>(corner.y) + 1);
@@ -350,16 +353,25 @@ void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
   }
   if (ui.now_s - memory.resting_since_s < k_rest_s) {
     memory.wake_s = std::min(memory.wake_s, memory.resting_since_s + k_rest_s);
-    return;
+    return false;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(260));
-  if (!title.empty()) heading(ui, title);
-  coloured_text(title.empty() ? ui.colours->text : ui.colours->muted, text);
+  return true;
+}
+
+void end_tooltip() {
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
+}
+
+void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
+  if (!begin_tooltip(ui)) return;
+  if (!title.empty()) heading(ui, title);
+  draw_item_text(title.empty() ? ui.colours->text : ui.colours->muted, text);
+  end_tooltip();
 }
 
 void place_window(const glm::vec2& at, const glm::vec2& pivot) {
@@ -368,13 +380,7 @@ void place_window(const glm::vec2& at, const glm::vec2& pivot) {
 
 void heading(const Ui& ui, std::string_view text) {
   const FontScope strong(ui.fonts.strong);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-}
-
-void coloured_text(ImU32 colour, std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopStyleColor();
+  draw_item_text(ui.colours->text, text);
 }
 
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
@@ -382,6 +388,12 @@ void row_text(const Ui& ui, const Lettering& lettering, float width, std::string
   ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
   draw_text(*ImGui::GetWindowDrawList(), lettering,
             {at.x, at.y + 0.5F * (ui.px(k_row_height) - lettering.font.size)}, text);
+}
+
+void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged) {
+  const glm::vec2 room(ui.px(5), ui.px(1)), size = text_size(tagged.lettering.font, tagged.text);
+  list.AddRectFilled(im(tagged.at - room), im(tagged.at + size + room), ui.colours->popup, ui.px(6));
+  draw_text(list, tagged.lettering, tagged.at, tagged.text);
 }
 
 void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding) {
@@ -395,7 +407,7 @@ void hint(const Ui& ui, std::string_view text) {
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
   const bool wraps = ImGui::GetContentRegionAvail().x > ui.px(k_least_wrap);
   if (wraps) ImGui::PushTextWrapPos(0.0F);
-  coloured_text(ui.colours->muted, text);
+  draw_item_text(ui.colours->muted, text);
   if (wraps) ImGui::PopTextWrapPos();
 }
 

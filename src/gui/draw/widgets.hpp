@@ -60,8 +60,8 @@ struct IconButtonSpec {
 };
 bool icon_button(const Ui& ui, const IconButtonSpec& spec);
 
-/// A switch as a small rounded word.
-bool chip(const Ui& ui, std::string_view label, bool on, float width);
+/// A switch as a small rounded word. Those after the first of a row stand beside it, or begin another line.
+bool chip(const Ui& ui, std::string_view label, bool on, bool first = true);
 /// Some of a few words, in their order.
 bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<std::string_view>& chosen);
 /// A quiet row that shows or hides more rows.
@@ -75,6 +75,9 @@ void end_dialog();
 /// A tooltip for the item just drawn, shown when the mouse rests on it: a title (may be empty) and a
 /// sentence.
 void tooltip(const Ui& ui, std::string_view title, std::string_view text);
+/// The same for what is drawn before end_tooltip(), which is called where this is true.
+[[nodiscard]] bool begin_tooltip(const Ui& ui);
+void end_tooltip();
 
 /// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
 inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -86,9 +89,15 @@ void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);
-void coloured_text(ImU32 colour, std::string_view text);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
+/// A text with its upper left corner at `at`, on a tag of its own: it reads on whatever lies below.
+struct TaggedText {
+  Lettering lettering;
+  glm::vec2 at{0.0F};
+  std::string_view text;
+};
+void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged);
 /// A text as high as a control, `width` pixels wide.
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text);
 /// A texture of the GL, whose rows begin below; nothing for 0.

@@ -31,10 +31,10 @@ void draw_lines(const Ui& ui, std::string_view title, const std::vector<HelpLine
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   const float left = ImGui::GetCursorPosX();
   for (const HelpLine& line : lines) {
-    ImGui::TextUnformatted(line.keys);
+    draw_item_text(ui.colours->text, line.keys);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + ui.px(148));
-    coloured_text(ui.colours->muted, line.meaning);
+    draw_item_text(ui.colours->muted, line.meaning);
   }
   ImGui::Dummy(ImVec2(1, ui.px(10)));
 }

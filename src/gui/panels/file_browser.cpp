@@ -84,8 +84,7 @@ void FileBrowser::draw_head(const PanelContext& context) {
   row_text(ui, {ui.fonts.body, ui.colours->muted}, room, fitted(ui.fonts.body, folder_.string(), room));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(110));
   ImGui::InputTextWithHint("##filter", "filter by name", filter_.data(), filter_.size());
-  ImGui::SameLine();
-  if (chip(ui, "all files", all_files_, ui.px(72))) all_files_ = !all_files_;
+  if (chip(ui, "all files", all_files_, false)) all_files_ = !all_files_;
 }
 
 void FileBrowser::draw_list(const PanelContext& context) {

@@ -30,8 +30,10 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
     list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(6));
     draw_picture(list, plus ? textures.plus : textures.minus, {from_im(min), from_im(max)}, ui.px(6));
-    draw_text(list, {ui.fonts.small, ui.colours->muted},
-              {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size}, caption(plus));
+    draw_tagged_text(ui, list,
+                     {.lettering = {ui.fonts.small, ui.colours->text},
+                      .at = {min.x + ui.px(8), max.y - ui.px(4) - ui.fonts.small.size},
+                      .text = caption(plus)});
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
             "Second depths: the surface that faces away from this side. Click to see it large.");
     if (clicked) context.edits.dialogs.large_map = plus;

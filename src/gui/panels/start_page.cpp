@@ -54,7 +54,7 @@ void draw_recent(const PanelContext& context) {
     draw_icon(list, Icon::file, {min.x + ui.px(14), 0.5F * (min.y + max.y)}, ui.px(13), ui.colours->muted);
     draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), top}, name);
     const std::string folder = fitted(ui.fonts.small, path.parent_path().string(), ui.px(240));
-    draw_text_to({ui.fonts.small, ui.colours->faint}, max.x - ui.px(8),
+    draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(8),
                  0.5F * (min.y + max.y - ui.fonts.small.size), folder);
     if (clicked) context.edits.ask(&Commands::open_part, path.string());
     ImGui::PopID();

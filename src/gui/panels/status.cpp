@@ -46,11 +46,11 @@ void draw_status(const PanelContext& context) {
   place_window({area.middle_x(), static_cast<float>(area.max.y) - ui.px(12)}, {0.5F, 1.0F});
   ImGui::Begin("Status", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
   if (context.state.face)
-    coloured_text(context.state.figures.pale ? ui.colours->muted : ui.colours->text,
-                  face_line(context.state));
+    draw_item_text(context.state.figures.pale ? ui.colours->muted : ui.colours->text,
+                   face_line(context.state));
   if (const auto& hover = context.state.hover) {
-    coloured_text(ui.colours->text, facet_line(*hover));
-    if (hover->blocker) coloured_text(ui.colours->muted, blocker_line(context.state, *hover->blocker));
+    draw_item_text(ui.colours->text, facet_line(*hover));
+    if (hover->blocker) draw_item_text(ui.colours->muted, blocker_line(context.state, *hover->blocker));
   }
   ImGui::End();
 }
@@ -88,7 +88,7 @@ void draw_toasts(const PanelContext& context) {
               toast.failure ? ui.colours->warning : ui.colours->muted);
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(26), at.y));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - ui.px(60));
-    ImGui::TextUnformatted(toast.text.c_str());
+    draw_item_text(ui.colours->text, toast.text);
     ImGui::PopTextWrapPos();
     top += ImGui::GetWindowHeight() + ui.px(8);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) context.edits.ask(&Commands::dismiss_toasts);

@@ -39,6 +39,7 @@ void draw_part_name(const PanelContext& context) {
   const float width = text_size(ui.fonts.body, name).x + ui.px(36);
   if (button(ui, fmt::format("{}##part", name), {.width = width})) ImGui::OpenPopup("recent");
   const ImVec2 max = ImGui::GetItemRectMax(), min = ImGui::GetItemRectMin();
+  ui.memory->controls["part name"] = {from_im(min), from_im(max)};
   draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down, {max.x - ui.px(11), 0.5F * (min.y + max.y)},
             ui.px(9), ui.colours->muted);
   tooltip(ui, file, state.path);

@@ -12,7 +12,7 @@
 
 namespace moldlight::gui {
 
-/// Size of a candidate's small picture, pixels; `scale`: pixels per layout unit.
+/// Size of the picture in a candidate's tooltip, pixels; `scale`: pixels per layout unit.
 [[nodiscard]] glm::ivec2 candidate_picture_size(float scale);
 
 /// The order of the table's rows: by a figure, or by rank.

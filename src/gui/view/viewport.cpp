@@ -59,7 +59,7 @@ Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
 }
 
 /// The arrow's name beyond its tip, where the arrow itself does not run, on a tag that reads on any colour.
-void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, float alpha) {
+void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, ImU32 colour) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const glm::vec2 along = arrow.tip - arrow.tail, text = text_size(ui.fonts.small, name);
   const float length = glm::length(along);
@@ -67,8 +67,8 @@ void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, 
   const glm::vec2 room = 0.5F * text + glm::vec2(ui.px(8), ui.px(3));
   glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  list.AddRectFilled(im(middle - room), im(middle + room), faded(ui.colours->panel, 0.85F * alpha), room.y);
-  draw_text(list, {ui.fonts.small, faded(ui.colours->text, alpha)}, middle - 0.5F * text, name);
+  list.AddRectFilled(im(middle - room), im(middle + room), ui.colours->panel, room.y);
+  draw_text(list, {ui.fonts.small, colour}, middle - 0.5F * text, name);
 }
 
 }  // namespace
@@ -182,7 +182,8 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
     const glm::vec2 reach(ui.px(k_tip_reach));
     ui.memory->controls[core ? "core arrow" : "cavity arrow"] = {shown->tip - reach, shown->tip + reach};
     const bool lively = (drag_ && drag_->core == core) || (near_tip_ && *near_tip_ == core);
-    draw_name(ui, *shown, core ? "core" : "cavity", lively ? 1.0F : shown->toward_viewer ? 0.85F : 0.5F);
+    draw_name(ui, *shown, core ? "core" : "cavity",
+              lively || shown->toward_viewer ? ui.colours->text : ui.colours->muted);
     if (lively)
       ImGui::GetBackgroundDrawList()->AddCircle(im(shown->tip), ui.px(k_tip_reach),
                                                 faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
