@@ -79,7 +79,11 @@ void App::prepare(const FrameInput& input) {
 }
 
 void App::frame(const FrameInput& input) {
-  const Ui& ui = imgui_.begin_frame(now_s_);
+  // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
+  const bool typing = ImGui::GetIO().WantTextInput || imgui_.memory().typing_id != 0;
+  const KeyPress* const last = input.played.keys.empty() ? nullptr : &input.played.keys.back();
+  const ControlKey key = last != nullptr && takes_key(*last, typing) ? control_key(*last) : ControlKey::none;
+  const Ui& ui = imgui_.begin_frame(now_s_, key);
   layout_.begin_frame(size_, scale_);
   poll_jobs();
   if (flight_.flying()) state_.camera = flight_.at(now_s_);
@@ -90,10 +94,9 @@ void App::frame(const FrameInput& input) {
 
   Edits edits(state_);
   for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
-  // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
-  const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
   for (const KeyPress& press : input.played.keys) {
-    if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
+    if (leaves(press) && close_innermost(typing, edits)) continue;
+    if ((!typing && !takes_key(press, false)) || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
@@ -122,6 +125,32 @@ void App::frame(const FrameInput& input) {
   const bool event = input.played.any || !input.dropped.empty();
   settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
+}
+
+bool App::takes_key(const KeyPress& press, bool typing) const {
+  const ControlKey key = control_key(press);
+  if (key == ControlKey::next || key == ControlKey::former) return true;
+  if (key == ControlKey::none) return false;
+  if (typing) {  // the browser's filter, beside which its list goes by keys
+    return state_.dialogs.browser && key != ControlKey::left && key != ControlKey::right && press.key != ' ';
+  }
+  const UiMemory& memory = imgui_.memory();
+  return memory.keyboard.focused() || memory.popups.any() || state_.dialogs.browser;
+}
+
+bool App::close_innermost(bool typing, Edits& edits) {
+  UiMemory& memory = imgui_.memory();
+  if (memory.typing_id != 0 || memory.popups.close_one()) return true;
+  Dialogs& dialogs = edits.dialogs;
+  Dialogs none;
+  none.panels_hidden = dialogs.panels_hidden;
+  if (!(dialogs == none)) {
+    dialogs = none;
+    return true;
+  }
+  if (typing || !memory.keyboard.focused()) return typing;
+  memory.keyboard.give_to(0);
+  return true;
 }
 
 void App::poll_jobs() {

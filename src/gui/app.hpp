@@ -74,6 +74,8 @@ class App {
   [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
     return imgui_.memory().controls;
   }
+  /// The control that has the keyboard, by its name there; empty for none.
+  [[nodiscard]] const std::string& focused() const { return imgui_.memory().focused; }
   /// The texts of the last frame.
   [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
@@ -92,6 +94,10 @@ class App {
 
  private:
   friend struct Commands;
+  /// Whether controls, and not the shortcuts, get the key.
+  [[nodiscard]] bool takes_key(const KeyPress& press, bool typing) const;
+  /// Escape for what lies over the panels, and for the control that has the keyboard; false if there is none.
+  bool close_innermost(bool typing, Edits& edits);
   void poll_jobs();
   void install(LoadedPart part);
   void pick();

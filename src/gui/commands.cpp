@@ -160,16 +160,20 @@ void take_the_other(Enum& one_of_two) {
   one_of_two = one_of_two == Enum{0} ? Enum{1} : Enum{0};
 }
 
-/// Gives up a drag, closes what is open, and takes back what was chosen.
+/// Gives up a drag, or takes back the last of what was opened and chosen beside the dialogs.
 void escape(const Pressed& p) {
   p.edits.give_up_drag = true;
-  const bool hidden = p.edits.dialogs.panels_hidden;
-  p.edits.dialogs = {};
-  p.edits.dialogs.panels_hidden = hidden;
-  p.edits.sweep_choices.compared.reset();
-  p.edits.sweep_choices.large_ball = false;
-  if (p.state.face) p.edits.ask(&Commands::choose_face, std::nullopt);
-  p.edits.ask(&Commands::dismiss_toasts);
+  SweepChoices& choices = p.edits.sweep_choices;
+  if (ImGui::IsMouseDown(0)) return;
+  if (!p.state.toasts.empty()) {
+    p.edits.ask(&Commands::dismiss_toasts);
+  } else if (choices.compared) {
+    choices.compared.reset();
+  } else if (choices.large_ball) {
+    choices.large_ball = false;
+  } else if (p.state.face) {
+    p.edits.ask(&Commands::choose_face, std::nullopt);
+  }
 }
 
 /// Arrow keys move the direction's tip on the screen.
@@ -223,7 +227,7 @@ const std::vector<Shortcut>& shortcuts() {
   static const std::vector<Shortcut> k_shortcuts = {
       {{direction, "Drag the arrow's tip", "turn the parting direction"}},
       {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
-      {{direction, "Esc", "undo the drag"}, always, {GLFW_KEY_ESCAPE}, escape},
+      {{direction, "Esc", "undo the drag, close what is open"}, always, {GLFW_KEY_ESCAPE}, escape},
       {{direction, "Double click", "direction: normal of that facet"}},
       {{direction, "Click", "choose the CAD face there (STEP)"}},
       {{direction, "Alt + double click", "direction: axis of that round wall"}},
@@ -276,8 +280,9 @@ const std::vector<Shortcut>& shortcuts() {
        with_ctrl,
        {'Z', 'Y'},
        [](P p) { p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo); }},
-      {{program, "Tab", "hide the panels"},
-       always,
+      {{program, "Tab, Space, arrows", "go to a control, press, change it"}},
+      {{program, "Ctrl+Tab", "hide the panels"},
+       with_ctrl,
        {GLFW_KEY_TAB},
        [](P p) { p.edits.dialogs.panels_hidden = !p.edits.dialogs.panels_hidden; }},
       {{program, "H", "this sheet"},
@@ -298,6 +303,8 @@ bool acts(When when, const KeyPress& press, const AppState& state) {
 }
 
 }  // namespace
+
+bool leaves(const KeyPress& press) { return press.key == GLFW_KEY_ESCAPE; }
 
 bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'; }
 

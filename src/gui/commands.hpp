@@ -69,6 +69,8 @@ struct Edits : Editable {
 
 /// Whether a key ends the program, also while text is being typed.
 [[nodiscard]] bool ends_program(const KeyPress& press);
+/// Whether it is the key that closes and gives up.
+[[nodiscard]] bool leaves(const KeyPress& press);
 /// For keys pressed while no text is being typed.
 void apply_shortcut(KeyPress press, const AppState& state, Edits& edits);
 

@@ -23,12 +23,13 @@ class ImguiSession {
 
   /// Renders fonts anew if the scale changed; call it before NewFrame of the platform.
   void prepare(Theme theme, float scale);
-  /// Starts ImGui's frame; `ui` is valid until the next one.
-  const Ui& begin_frame(double now_s);
+  /// Starts ImGui's frame; `ui` is valid until the next one. `key`: what was pressed for the controls.
+  const Ui& begin_frame(double now_s, ControlKey key);
   /// Ends the frame and draws it into the framebuffer that is bound.
   void draw();
   /// What the controls of the last frame have left.
   [[nodiscard]] const UiMemory& memory() const { return memory_; }
+  [[nodiscard]] UiMemory& memory() { return memory_; }
   /// When the controls want the next frame at the latest; infinity for not at all.
   [[nodiscard]] double wake_s() const { return memory_.wake_s; }
 

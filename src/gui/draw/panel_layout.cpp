@@ -183,8 +183,10 @@ void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
   draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
             hovered ? ui.colours->text : ui.colours->muted);
+  const bool focused = has_keyboard(ui, "title", {chevron - reach, chevron + reach});
   list.PopClipRect();
-  each.toggle = hovered && ImGui::IsMouseClicked(0);
+  each.toggle =
+      (hovered && ImGui::IsMouseClicked(0)) || (focused && ui.memory->keyboard.takes(ControlKey::press));
 }
 
 void PanelLayout::end() {

@@ -16,15 +16,10 @@
 #include <imgui.h>
 
 #include "gui/draw/fonts.hpp"
+#include "gui/draw/keyboard.hpp"
 #include "gui/draw/theme.hpp"
 
 namespace moldlight::gui {
-
-/// Where something is drawn, pixels.
-struct ScreenBox {
-  glm::vec2 min{0.0F}, max{0.0F};
-  [[nodiscard]] glm::vec2 centre() const { return 0.5F * (min + max); }
-};
 
 /// A text as it was drawn in this frame: by these, layout and contrast are checked.
 struct DrawnText {
@@ -39,10 +34,12 @@ struct UiMemory {
   ImGuiID typing_id = 0;  // the control into which a value is being typed
   std::array<char, 64> typed{};
   bool typing_starts = false;
-  bool type_in_next = false;  // Tab was pressed: the next field takes over
-  ImGuiID type_in = 0;        // with Shift: this one does
-  ImGuiID field_before = 0;   // the field that was drawn last
-  ImGuiID resting_on = 0;     // the item on which the mouse rests
+  ImGuiID type_in = 0;  // the control that takes over
+  Keyboard keyboard;
+  Popups popups;
+  std::string focused;         // name of the control that has the keyboard, as in `controls`
+  bool scrim_clicked = false;  // beside the dialog that is open
+  ImGuiID resting_on = 0;      // the item on which the mouse rests
   double resting_since_s = 0.0;
   double wake_s = std::numeric_limits<double>::infinity();  // when the next frame is wanted at the latest
   std::map<std::string, ScreenBox, std::less<>>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "base/error.hpp"
 #include "classify/option.hpp"
@@ -17,24 +18,37 @@ namespace {
 
 constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
 
-/// A row's place on the screen, and what the mouse does to it.
+/// A row's place on the screen, and what mouse and keyboard do to it.
 struct Row {
   glm::vec2 min{0.0F}, max{0.0F};
-  bool hovered = false, active = false, clicked = false;
+  bool hovered = false, active = false, clicked = false, pressed = false, focused = false;
   [[nodiscard]] float middle() const { return 0.5F * (min.y + max.y); }
 };
 
 Row begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
-  const std::string id(label);
   if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
-  Row row;
-  row.clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(std::max(width, 1.0F), ui.px(k_row_height)));
-  row.min = from_im(ImGui::GetItemRectMin());
-  row.max = from_im(ImGui::GetItemRectMax());
-  row.hovered = ImGui::IsItemHovered();
-  row.active = ImGui::IsItemActive();
-  ui.memory->controls[id] = {row.min, row.max};
-  return row;
+  const Pressable item = pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
+  return {item.box.min, item.box.max, item.hovered, item.active, item.clicked, item.pressed, item.focused};
+}
+
+/// Around a control that has the keyboard.
+void draw_focus_ring(const Ui& ui, const ScreenBox& box) {
+  const glm::vec2 gap(1.5F * ui.scale);
+  ImGui::GetWindowDrawList()->AddRect(im(box.min - gap), im(box.max + gap), ui.colours->accent, ui.px(7), 0,
+                                      2.0F * ui.scale);
+  if (!ui.memory->keyboard.arrived()) return;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float top = ImGui::GetWindowPos().y + style.WindowPadding.y,
+              bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - style.WindowPadding.y;
+  if (box.min.y < top || box.max.y > bottom) ImGui::SetScrollHereY(0.5F);
+}
+
+/// By how many steps the arrow keys move a value; with PageUp and PageDown by ten.
+int value_steps(Keyboard& keyboard) {
+  if (keyboard.takes(ControlKey::left)) return -1;
+  if (keyboard.takes(ControlKey::right)) return 1;
+  if (keyboard.takes(ControlKey::page_down)) return -10;
+  return keyboard.takes(ControlKey::page_up) ? 10 : 0;
 }
 
 ImU32 field_colour(const Ui& ui, const Row& row) {
@@ -81,7 +95,20 @@ double value_at(double share, const SliderSpec& spec) {
                           : spec.min + share * (spec.max - spec.min);
 }
 
+/// A value so many steps on, and by one at least that is told apart.
+double stepped(double value, int steps, const SliderSpec& spec) {
+  if (!spec.snap) {
+    const double step = spec.step > 0.0 ? spec.step : 0.01 * (spec.max - spec.min);
+    return snapped(value + steps * step, spec);
+  }
+  const double before = value;
+  for (int k = 1; k <= 64 && value == before; ++k)
+    value = snapped(value_at(share_of(before, spec) + 0.004 * k * steps, spec), spec);
+  return value;
+}
+
 void start_typing(UiMemory& memory, ImGuiID id, const std::string& text) {
+  memory.keyboard.give_to(id);
   memory.typing_id = id;
   memory.typing_starts = true;
   std::snprintf(memory.typed.data(), memory.typed.size(), "%s", text.c_str());
@@ -98,19 +125,14 @@ std::optional<double> typed_row(const Ui& ui, ImGuiID id, float width) {
   const bool entered =
       ImGui::InputText("##typed", memory.typed.data(), memory.typed.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  // ImGui would go back to this very field, the only one of text.
-  const bool tabbed = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
+  memory.keyboard.visit(id);
+  const bool tabbed = !memory.keyboard.focused(id);
   const bool left = tabbed || ImGui::IsItemDeactivated(), edited = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopID();
   ImGui::PopStyleVar();
   memory.typing_starts = false;
   if (!entered && !left) return std::nullopt;
   memory.typing_id = 0;
-  if (tabbed && ImGui::GetIO().KeyShift) {
-    memory.type_in = memory.field_before;
-  } else if (tabbed) {
-    memory.type_in_next = true;
-  }
   const bool given_up =
       !entered && !tabbed && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return std::nullopt;
@@ -128,6 +150,61 @@ bool wants_typing() {
 
 }  // namespace
 
+bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
+  if (!ui.memory->keyboard.visit(ImGui::GetID(id.data(), id.data() + id.size()))) return false;
+  ui.memory->focused = id;
+  draw_focus_ring(ui, box);
+  return true;
+}
+
+Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size) {
+  Pressable item;
+  item.clicked = ImGui::InvisibleButton(id, im(glm::max(size, glm::vec2(1.0F))));
+  item.box = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  item.hovered = ImGui::IsItemHovered();
+  item.active = ImGui::IsItemActive();
+  ui.memory->controls[id] = item.box;
+  const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;  // else inside BeginDisabled()
+  item.focused = enabled && has_keyboard(ui, id, item.box);
+  item.pressed = item.focused && ui.memory->keyboard.takes(ControlKey::press);
+  item.clicked = item.clicked || item.pressed;
+  return item;
+}
+
+bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSpec& spec) {
+  Keyboard& keyboard = ui.memory->keyboard;
+  const ImGuiID control = ImGui::GetID(id);
+  const bool focused = keyboard.visit(control);
+  if (spec.starts || (focused && keyboard.arrived())) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x);
+  const bool changed = ImGui::InputTextWithHint(id, spec.hint, text.data(), text.size());
+  if (ImGui::IsItemActivated()) keyboard.give_to(control);
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  const std::string_view shown(id);
+  const std::string name(shown.substr(shown.starts_with("##") ? 2 : 0));
+  ui.memory->controls[name] = box;
+  if (focused) {
+    ui.memory->focused = name;
+    draw_focus_ring(ui, box);
+  }
+  return changed;
+}
+
+bool menu_item(const Ui& ui, std::string_view label, bool enabled) {
+  const std::string_view shown = label.substr(0, label.find("##"));
+  ImGui::BeginDisabled(!enabled);
+  const float width =
+      std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
+  const Row row = begin_row(ui, label, width);
+  ImGui::EndDisabled();
+  if (row.hovered || row.focused)
+    ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), ui.colours->field_hovered, ui.px(6));
+  draw_row_text({ui.fonts.body, enabled ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(8), row,
+                shown);
+  if (row.clicked) ui.memory->popups.close_all();
+  return row.clicked;
+}
+
 bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec& spec) {
   const std::string id_text(label.text);
   const ImGuiID id = ImGui::GetID(id_text.c_str());
@@ -138,8 +215,11 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     return value != before;
   }
   const Row row = begin_row(ui, label.text);
-  if (wants_typing()) {
+  Keyboard& keyboard = ui.memory->keyboard;
+  if (wants_typing() || row.pressed) {
     start_typing(*ui.memory, id, real_text(value));
+  } else if (const int steps = row.focused ? value_steps(keyboard) : 0; steps != 0) {
+    value = stepped(value, steps, spec);
   } else if (row.active) {
     const float mouse = ImGui::GetIO().MousePos.x;
     // A press alone changes nothing: the first of two clicks that start typing would.
@@ -172,10 +252,10 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     const auto typed = typed_row(ui, id, spec.width);
     return typed && std::exchange(value, *typed) != *typed;
   }
-  const bool taken_over = std::exchange(memory.type_in_next, false) || memory.type_in == id;
-  memory.field_before = id;
   const Row row = begin_row(ui, id_text, spec.width);
-  if (row.clicked || taken_over) {
+  if (row.clicked || (row.focused && memory.keyboard.arrived())) memory.type_in = id;
+  // The field that Tab has left has yet to give its number where it is drawn after this one.
+  if (memory.type_in == id && memory.typing_id == 0) {
     memory.type_in = 0;
     start_typing(memory, id, real_text(value));
   }
@@ -217,7 +297,9 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_label(ui, {.min = start, .max = start + glm::vec2(width, height)}, label);
   if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
-  bool changed = false;
+  const int before = index;
+  if (has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)}))
+    index = std::clamp(index + value_steps(ui.memory->keyboard), 0, static_cast<int>(words.size()) - 1);
   ImGui::BeginGroup();
   ImGui::Dummy(ImVec2(width, height));
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -236,16 +318,13 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
     draw_text(list, {ui.fonts.body, chosen ? ui.colours->on_accent : ui.colours->text},
               at + glm::vec2(ui.px(6), 0.5F * (height - ui.fonts.body.size)), words[k]);
     ui.memory->controls[fmt::format("{}={}", label.text, words[k])] = {min, max};
-    if (clicked && !chosen) {
-      index = static_cast<int>(k);
-      changed = true;
-    }
+    if (clicked) index = static_cast<int>(k);
     at.x = max.x;
     ImGui::PopID();
   }
   ImGui::EndGroup();
   ImGui::PopID();
-  return changed;
+  return index != before;
 }
 
 bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
@@ -266,7 +345,7 @@ bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   }
   draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.min + row.max), ui.px(14),
-            row.hovered ? ui.colours->text : ui.colours->muted);
+            faded(row.hovered ? ui.colours->text : ui.colours->muted, ImGui::GetStyle().Alpha));
   tooltip(ui, {}, spec.tip);
   return row.clicked;
 }
@@ -319,26 +398,39 @@ bool disclosure(const Ui& ui, std::string_view label, bool open) {
 }
 
 bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  place_window(0.5F * from_im(window), glm::vec2(0.5F));
+  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
+  place_window(glm::vec2(0.0F), glm::vec2(0.0F));
+  ImGui::SetNextWindowSize(im(window));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->scrim);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::Begin("Scrim", nullptr, k_fixed_window);
+  ui.memory->scrim_clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0);
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+
+  place_window(0.5F * window, glm::vec2(0.5F));
+  const glm::vec2 most = window - glm::vec2(ui.px(16));
   if (size.y > 0.0F) {
-    ImGui::SetNextWindowSize(im(size));
-  } else if (size.x > 0.0F) {
-    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), ImVec2(size.x, window.y));
+    ImGui::SetNextWindowSize(im(glm::min(size, most)));
+  } else {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), im(most));
   }
-  ImGui::SetNextWindowBgAlpha(1.0F);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (size.y <= 0.0F) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  ui.memory->keyboard.enter_layer();
   return ImGui::Begin(name, nullptr, flags);
 }
 
-void end_dialog() {
+bool end_dialog(const Ui& ui) {
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
+  ui.memory->keyboard.leave_layer();
+  return ui.memory->scrim_clicked;
 }
 
 bool begin_tooltip(const Ui& ui) {

@@ -16,6 +16,28 @@ namespace moldlight::gui {
 /// Height of a control, layout units.
 inline constexpr float k_row_height = 24.0F;
 
+/// What is clicked, or pressed with the keyboard.
+struct Pressable {
+  ScreenBox box;
+  bool hovered = false, active = false;
+  bool clicked = false;  // or pressed
+  bool pressed = false;  // with the keyboard
+  bool focused = false;  // has the keyboard; a ring shows it
+};
+/// An item of this size in pixels on which nothing is drawn yet. Recorded input finds it by its id.
+Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size);
+
+/// To be told of each other control, with its place: whether it has the keyboard, which a ring shows.
+bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box);
+
+/// A text that is typed. Empty it shows `hint`.
+struct TextSpec {
+  const char* hint = "";
+  float width = 0.0F;   // pixels; 0: all there is
+  bool starts = false;  // takes what is typed from now on
+};
+bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSpec& spec = {});
+
 /// A row's name; that of a changed setting has a dot before it, which tells where a reset does something.
 struct RowLabel {
   std::string_view text;
@@ -67,10 +89,14 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 /// A quiet row that shows or hides more rows.
 bool disclosure(const Ui& ui, std::string_view label, bool open);
 
-/// A window in the middle of the screen over a scrim; `size` in pixels, 0: as wide or high as what is in it.
-/// Call end_dialog() either way.
+/// A line of a menu; a click closes the menu.
+bool menu_item(const Ui& ui, std::string_view label, bool enabled = true);
+
+/// A window in the middle of the screen over a scrim; `size` in pixels, 0: as wide or high as what is in it,
+/// but not larger than the screen. Call end_dialog() either way; it is true where the dialog was left by a
+/// click beside it.
 bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size);
-void end_dialog();
+[[nodiscard]] bool end_dialog(const Ui& ui);
 
 /// A tooltip for the item just drawn, shown when the mouse rests on it: a title (may be empty) and a
 /// sentence.

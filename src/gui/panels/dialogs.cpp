@@ -39,12 +39,6 @@ void draw_lines(const Ui& ui, std::string_view title, const std::vector<HelpLine
   ImGui::Dummy(ImVec2(1, ui.px(10)));
 }
 
-bool clicked_outside() {
-  return ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows |
-                                                             ImGuiHoveredFlags_AllowWhenBlockedByPopup |
-                                                             ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-}
-
 }  // namespace
 
 void draw_help(const PanelContext& context) {
@@ -60,9 +54,8 @@ void draw_help(const PanelContext& context) {
     draw_lines(ui, "View", help_lines(HelpLine::Group::view));
     draw_lines(ui, "Program", help_lines(HelpLine::Group::program));
     ImGui::EndGroup();
-    if (clicked_outside()) context.edits.dialogs.help = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.help = false;
 }
 
 void draw_settings(const PanelContext& context) {
@@ -81,10 +74,8 @@ void draw_settings(const PanelContext& context) {
     if (button(ui, "Put the panels back in place")) context.edits.ask(&Commands::reset_layout);
     ImGui::SameLine();
     if (button(ui, "Close", {.width = 0.0F, .strong = true})) context.edits.dialogs.settings = false;
-    if (clicked_outside() && ImGui::GetIO().MousePos.y > ui.px(k_bar_height))
-      context.edits.dialogs.settings = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.settings = false;
 }
 
 }  // namespace moldlight::gui

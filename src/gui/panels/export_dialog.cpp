@@ -33,9 +33,7 @@ void ExportDialog::draw(const PanelContext& context) {
   if (begin_dialog(ui, "Export", {ui.px(480), 0.0F})) {
     heading(ui, "Export");
     hint(ui, "Files are named after this path:");
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    ImGui::InputText("##base", base_.data(), base_.size());
-    ui.memory->controls["Export path"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+    text_field(ui, "##Export path", base_);
     toggle(ui, {"Result as JSON"}, json_);
     toggle(ui, {"Table of facets (CSV)"}, facets_);
     if (!context.state.model->part.facet_source.empty()) {
@@ -59,7 +57,7 @@ void ExportDialog::draw(const PanelContext& context) {
     ImGui::SameLine();
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.exporting = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.exporting = false;
 }
 
 }  // namespace moldlight::gui

@@ -13,15 +13,11 @@ void draw_method_panel(const PanelContext& context) {
       if (is_among(k_map_options, option) || is_among(k_accuracy_options, option)) continue;
       option_row(ui, option, method);
     }
-    if (disclosure(ui, "Accuracy", false)) ImGui::OpenPopup("accuracy");
-    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + ui.px(4));
-    const float width = ui.px(k_panel_width);
-    ImGui::SetNextWindowPos(corner);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, 4.0F * width));
-    if (ImGui::BeginPopup("accuracy")) {
+    if (disclosure(ui, "Accuracy", false)) open_popup_below_item(ui, "accuracy");
+    if (begin_popup(ui, "accuracy", ui.px(k_panel_width))) {
       for (const std::string_view key : k_accuracy_options)
         option_row(ui, option_named(method_options(), key), method);
-      ImGui::EndPopup();
+      end_popup(ui);
     }
   }
   context.layout.end();

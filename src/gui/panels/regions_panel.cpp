@@ -36,12 +36,12 @@ struct Legend {
   float alpha = 1.0F;
 };
 
-void copy_menu(const char* id, double value) {
-  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
-  if (!ImGui::BeginPopup(id)) return;
+void copy_menu(const Ui& ui, const char* id, double value) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) open_popup_at_mouse(ui, id);
+  if (!begin_popup(ui, id)) return;
   const std::string text = real_text(value);
-  if (ImGui::MenuItem(fmt::format("Copy {}", text).c_str())) ImGui::SetClipboardText(text.c_str());
-  ImGui::EndPopup();
+  if (menu_item(ui, fmt::format("Copy {}", text))) ImGui::SetClipboardText(text.c_str());
+  end_popup(ui);
 }
 
 /// Of a line "name … value unit": its corner, and where its texts end and begin.
@@ -73,7 +73,7 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top, grouped(legend.column.text(area)));
   tooltip(ui, facts(region).title,
           fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));
-  copy_menu(name.c_str(), area);
+  copy_menu(ui, name.c_str(), area);
 }
 
 void draw_total(const PanelContext& context, const Legend& legend) {
@@ -87,7 +87,7 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right, line.top, legend.unit);
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
-  copy_menu("total", legend.result.total_area);
+  copy_menu(ui, "total", legend.result.total_area);
 }
 
 /// How far the figures may be trusted: the row says no more than that the check passed, unless something is
@@ -118,7 +118,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   if (doubt.readout > 0.0)
     text += fmt::format("\nThe readout's undercut is {} from that of exact regions.", figure(doubt.readout));
   tooltip(ui, "How far the figures may be trusted", text);
-  copy_menu("trust", visible);
+  copy_menu(ui, "trust", visible);
 }
 
 /// What the picture's regions are told by.

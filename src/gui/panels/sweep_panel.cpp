@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -284,6 +285,9 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count), ui.px(k_row));
+    if (chosen_row_ && std::exchange(row_moved_, false))
+      ImGui::SetScrollY((static_cast<float>(*chosen_row_) + 0.5F) * ui.px(k_row) -
+                        0.5F * fits * ui.px(k_row));
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
         const std::size_t index = rows_[static_cast<std::size_t>(k)];
@@ -291,11 +295,29 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
       }
     }
     ImGui::EndTable();
+    choose_row(context, static_cast<int>(fits));
   }
   ImGui::PopID();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   draw_footer(context, fits < all || expanded_);
+}
+
+void SweepPanel::choose_row(const PanelContext& context, int page) {
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  Keyboard& keyboard = context.ui.memory->keyboard;
+  if (!has_keyboard(context.ui, "table", box)) {
+    chosen_row_.reset();
+    return;
+  }
+  const int count = static_cast<int>(rows_.size());
+  const int steps = keyboard.takes_steps(page, count);
+  row_moved_ = steps != 0 || !chosen_row_;
+  chosen_row_ = std::clamp(chosen_row_.value_or(0) + steps, 0, count - 1);
+  if (keyboard.takes(ControlKey::press)) {
+    const std::size_t index = rows_[static_cast<std::size_t>(*chosen_row_)];
+    context.edits.ask(&Commands::fly_to_direction, result_->candidates[index].candidate.direction);
+  }
 }
 
 void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t index,
@@ -311,6 +333,8 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
       "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
       ImVec2(0.0F, ui.px(k_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  if (chosen_row_ && rows_[static_cast<std::size_t>(*chosen_row_)] == index)
+    ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
   ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                             ImGuiHoveredFlags_AllowWhenOverlapped);

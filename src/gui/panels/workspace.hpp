@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,9 +34,13 @@ class SweepPanel {
   using Figures = std::vector<const DirectionFigure*>;
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
   void draw_footer(const PanelContext& context, bool more);
+  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
+  void choose_row(const PanelContext& context, int page);
 
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
+  std::optional<int> chosen_row_;              // by the keyboard; its place among rows_
+  bool row_moved_ = false;
   bool options_ = false, expanded_ = false;
   bool asked_for_ = false;  // the table of a sweep that ran by itself
 };
@@ -46,6 +51,13 @@ class FileBrowser {
   /// Draws the dialog while it is open; asks to open the part that is chosen.
   void draw(const PanelContext& context);
 
+  /// What the list offers.
+  struct Line {
+    std::filesystem::path path;
+    std::string note;  // its size, or where it is
+    bool folder = false, recent = false;
+  };
+
  private:
   struct Entry {
     std::string name;
@@ -55,13 +67,17 @@ class FileBrowser {
   void enter(const std::filesystem::path& folder);
   void draw_head(const PanelContext& context);
   void draw_list(const PanelContext& context);
+  /// Recent parts and the folder's entries, as far as the filter lets them through.
+  [[nodiscard]] std::vector<Line> lines(const AppState& state) const;
 
   std::filesystem::path folder_;
+  std::optional<std::filesystem::path> next_;  // the folder to go to
   std::vector<Entry> entries_;
   std::string problem_;
   std::array<char, 128> filter_{};
   bool all_files_ = false;
-  bool open_ = false;
+  bool open_ = false, starts_ = false;
+  int selected_ = -1;  // line that the arrow keys have gone to; -1: none
 };
 
 /// What `classify` writes, from the window.
