@@ -85,6 +85,7 @@ void App::frame(const FrameInput& input) {
   const ControlKey key = last != nullptr && takes_key(*last, typing) ? control_key(*last) : ControlKey::none;
   const Ui& ui = imgui_.begin_frame(now_s_, key);
   layout_.begin_frame(size_, scale_);
+  if (picture_wait_ > 0) --picture_wait_;
   poll_jobs();
   if (flight_.flying()) state_.camera = flight_.at(now_s_);
   pick();
@@ -135,7 +136,9 @@ bool App::takes_key(const KeyPress& press, bool typing) const {
     return state_.dialogs.browser && key != ControlKey::left && key != ControlKey::right && press.key != ' ';
   }
   const UiMemory& memory = imgui_.memory();
-  return memory.keyboard.focused() || memory.popups.any() || state_.dialogs.browser;
+  const Dialogs& dialogs = state_.dialogs;
+  const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture;
+  return memory.keyboard.focused() || memory.popups.any() || asked;
 }
 
 bool App::close_innermost(bool typing, Edits& edits) {
@@ -427,7 +430,20 @@ void App::plan_next_frame() {
 }
 
 std::optional<std::string> App::take_picture_request() {
+  if (picture_wait_ > 0) return std::nullopt;
   return std::exchange(picture_request_, std::nullopt);
+}
+
+void App::picture_saved(const std::string& path) {
+  saved_to_ = std::filesystem::path(path).parent_path().string();
+  say(fmt::format("Picture saved as {}", path), false);
+}
+
+void App::end_jobs() {
+  loader_.cancel();
+  export_.cancel();
+  sweep_.cancel();
+  measurer_.cancel();
 }
 
 void App::save() {

@@ -86,9 +86,13 @@ class App {
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
+  /// To be told where a picture went: the next ones go there too, and where is said.
+  void picture_saved(const std::string& path);
   /// True once the user has asked to end the program.
   [[nodiscard]] bool quitting() const { return quitting_; }
   void say(std::string text, bool failure);
+  /// Tells all that runs in the background to end, without waiting for it.
+  void end_jobs();
   /// Saves what is to be remembered.
   void save();
 
@@ -152,6 +156,8 @@ class App {
   PartNotes saved_notes_;
   WindowSettings begun_with_;  // what differs from it was changed in the window
   std::optional<std::string> picture_request_;
+  int picture_wait_ = 0;  // frames until no dialog is in it
+  std::string saved_to_;  // folder of the last export or picture of this session; empty: none yet
   glm::ivec2 size_{1};
   float scale_ = 1.0F;
   double now_s_ = 0.0, next_frame_s_ = 0.0;

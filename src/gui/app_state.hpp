@@ -47,7 +47,8 @@ struct Toast {
 /// Which dialogs are open.
 struct Dialogs {
   bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false;
-  std::optional<bool> large_map;  // true: of +d
+  std::optional<bool> large_map;       // true: of +d
+  std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
   bool operator==(const Dialogs&) const = default;
 };

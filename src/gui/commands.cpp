@@ -82,15 +82,19 @@ void Commands::choose_face(const std::optional<FacetIndex>& facet) {
 
 void Commands::take_picture() {
   if (!app.state_.model) return;
-  const fs::path part(app.state_.path);
-  // A name of its own for each picture: none is ever overwritten.
-  for (int number = 1; number < 10000; ++number) {
-    const fs::path path = part.parent_path() / fmt::format("{}-{:02}.png", part.stem().string(), number);
-    std::error_code ignored;
-    if (fs::exists(path, ignored)) continue;
-    app.picture_request_ = path.string();
-    return;
+  const bool asks = app.saved_to_.empty();
+  const fs::path folder = asks ? pictures_folder() : fs::path(app.saved_to_);
+  const std::string path = free_name(folder, fs::path(app.state_.path).stem().string());
+  if (asks) {
+    app.state_.dialogs.picture = path;
+  } else {
+    save_picture(path);
   }
+}
+
+void Commands::save_picture(const std::string& path) {
+  app.picture_request_ = path;
+  app.picture_wait_ = 2;  // this frame shows the dialog that asks for it
 }
 
 void Commands::export_files(const OutputPaths& files, const std::string& picture) {
@@ -109,7 +113,10 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
     }
     return names.empty() ? std::string("Exported") : fmt::format("Exported {} to {}", names, folder.string());
   });
-  if (!picture.empty()) app.picture_request_ = picture;
+  for (const std::string* path : {&picture, &files.json, &files.mesh, &files.split_folder, &files.borders}) {
+    if (!path->empty()) app.saved_to_ = fs::path(*path).parent_path().string();
+  }
+  if (!picture.empty()) save_picture(picture);
 }
 
 void Commands::start_sweep() {

@@ -226,7 +226,7 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
   const glm::ivec2 size = context.framebuffer_size();
   try {
     write_picture(path, size, gl::read_colours(context.functions(), 0, size));
-    app.say(fmt::format("Picture saved as {}", path), false);
+    app.picture_saved(path);
   } catch (const Error& error) {
     app.say(error.what(), true);
   }
@@ -291,6 +291,10 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   glfwShowWindow(context->window());
   const InterruptWatch watch(progress);
   run_frames(app, *context, progress);
+  // What goes on behind may take a while to end: nobody is to look at a window that no longer answers.
+  glfwHideWindow(context->window());
+  glfwPollEvents();
+  app.end_jobs();
   app.save();
   if (progress.cancelled()) throw Cancelled();
 }

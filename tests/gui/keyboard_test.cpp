@@ -9,8 +9,7 @@
 namespace moldlight::gui::test {
 namespace {
 
-constexpr int k_space = 32, k_down = 264, k_page_down = 267, k_home = 268, k_end = 269, k_backspace = 259,
-              k_f12 = 301;
+constexpr int k_space = 32, k_down = 264, k_page_down = 267, k_home = 268, k_end = 269, k_backspace = 259;
 
 class Keys : public WindowSceneries {
  protected:

@@ -47,6 +47,7 @@ class WindowSceneries : public WindowWithPart {
         {"help", press('H'), press(k_escape)},
         {"settings", click_on("settings"), press(k_escape)},
         {"export", press('E', true), press(k_escape)},
+        {"picture", press(k_f12), press(k_escape)},
         {"files", press('O', true), press(k_escape)},
         {"sweep options", click_on("options"), click_on("options")},
         {"sweep table",

@@ -46,6 +46,13 @@ class Keyboard {
   bool visit(ImGuiID control);
   /// Whether this key was pressed for whom asks first.
   bool takes(ControlKey key);
+  /// The same for Enter where no control has the keyboard: the button of a dialog that it stands for.
+  bool takes_enter() { return layer_ > 0 && focus_ == 0 && takes(ControlKey::press); }
+  /// As if Enter had been pressed where no control has the keyboard.
+  void enter() {
+    focus_ = 0;
+    key_ = ControlKey::press;
+  }
   /// The rows that a list's selection moves by: up and down by one, pages by `page`, home and end by `count`.
   [[nodiscard]] int takes_steps(int page, int count);
   void give_to(ImGuiID control) { focus_ = control; }

@@ -179,6 +179,7 @@ bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSp
   ImGui::SetNextItemWidth(spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x);
   const bool changed = ImGui::InputTextWithHint(id, spec.hint, text.data(), text.size());
   if (ImGui::IsItemActivated()) keyboard.give_to(control);
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) keyboard.enter();
   const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
   const std::string_view shown(id);
   const std::string name(shown.substr(shown.starts_with("##") ? 2 : 0));
@@ -336,7 +337,8 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
   draw_row_text({ui.fonts.body, filled ? ui.colours->on_accent : ui.colours->text},
                 0.5F * (row.min.x + row.max.x - text_width), row, shown);
-  return row.clicked;
+  const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;
+  return row.clicked || (spec.strong && enabled && ui.memory->keyboard.takes_enter());
 }
 
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {

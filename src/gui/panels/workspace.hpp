@@ -96,6 +96,16 @@ class ExportDialog {
   int mesh_format_ = 0;
 };
 
+/// Asks where the first picture of a session goes.
+class PictureDialog {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  std::string proposed_;
+  std::array<char, 1024> path_{};
+};
+
 class Workspace {
  public:
   struct Textures {
@@ -111,6 +121,7 @@ class Workspace {
   SweepPanel sweep_;
   FileBrowser browser_;
   ExportDialog export_;
+  PictureDialog picture_;
 };
 
 }  // namespace moldlight::gui
