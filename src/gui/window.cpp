@@ -234,10 +234,11 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
 
 void run_frames(App& app, WindowContext& context, const Progress& progress) {
   std::string title;
-  while (glfwWindowShouldClose(context.window()) == GLFW_FALSE && !app.quitting()) {
+  while (true) {
     WindowContext::Events& events = context.events();
     wait_for_events(events.input.empty() ? app.next_frame_s() : 0.0);
-    if (progress.cancelled()) return;
+    // Not after one more frame, which takes long with a large part.
+    if (progress.cancelled() || glfwWindowShouldClose(context.window()) == GLFW_TRUE) return;
     const glm::ivec2 size = context.framebuffer_size();
     if (size.x <= 0 || size.y <= 0) {
       glfwWaitEvents();  // minimised
@@ -252,6 +253,7 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
     ImGui_ImplGlfw_NewFrame();
     input.played = events.input.play(ImGui::GetIO(), input.now_s);
     app.frame(input);
+    if (app.quitting()) return;
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     {
