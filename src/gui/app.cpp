@@ -38,6 +38,7 @@ App::App(const gl::Context& context, AppOptions options)
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
+  state_.hints_done = options_.user.hints_done;
   state_.shipped = options_.shipped_parts;
   state_.camera.orientation = standard_orientation(StandardView::isometric);
 }
@@ -113,6 +114,7 @@ void App::frame(const FrameInput& input) {
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
+  draw_hints({ui, state_, edits, layout_});
   const Query asked_before = state_.settings;
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
@@ -270,6 +272,7 @@ void App::apply(const Edits& edits) {
   // The large ball would cover one of the two pictures.
   if (choices.large_ball && !former.sweep_choices.large_ball) choices.compared.reset();
   if (choices.compared && !former.sweep_choices.compared) choices.large_ball = false;
+  if (edits.dragging) state_.hints_done.insert(Hint::arrow);
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {
     state_.settings = history_.settled();
@@ -454,6 +457,7 @@ void App::save() {
       if (text != option_text(option, begun_with_)) set_option(option, options_.user.window, text);
     }
     options_.user.sweep = state_.sweep_choices.options;
+    options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
     const PartNotes notes{state_.settings, state_.bookmarks};

@@ -60,6 +60,9 @@ class App {
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
+  /// Whether what to do next is told at the things themselves; only where the window asks for it.
+  void show_hints(bool shown) { state_.shows_hints = shown; }
+
   /// Readies fonts and style; then ImGui is told of the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
   void frame(const FrameInput& input);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "gui/jobs/sweep_state.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/settings.hpp"
+#include "gui/store/user_state.hpp"
 #include "gui/view/surface.hpp"
 #include "mold/map_frame.hpp"
 #include "render/camera.hpp"
@@ -61,6 +63,7 @@ struct Editable {
   Camera camera;
   Dialogs dialogs;
   SweepChoices sweep_choices;
+  std::set<Hint> hints_done;
 };
 
 struct AppState : Editable {
@@ -76,6 +79,7 @@ struct AppState : Editable {
   std::optional<Loading> loading;
   std::vector<Toast> toasts;
   bool can_undo = false, can_redo = false;
+  bool shows_hints = false;   // to newcomers
   bool notes_beside = false;  // settings and bookmarks are saved beside the part
 };
 

@@ -63,6 +63,7 @@ void Commands::take_axis() {
 }
 
 void Commands::fly_to_direction(const glm::dvec3& direction) {
+  app.state_.hints_done.insert(Hint::verdict);
   if (app.state_.window.motion) {
     app.turn_.start(app.state_.settings.direction.unit(), direction, app.now_s_);
   } else {
@@ -120,6 +121,7 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
 }
 
 void Commands::start_sweep() {
+  app.state_.hints_done.insert(Hint::sweep);
   app.state_.sweep_choices.compared.reset();
   app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
 }
@@ -292,7 +294,7 @@ const std::vector<Shortcut>& shortcuts() {
        with_ctrl,
        {GLFW_KEY_TAB},
        [](P p) { p.edits.dialogs.panels_hidden = !p.edits.dialogs.panels_hidden; }},
-      {{program, "H", "this sheet"},
+      {{program, "H", "this sheet; type to search it"},
        always,
        {'H', GLFW_KEY_F1},
        [](P p) { p.edits.dialogs.help = !p.edits.dialogs.help; }},

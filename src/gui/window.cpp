@@ -287,6 +287,7 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   }
   App app(*context, app_options(options));
   const GlfwPlatform platform(context->window());
+  app.show_hints(true);
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);

@@ -103,9 +103,14 @@ bool begin_popup(const Ui& ui, const char* id, float width) {
   const glm::vec2 size = open.box.max - open.box.min, window = from_im(ImGui::GetIO().DisplaySize);
   place_window(glm::max(glm::min(open.at, window - size), glm::vec2(0.0F)), glm::vec2(0.0F));
   if (width > 0.0F) ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, window.y));
+  // Not in the style of a window that it is opened from.
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(12), ui.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::Begin(fmt::format("Popup {:08x}", popup).c_str(), nullptr,
                k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PopStyleVar(3);
   ImGui::PopStyleColor();
   const glm::vec2 corner = from_im(ImGui::GetWindowPos());
   open.box = {corner, corner + from_im(ImGui::GetWindowSize())};

@@ -30,7 +30,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   export_.draw(context);
   picture_.draw(context);
   draw_settings(context);
-  draw_help(context);
+  help_.draw(context);
   draw_toasts(context);
 }
 

@@ -96,6 +96,16 @@ class ExportDialog {
   int mesh_format_ = 0;
 };
 
+/// All keys and what the mouse does; typing leaves the lines that have the words.
+class HelpSheet {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  std::array<char, 64> filter_{};
+  bool open_ = false;
+};
+
 /// Asks where the first picture of a session goes.
 class PictureDialog {
  public:
@@ -122,6 +132,7 @@ class Workspace {
   FileBrowser browser_;
   ExportDialog export_;
   PictureDialog picture_;
+  HelpSheet help_;
 };
 
 }  // namespace moldlight::gui
