@@ -13,7 +13,7 @@ uniform vec3 u_eye_up;
 uniform vec3 u_eye_back;
 uniform vec2 u_hatch_origin;  // a point that goes with the scene, px
 uniform vec2 u_hatch;         // pitch and strength; 0: none
-uniform float u_others_opacity;
+uniform float u_transparency;
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_accessible;  // bits
 #if defined(DETAIL) || defined(LOOK_UP)
@@ -83,5 +83,5 @@ void main() {
   n = back ? -n : n;
   vec3 seen = vec3(dot(n, u_eye_right), dot(n, u_eye_up), dot(n, u_eye_back));
   albedo *= (back ? 0.45 : 1.0) * (1.0 - hatch);
-  o_colour = vec4(sqrt(lit(albedo, seen, openness)), bits == 0u ? 1.0 : u_others_opacity);
+  o_colour = vec4(sqrt(lit(albedo, seen, openness)), bits == 0u ? 1.0 : 1.0 - u_transparency);
 }

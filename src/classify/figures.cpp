@@ -44,6 +44,24 @@ std::string figures(const glm::dvec3& values, double scale) {
   return fmt::format("{}, {}, {}", text(values.x), text(values.y), text(values.z));
 }
 
+std::string component_text(double value, int decimals) {
+  const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
+}
+
+std::string direction_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
+
+std::string short_direction_text(const glm::dvec3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0)
+      return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
+  }
+  return direction_text(direction, 2);
+}
+
 std::string with_minus(std::string text) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
     text.replace(at, 1, "−");

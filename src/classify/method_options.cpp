@@ -9,7 +9,7 @@ namespace moldlight {
 std::span<const Option<MethodSettings>> method_options() {
   using S = MethodSettings;
   static const std::vector<Option<S>> k_options = {
-      {"tau_deg", "--tau", "Draft tolerance", "deg",
+      {"tau_deg", "--tau", "Required draft", "deg",
        "Facets whose draft angle is smaller than this count as near-vertical and are looked up from both "
        "sides.",
        RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},
@@ -28,8 +28,8 @@ std::span<const Option<MethodSettings>> method_options() {
       {"edge_thickness", "--edge-thickness", "Edge thickness", "texel",
        "Width of the thick concave contour edges in the shadow maps; 0 leaves them out.",
        RealKind<S>{&S::edge_thickness, 0.0, 8.0, 0.5}},
-      {"resolution", "--resolution", "Map resolution", "texel", "Width and height of each shadow map.",
-       IntegerKind<S>{&S::resolution, 64, 8192}},
+      {"resolution", "--resolution", "Map resolution", k_texels_across,
+       "Width and height of each shadow map.", IntegerKind<S>{&S::resolution, 64, 8192}},
       {"readout", "--readout", "Readout", "",
        "Exact computes the regions; samples looks surface samples up in the shadow maps; facet-id is the "
        "paper's two-pass readback, one region a facet.",
@@ -51,8 +51,10 @@ std::span<const Option<ReadOptions>> reading_options() {
   static const std::vector<Option<S>> k_options = {
       {"unit", "--unit", "Unit", "",
        "Unit of the part, such as mm or in: named where the file names none, converted to otherwise.",
-       TextKind<S>{"UNIT", [](const S& s) { return s.unit; },
-                   [](S& s, std::string_view text) { s.unit = text; }}},
+       TextKind<S>{"UNIT",
+                   [](const S& s) { return s.unit; },
+                   [](S& s, std::string_view text) { s.unit = text; },
+                   {"mm", "cm", "m", "in"}}},
       {"body", "--body", "Body", "",
        "Only this body of the file, by its number in the list that info prints, or by its name.",
        TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },

@@ -143,6 +143,10 @@ struct TextKind {
   void parse(S& s, const GivenText& given) const { set(s, given.text); }
 };
 
+/// Units of options that the window writes in words of its own, where it can as lengths.
+inline constexpr std::string_view k_texels_across = "texels across", k_half_diagonal = "half diagonal",
+                                  k_share = "share";
+
 template <typename S>
 struct Option {
   std::string_view key;    // in JSON, and with - for _ the command line's --flag unless `flag` says otherwise

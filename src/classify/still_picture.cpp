@@ -141,13 +141,16 @@ Camera composed(const gl::Functions& gl, PartView& view, const PartBuffers& part
 
 constexpr int k_samples = 32;
 
-glm::dquat orientation(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction,
-                       PictureView view) {
-  if (view == PictureView::automatic) return revealing_orientation(model, split, direction);
+glm::dquat orientation(const PartModel& model, const std::shared_ptr<const SplitMesh>& split,
+                       const glm::dvec3& direction, const StillSettings& settings) {
+  if (settings.view == PictureView::automatic) {
+    return settings.seen_from ? *settings.seen_from
+                              : revealing_orientation(model, std::span(&split, 1), direction);
+  }
   constexpr std::array k_views = {StandardView::isometric, StandardView::front, StandardView::back,
                                   StandardView::left,      StandardView::right, StandardView::top,
                                   StandardView::bottom};
-  return standard_orientation(k_views[static_cast<std::size_t>(view) - 1]);
+  return standard_orientation(k_views[static_cast<std::size_t>(settings.view) - 1]);
 }
 
 std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Classification& result,
@@ -161,7 +164,7 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
   LegendContent content;
   content.title = part_name(model.part);
   content.lines.push_back(fmt::format("parting direction {}", figures(result.direction, 1.0)));
-  content.lines.push_back(fmt::format("draft tolerance {}°, lateral tolerance {:.3g} {}",
+  content.lines.push_back(fmt::format("required draft {}°, lateral tolerance {:.3g} {}",
                                       figure(result.settings.tau_deg), result.lateral_tolerance,
                                       length_unit(model.part)));
   const FigureColumn areas(result.total_area);
@@ -219,6 +222,12 @@ StillPainter::StillPainter(const gl::Context& context, std::shared_ptr<const Par
       maps_(context, model_),
       view_(context.functions(), geometry_) {}
 
+glm::dquat StillPainter::seen_best(std::span<const Classification> results) const {
+  std::vector<std::shared_ptr<const SplitMesh>> splits;
+  for (const Classification& result : results) splits.push_back(result.split);
+  return revealing_orientation(*model_, splits, results.front().direction);
+}
+
 Image StillPainter::draw(const Classification& result, const StillSettings& settings,
                          const Progress& progress) {
   validate(settings);
@@ -236,7 +245,7 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   const std::array<PartingArrow, 2> arrows = {parting_arrow(geometry_.extremes, result.direction, 0.0),
                                               parting_arrow(geometry_.extremes, -result.direction, 0.0)};
   Camera camera;
-  camera.orientation = orientation(*model_, *split, result.direction, settings.view);
+  camera.orientation = orientation(*model_, split, result.direction, settings);
   camera.projection = settings.view == PictureView::automatic || settings.view == PictureView::isometric
                           ? Projection::perspective
                           : Projection::orthographic;

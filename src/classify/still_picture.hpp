@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 
 #include "base/image.hpp"
@@ -30,7 +32,8 @@ struct StillSettings {
   PictureView view = PictureView::automatic;
   Theme theme = Theme::light;
   LookSettings look = {};
-  bool legend = true;  // left out where a picture is too small for it
+  bool legend = true;                        // left out where a picture is too small for it
+  std::optional<glm::dquat> seen_from = {};  // orientation of the camera of an automatic view
 };
 
 /// For help and command line: view and theme.
@@ -48,6 +51,9 @@ class StillPainter {
  public:
   StillPainter(const gl::Context& context, std::shared_ptr<const PartModel> model);
 
+  /// From where the undercuts of all these classifications, which must have their split mesh, are seen best,
+  /// with the direction of the first upward.
+  [[nodiscard]] glm::dquat seen_best(std::span<const Classification> results) const;
   /// The part's exact regions for the classification's settings, or those of the shadow maps. Throws
   /// UsageError, Error, Cancelled.
   [[nodiscard]] Image draw(const Classification& result, const StillSettings& settings,

@@ -28,13 +28,13 @@ struct Spot {
 };
 
 /// Spots spread evenly over the undercuts, or over everything where there are none.
-std::vector<Spot> spread_spots(const PartModel& model, const SplitMesh& split) {
+void spread_spots(const PartModel& model, const SplitMesh& split, std::size_t samples,
+                  std::vector<Spot>& spots) {
   double total = 0.0;
   for (const SplitPiece& piece : split.pieces)
     total += piece.region == Region::undercut ? piece_area(split, piece) : 0.0;
   const bool any = total > k_least_share * model.geometry.total_area;
-  const double step = (any ? total : model.geometry.total_area) / static_cast<double>(k_samples);
-  std::vector<Spot> spots;
+  const double step = (any ? total : model.geometry.total_area) / static_cast<double>(samples);
   double sum = 0.0, next = 0.5 * step;
   for (const SplitPiece& piece : split.pieces) {
     if (any && piece.region != Region::undercut) continue;
@@ -50,7 +50,6 @@ std::vector<Spot> spread_spots(const PartModel& model, const SplitMesh& split) {
       spots.push_back({model.frame.to_unit(point), glm::vec3(model.geometry.normals[piece.facet])});
     }
   }
-  return spots;
 }
 
 /// Sum over the spots that are seen of how frontal they are.
@@ -67,10 +66,11 @@ double visible_amount(const PartModel& model, const std::vector<Spot>& spots, co
 
 }  // namespace
 
-glm::dquat revealing_orientation(const PartModel& model, const SplitMesh& split,
-                                 const glm::dvec3& direction) {
-  const std::vector<Spot> spots = spread_spots(model, split);
-  const glm::dvec3& up = direction;
+glm::dquat revealing_orientation(const PartModel& model,
+                                 std::span<const std::shared_ptr<const SplitMesh>> splits,
+                                 const glm::dvec3& up) {
+  std::vector<Spot> spots;
+  for (const auto& split : splits) spread_spots(model, *split, k_samples / splits.size(), spots);
   const glm::dvec3 ahead = std::abs(up.x) > 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(ahead - glm::dot(ahead, up) * up), y = glm::cross(up, x);
   std::vector<glm::dvec3> views;

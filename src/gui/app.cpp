@@ -11,6 +11,7 @@
 #include "gl/program.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace moldlight::gui {
 
@@ -20,6 +21,12 @@ constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
 /// Frames after an event, until ImGui has laid out what the event changed.
 constexpr int k_settle_frames = 3;
+
+/// Settings that are lengths keep their size when the part's unit becomes another one.
+void convert_lengths(MethodSettings& method, std::string_view from, std::string_view to) {
+  const auto before = find_length_unit(from), after = find_length_unit(to);
+  if (before && after) method.tolerance *= before->mm / after->mm;
+}
 
 }  // namespace
 
@@ -49,11 +56,33 @@ void App::open(const std::string& path) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   const std::string part = error ? path : absolute.lexically_normal().string();
+  const bool again = state_.model && part == state_.path;
+  PartNotes notes = again ? PartNotes() : notes_of(part);
+  ReadOptions reading = again ? state_.reading : options_.reading;
+  if (!again) {
+    if (state_.model) reading.body = ReadOptions().body;  // another file has other bodies
+    if (reading.unit.empty()) reading.unit = notes.unit;
+  }
+  load(part, reading, std::move(notes));
+}
+
+void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
   const JobStatus first{"reading", 0.0};
-  loader_.start([part, reading = options_.reading](
-                    const Progress& progress) { return load_for_window(part, reading, progress); },
-                first);
-  state_.loading = Loading{part, first};
+  loader_.start(
+      [path, reading](const Progress& progress) { return load_for_window(path, reading, progress); }, first);
+  state_.loading = Loading{.path = path, .status = first, .notes = std::move(notes)};
+}
+
+PartNotes App::notes_of(const std::string& path) {
+  if (notes_to_set_) return *notes_to_set_;
+  const std::string file = options_.persistent ? notes_path(path) : std::string();
+  if (file.empty()) return {};
+  try {
+    if (const auto text = read_text(file)) return parse_part_notes(*text, {});
+  } catch (const Error& error) {
+    say(fmt::format("{}: {}; the part is shown with the usual settings", file, error.what()), true);
+  }
+  return {};
 }
 
 void App::set_notes(const PartNotes& notes) {
@@ -160,10 +189,10 @@ bool App::close_innermost(bool typing, Edits& edits) {
 
 void App::poll_jobs() {
   if (auto outcome = loader_.take()) {
-    state_.loading.reset();
+    const PartNotes notes = std::exchange(state_.loading, std::nullopt)->notes;
     if (outcome->result) {
       try {
-        install(std::move(*outcome->result));
+        install(std::move(*outcome->result), notes);
       } catch (const Error& error) {
         say(error.what(), true);
       }
@@ -210,13 +239,16 @@ void App::measure_face() {
   state_.face->figures = face_figures(*state_.model, *state_.figures.shown, state_.face->number);
 }
 
-void App::install(LoadedPart part) {
+void App::install(LoadedPart part, const PartNotes& notes) {
   const bool again = state_.model && part.path == state_.path;
+  const bool other_body = again && part.reading.body != state_.reading.body;
   if (!again) save();
   // Built beside the old one, which stays if the GL has no room for the new one.
   auto scene = std::make_unique<Scene>(*context_, part);
   scene_ = std::move(scene);
+  if (again) convert_lengths(state_.settings.method, state_.model->part.unit, part.model->part.unit);
   state_.model = part.model;
+  state_.reading = part.reading;
   state_.extremes = part.geometry->extremes;
   state_.path = part.path;
   state_.features = std::move(part.features);
@@ -229,22 +261,12 @@ void App::install(LoadedPart part) {
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
   state_.recent = options_.user.recent;
+  if (other_body) fit_frames_ = 3;
   if (again) return;
 
-  PartNotes notes;
-  const std::string notes_file = options_.persistent ? notes_path(part.path) : std::string();
-  if (notes_to_set_) {
-    notes = *std::exchange(notes_to_set_, std::nullopt);
-  } else if (!notes_file.empty()) {
-    try {
-      if (const auto text = read_text(notes_file)) notes = parse_part_notes(*text, notes);
-    } catch (const Error& error) {
-      say(fmt::format("{}: {}; the part is shown with the usual settings", notes_file, error.what()), true);
-      notes = {};
-    }
-  }
+  notes_to_set_.reset();
   saved_notes_ = notes;
-  state_.notes_beside = !notes_file.empty() && notes_file == notes_path_beside(part.path);
+  state_.notes_beside = options_.persistent && notes_path(part.path) == notes_path_beside(part.path);
   state_.settings = notes.settings;
   state_.bookmarks = notes.bookmarks;
   history_.reset(state_.settings);
@@ -266,6 +288,8 @@ void App::pick() {
 void App::apply(const Edits& edits) {
   const Editable former = state_;
   static_cast<Editable&>(state_) = edits;
+  if (const ReadOptions wanted = std::exchange(state_.reading, former.reading); wanted != former.reading)
+    load(state_.path, wanted, {});
   if (!(state_.camera == former.camera)) flight_.stop();
   if (!(state_.window == former.window)) settle_frames_ = k_settle_frames;
   SweepChoices& choices = state_.sweep_choices;
@@ -460,7 +484,7 @@ void App::save() {
     options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
-    const PartNotes notes{state_.settings, state_.bookmarks};
+    const PartNotes notes{state_.settings, state_.bookmarks, state_.reading.unit};
     if (!state_.model || notes == saved_notes_) return;
     const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
     if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));

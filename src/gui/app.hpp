@@ -106,7 +106,10 @@ class App {
   /// Escape for what lies over the panels, and for the control that has the keyboard; false if there is none.
   bool close_innermost(bool typing, Edits& edits);
   void poll_jobs();
-  void install(LoadedPart part);
+  void load(const std::string& path, const ReadOptions& reading, PartNotes notes);
+  /// Of a part that is to be opened: those that were set, or saved for it.
+  [[nodiscard]] PartNotes notes_of(const std::string& path);
+  void install(LoadedPart part, const PartNotes& notes);
   void pick();
   void apply(const Edits& edits);
   /// Replaces the direction in one step of undo.

@@ -37,6 +37,7 @@ struct Figures {
 struct Loading {
   std::string path;
   JobStatus status;
+  PartNotes notes;  // to be taken with the part, if it is another one
 };
 
 struct Toast {
@@ -58,6 +59,7 @@ struct Dialogs {
 /// What panels, mouse and keys change: they edit a copy of it, which the app takes over after the frame.
 struct Editable {
   EditedSettings settings;
+  ReadOptions reading;  // of the part that is shown; another unit or body reads it again
   WindowSettings window;
   std::vector<Bookmark> bookmarks;
   Camera camera;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "classify/figures.hpp"
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"

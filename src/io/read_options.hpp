@@ -18,6 +18,8 @@ struct ReadOptions {
   std::string unit = {};      // see set_unit; empty: as the file says
   std::string body = "all";   // see select_body
   RepairOptions repair = {};  // see repair_part
+
+  bool operator==(const ReadOptions&) const = default;
 };
 
 }  // namespace moldlight

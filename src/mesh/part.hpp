@@ -28,6 +28,8 @@ struct Part {
   std::vector<std::uint32_t> file_facets = {};  // number in the file of each facet, k_no_facet for one that a
                                                 // repair added; empty where facet k is facet k of the file
   std::vector<std::string> repairs = {};        // what a repair did, one sentence each
+  std::vector<std::string> file_bodies = {};  // names of all bodies of the file where one of them was chosen
+  std::size_t chosen_body = 0;                // its number among them, from 1; 0: all were taken
 };
 
 }  // namespace moldlight

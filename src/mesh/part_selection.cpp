@@ -64,6 +64,8 @@ Part extract_body(const Part& part, std::size_t index) {
   extracted.warnings = part.warnings;
   extracted.repairs = part.repairs;
   extracted.bodies = {{body.name, 0, body.facet_count}};
+  for (const Body& each : part.bodies) extracted.file_bodies.push_back(each.name);
+  extracted.chosen_body = index + 1;
   extracted.mesh.vertices = part.mesh.vertices;
   extracted.mesh.facets = run_of(part.mesh.facets, body);
   extracted.mesh = weld_vertices(extracted.mesh);

@@ -18,6 +18,8 @@ struct RepairOptions {
   double weld_tolerance = 0.0;  // in the part's unit; 0: k_weld_share of its diagonal
   double largest_hole = 0.1;    // side of a square, as share of the diagonal; holes up to its area are filled
   std::size_t hole_edges = 2000;  // and up to so many edges
+
+  bool operator==(const RepairOptions&) const = default;
 };
 
 /// Far above the rounding of single precision, far below the features of molded parts.

@@ -26,9 +26,15 @@ double bend_deg(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 struct Wall {
-  glm::dvec3 turning{0.0};  // sum of the normals' cross products over its bent edges: along the axis
+  glm::dvec3 axis{0.0};  // unit
   double area = 0.0;
   double turn_deg = 0.0;
+};
+
+/// A normal of the wall, and where it points about the axis.
+struct Spoke {
+  double angle_deg = 0.0;
+  glm::dvec3 normal{0.0};
 };
 
 /// Spreads from `start` over edges; accept(facet, next) says whether to go on to a facet not reached yet.
@@ -47,31 +53,36 @@ void grow(const Adjacency& adjacency, FacetIndex start, Accept&& accept) {
   }
 }
 
+/// The facets around `start` whose normals have the same angle to a guess at the axis, and their axis:
+/// normals of a cylinder or a cone end on a circle about it, so that it is the area vector of the polygon
+/// that they span.
 Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, FacetIndex start,
-                const glm::dvec3& axis) {
+                const glm::dvec3& guess) {
   const glm::dvec3& normal = geometry.normals[start];
-  const double height = glm::dot(normal, axis);
+  const double height = glm::dot(normal, guess);
   const double tolerance = std::sin(glm::radians(k_off_axis_deg));
-  const glm::dvec3 zero = glm::normalize(normal - height * axis), quarter = glm::cross(axis, zero);
-  Wall wall{.turning = glm::dvec3(0.0), .area = geometry.areas[start], .turn_deg = 0.0};
-  std::vector<double> angles = {0.0};
+  const glm::dvec3 zero = glm::normalize(normal - height * guess), quarter = glm::cross(guess, zero);
+  Wall wall{.axis = glm::dvec3(0.0), .area = geometry.areas[start], .turn_deg = 0.0};
+  std::vector<Spoke> spokes = {{0.0, normal}};
   grow(adjacency, start, [&](FacetIndex facet, FacetIndex next) {
-    const glm::dvec3 &a = geometry.normals[facet], &b = geometry.normals[next];
-    if (geometry.areas[next] <= 0.0 || std::abs(glm::dot(b, axis) - height) > tolerance ||
-        bend_deg(a, b) > k_strip_deg)
+    const glm::dvec3& b = geometry.normals[next];
+    if (geometry.areas[next] <= 0.0 || std::abs(glm::dot(b, guess) - height) > tolerance ||
+        bend_deg(geometry.normals[facet], b) > k_strip_deg)
       return false;
-    glm::dvec3 cross = glm::cross(a, b);
-    if (glm::dot(cross, axis) < 0.0) cross = -cross;
-    wall.turning += cross;
     wall.area += geometry.areas[next];
-    angles.push_back(glm::degrees(std::atan2(glm::dot(b, quarter), glm::dot(b, zero))));
+    spokes.push_back({glm::degrees(std::atan2(glm::dot(b, quarter), glm::dot(b, zero))), b});
     return true;
   });
   // The turn is a full one less the widest gap between neighbouring normals.
-  std::sort(angles.begin(), angles.end());
-  double gap = 360.0 - (angles.back() - angles.front());
-  for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+  std::ranges::sort(spokes, {}, &Spoke::angle_deg);
+  glm::dvec3 area = glm::cross(spokes.back().normal, spokes.front().normal);
+  double gap = 360.0 - (spokes.back().angle_deg - spokes.front().angle_deg);
+  for (std::size_t k = 1; k < spokes.size(); ++k) {
+    area += glm::cross(spokes[k - 1].normal, spokes[k].normal);
+    gap = std::max(gap, spokes[k].angle_deg - spokes[k - 1].angle_deg);
+  }
   wall.turn_deg = 360.0 - gap;
+  wall.axis = glm::length(area) > 0.0 ? glm::normalize(area) : guess;
   return wall;
 }
 
@@ -81,26 +92,36 @@ std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry, const A
                                           FacetIndex facet) {
   if (geometry.areas[facet] <= 0.0) return std::nullopt;
   const glm::dvec3& normal = geometry.normals[facet];
-  std::vector<glm::dvec3> guesses;
+  std::vector<glm::dvec3> guesses, beside;
+  const auto guess = [&](const glm::dvec3& along) {
+    if (glm::length(along) <= 0.0 || guesses.size() == k_most_guesses) return;
+    const glm::dvec3 axis = glm::normalize(along);
+    const bool known = std::ranges::any_of(guesses, [&](const glm::dvec3& other) {
+      return std::abs(glm::dot(other, axis)) > std::cos(glm::radians(k_off_axis_deg));
+    });
+    if (!known) guesses.push_back(axis);
+  };
   grow(adjacency, facet, [&](FacetIndex from, FacetIndex next) {
     if (geometry.areas[next] <= 0.0) return false;
     const double bend = bend_deg(geometry.normals[from], geometry.normals[next]);
     if (bend <= k_flat_deg) return true;
     if (bend > k_strip_deg) return false;
-    const glm::dvec3 axis = glm::normalize(glm::cross(normal, geometry.normals[next]));
-    const bool known = std::any_of(guesses.begin(), guesses.end(), [&](const glm::dvec3& guess) {
-      return std::abs(glm::dot(guess, axis)) > std::cos(glm::radians(k_off_axis_deg));
-    });
-    if (!known && guesses.size() < k_most_guesses) guesses.push_back(axis);
+    const glm::dvec3& other = geometry.normals[next];
+    // Two normals know the axis of a cylinder, three that of a cone.
+    for (const glm::dvec3& third : beside) guess(glm::cross(normal - third, other - normal));
+    guess(glm::cross(normal, other));
+    if (beside.size() < k_most_guesses) beside.push_back(other);
     return false;
   });
   Wall best;
-  for (const glm::dvec3& guess : guesses) {
-    const Wall wall = wall_about(geometry, adjacency, facet, guess);
+  for (const glm::dvec3& axis : guesses) {
+    // The second time about the axis that the first time has found.
+    const Wall rough = wall_about(geometry, adjacency, facet, axis);
+    const Wall wall = wall_about(geometry, adjacency, facet, rough.axis);
     if (wall.turn_deg >= k_least_turn_deg && wall.area > best.area) best = wall;
   }
   if (best.area <= 0.0) return std::nullopt;
-  return half_sphere(glm::normalize(best.turning));
+  return half_sphere(best.axis);
 }
 
 }  // namespace moldlight

@@ -21,10 +21,9 @@ struct NamedFigure {
 struct ContactTile {
   Image picture = {};                                  // k_tile_width by k_tile_height times the scale
   std::string number = {}, heading = {}, remark = {};  // in one line; the remark at its end
-  std::vector<NamedFigure> figures = {};               // a row of columns, k_tile_columns at most
+  std::vector<NamedFigure> figures = {};               // a row of columns
   std::vector<std::string> reasons = {};  // a last line, in ever fewer words; the first that fits is shown
 };
-inline constexpr std::size_t k_tile_columns = 5;
 
 struct ContactSheet {
   std::string title = {}, line = {};

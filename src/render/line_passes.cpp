@@ -62,7 +62,7 @@ void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer
 
 void draw_lines(ViewTools& tools, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
-  const float opacity = 0.35F + 0.65F * static_cast<float>(settings.others_opacity);
+  const float opacity = 1.0F - 0.65F * static_cast<float>(settings.transparency);
   const auto draw = [&](const SegmentBuffer& segments, const glm::vec4& colour, double width_px) {
     draw_segments(tools, frame, segments, {colour, width_px});
   };

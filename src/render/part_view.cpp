@@ -15,8 +15,8 @@ constexpr int k_taps_at_rest = 6;  // of ambient occlusion, a sample
 constexpr int k_taps_moving = 12;
 
 bool shows_regions(const ViewSettings& settings) {
-  return settings.colour_mode != ColourMode::plain || needs_detail(settings) ||
-         settings.others_opacity < 1.0 || settings.mark_difference;
+  return settings.colour_mode != ColourMode::plain || needs_detail(settings) || settings.transparency > 0.0 ||
+         settings.mark_difference;
 }
 
 /// The subject without what pictures of these settings do not ask for: maps and a split surface are both left
@@ -73,7 +73,7 @@ void PartView::draw_sample(const ViewSubject& subject) {
   ViewFrame frame(shown_, subject, tools_.targets.size, samples_);
   const ViewSettings& settings = frame.settings;
   const int taps = !settings.ambient_occlusion ? 0 : frame.sample == 0 ? k_taps_moving : k_taps_at_rest;
-  const bool ghost = settings.others_opacity < 1.0;
+  const bool ghost = settings.transparency > 0.0;
   for (const Layer layer : {Layer::undercuts_alone, Layer::whole}) {
     if (layer == Layer::undercuts_alone && !ghost) continue;
     frame.layer = layer;

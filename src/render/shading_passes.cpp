@@ -98,7 +98,7 @@ void draw_map(gl::Tools& tools, const ViewTarget& target, const ShadowMaps& maps
 void shade(ViewTools& tools, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const ViewSubject& subject = frame.subject;
-  const bool ghost = settings.others_opacity < 1.0 && frame.layer == Layer::whole;
+  const bool ghost = settings.transparency > 0.0 && frame.layer == Layer::whole;
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_shaded.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::greater,
@@ -131,7 +131,7 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
     program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
                                      settings.hatching && regions ? k_hatch_strength : 0.0));
   }
-  program.set("u_others_opacity", ghost ? settings.others_opacity : 1.0);
+  program.set("u_transparency", ghost ? settings.transparency : 0.0);
   if (detail) set_detail(program, frame);
   tools.corners.draw();
 }

@@ -24,7 +24,7 @@ struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
   double open_mold = 0.0;       // [0, 1]: how far core and cavity surface are moved apart along +-d
-  double others_opacity = 1.0;  // of everything but the undercuts, [0, 1]
+  double transparency = 0.0;    // of everything but the undercuts, [0, 1]
   bool section = false;         // cut the part by a plane across d
   double section_height = 0.5;  // [0, 1] of the part's extent along d; what lies above is cut away
   bool hatching = true;         // stripes on undercuts

@@ -46,12 +46,12 @@ constexpr DirectionFigure k_figures[] = {
     {"draw_depth", "depth", FigureKind::length, "Draw depth: the part's extent along the direction.",
      Use{.objective = true}, [](const Facts& f) -> Found { return f.draw_depth; }},
     {"undraughted_area", "undraughted", FigureKind::area,
-     "Area of the facets with less draft than the draft tolerance.", Use{.objective = true, .column = false},
+     "Area of the facets with less draft than the required draft.", Use{.objective = true, .column = false},
      [](const Facts& f) -> Found {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
-    {"patches", "patches", FigureKind::count, "Connected patches of undercut surface.",
+    {"patches", "undercuts", FigureKind::count, "Connected patches of undercut surface, specks left out.",
      Use{.objective = true, .brief = true},
      [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,

@@ -33,8 +33,10 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
                        area_text(model, error));
   }
   const auto count = figure_value(direction_figure("patches"), best);
-  const std::string patches =
-      count ? fmt::format(" in {} {}", *count, *count == 1.0 ? "patch" : "patches") : "";
+  const std::string patches = !count ? ""
+                              : *count == 0.0
+                                  ? " in specks"
+                                  : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
   return fmt::format("No direction that was tried is free of undercut; the best leaves {}{}.",
                      area_text(model, undercut_area(best)), patches);
 }

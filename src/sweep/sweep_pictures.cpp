@@ -25,8 +25,8 @@ constexpr std::size_t k_most_labels = 30;
 /// What the pictures have room for.
 constexpr std::array<std::string_view, k_sphere_columns> k_sphere_figures = {
     "undercut", "undercut_uncertainty", "undercut_share", "tilt_margin_deg"};
-constexpr std::array<std::string_view, k_tile_columns> k_tile_figures = {
-    "undercut", "undercut_share", "patches", "draw_depth", "tilt_margin_deg"};
+constexpr std::array<std::string_view, 5> k_tile_figures = {"undercut", "undercut_share", "patches",
+                                                            "draw_depth", "tilt_margin_deg"};
 constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
 
 // The map's field: as fine as a picture shows it, but the work of it is bounded.
@@ -63,7 +63,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
   content.lines = {
       fmt::format("Undercut by parting direction: {} scored{}", counted(result.evaluated.size(), "direction"),
                   result.complete ? "" : ", not complete"),
-      fmt::format("{} facets, surface {} {}, draft tolerance {}°", model.health.facets,
+      fmt::format("{} facets, surface {} {}, required draft {}°", model.health.facets,
                   figure(model.geometry.total_area), powered_unit(model.part, 2),
                   figure(result.settings.method.tau_deg))};
   content.unit = powered_unit(model.part, 2);
@@ -118,8 +118,8 @@ Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, co
 }
 
 /// The part's regions for each of the best directions with their figures. View, look and regions of the
-/// settings count, and the scale that their size stands for. Every tile wants its regions computed, which
-/// takes a second for millions of facets. Throws Cancelled.
+/// settings count, and the scale that their size stands for. An automatic view is the same for all tiles.
+/// Every tile wants its regions computed, which takes a second for millions of facets. Throws Cancelled.
 Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& settings,
                           const Progress& progress) {
   const SweepResult& result = sweep.result;
@@ -131,16 +131,20 @@ Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& setti
   ContactSheet sheet{.title = part_name(sweep.model->part),
                      .dark = settings.theme == Theme::dark,
                      .palette = settings.look.palette};
-  sheet.line = shown == 0
-                   ? "No direction was measured to the end."
-                   : fmt::format("The best {} of {} scored{}; every part stands with its direction upward",
-                                 counted(shown, "parting direction"), result.evaluated.size(),
-                                 result.complete ? "" : ", not complete");
+  sheet.line = shown == 0 ? "No direction was measured to the end."
+                          : fmt::format("The best {} of {} scored{}, all seen from the same side",
+                                        counted(shown, "parting direction"), result.evaluated.size(),
+                                        result.complete ? "" : ", not complete");
   StillPainter painter(sweep.context, sweep.model);
+  std::vector<Classification> split;
   for (std::size_t k = 0; k < shown; ++k) {
-    const SweepCandidate& candidate = result.candidates[k];
-    ContactTile tile = contact_tile(*sweep.model, candidate);
-    tile.picture = painter.draw(candidate.classification, still, Progress(&progress));
+    const Query query = result.candidates[k].classification.query();
+    split.push_back(classify_exact(*sweep.model, query, Progress(&progress), true));
+  }
+  if (shown > 0) still.seen_from = painter.seen_best(split);
+  for (std::size_t k = 0; k < shown; ++k) {
+    ContactTile tile = contact_tile(*sweep.model, result.candidates[k]);
+    tile.picture = painter.draw(split[k], still, Progress(&progress));
     sheet.tiles.push_back(std::move(tile));
   }
   return contact_sheet_picture(sheet, scale);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "classify/figures.hpp"
+
 namespace moldlight {
 
 void mark_ties(std::vector<SweepCandidate>& candidates) {
@@ -33,24 +35,6 @@ std::string reasons_text(const Candidate& candidate, std::size_t most) {
 
 std::vector<std::string> shorter_reasons(const Candidate& candidate) {
   return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
-}
-
-std::string component_text(double value, int decimals) {
-  const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
-  return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
-}
-
-std::string direction_text(const glm::dvec3& direction, int decimals) {
-  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
-                     component_text(direction.y, decimals), component_text(direction.z, decimals));
-}
-
-std::string short_direction_text(const glm::dvec3& direction) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0)
-      return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
-  }
-  return direction_text(direction, 2);
 }
 
 double undercut_area(const SweepCandidate& candidate) {

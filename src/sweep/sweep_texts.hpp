@@ -18,13 +18,6 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 /// The same in ever fewer words, for where there is little room.
 [[nodiscard]] std::vector<std::string> shorter_reasons(const Candidate& candidate);
 
-/// "0.00000, 0.60000, 0.80000".
-[[nodiscard]] std::string direction_text(const glm::dvec3& direction, int decimals = 5);
-/// "+Z" for an axis, else "0.00, 0.60, 0.80".
-[[nodiscard]] std::string short_direction_text(const glm::dvec3& direction);
-/// A component of a direction with so many decimals; no sign where they all are 0.
-[[nodiscard]] std::string component_text(double value, int decimals);
-
 /// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
 [[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
 

@@ -89,7 +89,7 @@ void write_small_meshes(const fs::path& folder) {
 void write_scripts(const fs::path& folder) {
   const std::vector<std::string> scripts = {
       R"([{"move": [10, 10]}, {"click": "Flip", "button": "right", "times": 2}, {"wheel": -2.5, "at": [5, 6]}])",
-      R"([{"drag": [[1, 2], "Draft tolerance@0.3", [3, 4]], "release": false}, {"hold": ["ctrl", "shift", "alt"]}])",
+      R"([{"drag": [[1, 2], "Required draft@0.3", [3, 4]], "release": false}, {"hold": ["ctrl", "shift", "alt"]}])",
       R"([{"key": "F12", "ctrl": true, "shift": false, "alt": true}, {"type": "text"}, {"wait": "loaded"}])",
       R"([{"open": "a.stl"}, {"drop": "b.stl"}, {"resize": [800, 600]}, {"scale": 2}, {"wait": 0.5}])",
       R"([{"wait": "measured"}, {"wait": "swept"}, {"screenshot": "out.png"}])"};
@@ -121,7 +121,7 @@ void write_settings(const fs::path& folder) {
 
   std::set<std::string> words = {"schema",
                                  "moldlight.view/1",
-                                 "moldlight.view/2",
+                                 "moldlight.view/3",
                                  "settings",
                                  "look",
                                  "bookmarks",

@@ -133,7 +133,7 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
 /// No nudge of the mouse is needed to see what a rest of the mouse calls up.
 TEST_F(WindowWithPart, ATooltipComesByItself) {
   window.settle();
-  window.move_mouse(window.control("Draft tolerance").centre());
+  window.move_mouse(window.control("Required draft").centre());
   window.frames_asked_for();
   const std::vector<std::uint8_t> before = window.pixels();
   window.pass_time(0.6);

@@ -16,11 +16,13 @@ class Keys : public WindowSceneries {
   void tab() { key({.key = k_tab}); }
   /// Goes on with Tab until the control has the keyboard, which the ring tells that changes the picture.
   void tab_to(const std::string& control) {
+    std::string seen;
     for (int k = 0; k < 120; ++k) {
       if (window.app().focused() == control) return;
       tab();
+      seen += window.app().focused() + ", ";
     }
-    FAIL() << "Tab does not come to " << control;
+    FAIL() << "Tab does not come to " << control << ", but to " << seen;
   }
   [[nodiscard]] bool any_popup() const {
     return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [](const ImGuiWindow* each) {
@@ -42,7 +44,7 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
   }
   for (const char* control :
        {"cup.obj##part", "open", "help", "settings", "+X", "−Z", "flip", "bookmark", "x", "elevation",
-        "Draft tolerance", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
+        "Required draft", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
         "Section", "Find directions"})
     EXPECT_TRUE(seen.contains(control)) << control;
   EXPECT_EQ(window.app().focused(), first) << "round";
@@ -51,7 +53,7 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
 }
 
 TEST_F(Keys, SpaceAndArrowsUseTheControlThatHasTheKeyboard) {
-  tab_to("Draft tolerance");
+  tab_to("Required draft");
   const double before = method().tau_deg;
   key({.key = k_right});
   EXPECT_GT(method().tau_deg, before);
@@ -222,8 +224,11 @@ TEST_F(Browser, GoesThroughListAndFoldersByKeys) {
 }
 
 TEST_F(Keys, TheTableOfDirectionsGoesByKeys) {
+  window.wait_until_measured();
   key({.key = 'W'});
   window.wait_until_swept();
+  ASSERT_TRUE(state().sweep.result) << state().sweep.error;
+  ASSERT_GT(state().sweep.result->candidates.size(), 2U) << state().sweep.error;
   tab_to("table");
   const auto& candidates = state().sweep.result->candidates;
   key({.key = k_end});

@@ -39,17 +39,15 @@ TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   click("Kernel shape=symmetric");
   EXPECT_EQ(by(), RegionsBy::maps);
   undo();
-  slide("Draft tolerance", 0.3F);
+  slide("Required draft", 0.3F);
   EXPECT_EQ(by(), RegionsBy::exact) << "it is not the maps' alone";
 }
 
-TEST_F(RegionsAre, SwitchedInThePanelAndInTheLegend) {
-  click("Regions by=maps");
+TEST_F(RegionsAre, SwitchedInTheLegend) {
+  click("Told by=maps");
   EXPECT_EQ(by(), RegionsBy::maps);
-  click("by=exact");
+  click("Told by=exact");
   EXPECT_EQ(by(), RegionsBy::exact);
-  click("by=maps");
-  EXPECT_EQ(by(), RegionsBy::maps);
 }
 
 TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
@@ -63,7 +61,7 @@ TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
   EXPECT_GT(differing(exact), 500U);
   window.wait_until_measured();
   EXPECT_GT(differing(exact), 500U) << "the split mesh is not what is asked for";
-  click("by=exact");
+  click("Told by=exact");
   move_to({640, 60});
   window.wait_until_measured();
   EXPECT_LT(differing(exact), 50U);
@@ -76,7 +74,7 @@ TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
   click("Mark the difference");
   window.settle();
   EXPECT_GT(differing(plain), 500U);
-  click("by=exact");
+  click("Told by=exact");
   window.wait_until_measured();
   const std::vector<std::uint8_t> marked = window.pixels();
   click("Mark the difference");
@@ -110,13 +108,13 @@ class MapsAreCompared : public RegionsAre {
 TEST_F(MapsAreCompared, ByTheSamplesOfTheSplitMeshWhileTheyTellTheRegions) {
   EXPECT_EQ(text(), "");
   EXPECT_FALSE(is_shown());
-  click("by=maps");
+  click("Told by=maps");
   window.settle();
   ASSERT_TRUE(state().figures.samples);
   EXPECT_NEAR(static_cast<double>(state().figures.maps->samples), 20'000.0, 10.0);
   EXPECT_EQ(text(), expected(20'000));
   EXPECT_TRUE(is_shown());
-  click("by=exact");
+  click("Told by=exact");
   window.settle();
   EXPECT_EQ(text(), "");
   EXPECT_FALSE(is_shown());
@@ -142,7 +140,7 @@ TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
 }
 
 TEST_F(MapsAreCompared, OnceTheDirectionRests) {
-  click("by=maps");
+  click("Told by=maps");
   window.settle();
   const std::string before = text();
   const glm::vec2 tip = window.control("core arrow").centre();

@@ -43,7 +43,7 @@ class WindowSceneries : public WindowWithPart {
         {"bookmarks", click_on("bookmark"), press(k_escape)},
         {"draft colours", press('D'), press('D')},
         {"section", press('S'), press('S')},
-        {"regions by maps", click_on("by=maps"), click_on("by=exact")},
+        {"regions by maps", click_on("Told by=maps"), click_on("Told by=exact")},
         {"help", press('H'), press(k_escape)},
         {"settings", click_on("settings"), press(k_escape)},
         {"export", press('E', true), press(k_escape)},

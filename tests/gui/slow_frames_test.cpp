@@ -84,7 +84,7 @@ class SlowFrames : public WindowWithPart {
           break;
         }
         case 1: {  // a slider
-          const ScreenBox box = window.control("Draft tolerance");
+          const ScreenBox box = window.control("Required draft");
           hand.go(box.centre());
           hand.press(0, true);
           hand.go(

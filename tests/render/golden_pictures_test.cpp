@@ -67,7 +67,7 @@ TEST(GoldenPictures, SectionThroughAHollowSphere) {
 
 TEST(GoldenPictures, UndercutsThroughTheRest) {
   ViewSettings settings = flat_backdrop();
-  settings.others_opacity = 0.25;
+  settings.transparency = 0.75;
   EXPECT_TRUE(matches_golden(drawn(dovetail_slot(ShapeSettings{}), settings), "dovetail_slot_ghost"));
 }
 

@@ -209,9 +209,9 @@ TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
   ViewSettings settings = one_sample();
   settings.hatching = settings.feature_edges = false;
   for (const double opened : {0.0, 0.2}) {
-    for (const double opacity : {1.0, 0.4}) {
+    for (const double transparency : {0.0, 0.6}) {
       settings.open_mold = opened / k_mold_travel;
-      settings.others_opacity = opacity;
+      settings.transparency = transparency;
       for (const RegionsBy by : {RegionsBy::exact, RegionsBy::maps}) {
         settings.regions_by = by;
         settings.mark_difference = false;
@@ -221,7 +221,7 @@ TEST(PartView, MarksTheDifferenceBetweenMapsAndExactRegionsAndNothingElse) {
         const Image marked = picture.draw(camera, settings);
         EXPECT_EQ(picture.view.read_regions(), shown) << "marks change no region";
         EXPECT_NE(marked.rgba, bare.rgba);
-        if (opened > 0.0 || opacity < 1.0) continue;
+        if (opened > 0.0 || transparency > 0.0) continue;
         settings.mark_difference = false;
         settings.regions_by = by == RegionsBy::exact ? RegionsBy::maps : RegionsBy::exact;
         static_cast<void>(picture.draw(camera, settings));

@@ -61,13 +61,35 @@ TEST(StillPicture, LooksWhereTheUndercutsAre) {
 TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   const Shape shape = test::turned(spool(ShapeSettings{}), glm::normalize(glm::dquat(0.6, -0.3, 0.5, 0.2)));
   Classified part(shape);
-  const Camera camera{
-      .orientation = revealing_orientation(*part.model, test::exact_regions(*part.model, part.result.query()),
-                                           part.result.direction)};
+  const auto split = std::make_shared<const SplitMesh>(test::exact_regions(*part.model, part.result.query()));
+  const Camera camera{.orientation =
+                          revealing_orientation(*part.model, std::span(&split, 1), part.result.direction)};
   EXPECT_GT(glm::dot(camera.up(), shape.direction), 0.5);
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
   const StillSettings settings{.size = {300, 200}};
   EXPECT_EQ(part.picture(settings).rgba, part.picture(settings).rgba);
+}
+
+/// Along z the cup's hole is the undercut, on its side; along the hole it is the inside, seen from above:
+/// from one side both are seen.
+TEST(StillPicture, OfSeveralDirectionsIsFromOneSideThatShowsTheUndercutsOfAll) {
+  const Classified part(cup_with_side_hole(ShapeSettings{}));
+  std::vector<Classification> results;
+  std::vector<std::shared_ptr<const SplitMesh>> splits;
+  for (const glm::dvec3 direction : {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0)}) {
+    Query query = part.result.query();
+    query.direction = direction;
+    results.push_back(classify_exact(*part.model, query, Progress(), true));
+    splits.push_back(results.back().split);
+  }
+  StillPainter painter(test::shared_context(), part.model);
+  const Camera camera{.orientation = painter.seen_best(results)};
+  EXPECT_EQ(camera.orientation, revealing_orientation(*part.model, splits, {0, 0, 1}));
+  for (std::size_t k = 0; k < 2; ++k) {
+    StillSettings settings{.size = {300, 200}, .legend = false};
+    settings.seen_from = camera.orientation;
+    EXPECT_GT(red_pixels(painter.draw(results[k], settings, Progress())), 100U) << k;
+  }
 }
 
 TEST(StillPicture, HasALegendWhereThereIsRoom) {

@@ -126,6 +126,12 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
     case Icon::chevron_up:
       pen.line({{-0.55F, 0.3F}, {0, -0.25F}, {0.55F, 0.3F}});
       break;
+    case Icon::chevron_left:
+      pen.line({{0.25F, -0.55F}, {-0.3F, 0}, {0.25F, 0.55F}});
+      break;
+    case Icon::chevron_right:
+      pen.line({{-0.25F, -0.55F}, {0.3F, 0}, {-0.25F, 0.55F}});
+      break;
     case Icon::close:
       pen.line({{-0.55F, -0.55F}, {0.55F, 0.55F}});
       pen.line({{-0.55F, 0.55F}, {0.55F, -0.55F}});

@@ -20,6 +20,8 @@ enum class Icon : std::uint8_t {
   bookmark,
   chevron_down,
   chevron_up,
+  chevron_left,
+  chevron_right,
   close,
   check,
   alert,

@@ -75,10 +75,10 @@ void Popups::begin_frame() {
   }
 }
 
-void Popups::open(ImGuiID popup, const glm::vec2& at) {
+void Popups::open(ImGuiID popup, const ScreenBox& beside) {
   if (std::exchange(just_closed_, 0) == popup) return;
   open_.resize(std::min(open_.size(), depth_));
-  open_.push_back({.id = popup, .at = at, .box = {at, at}});
+  open_.push_back({.id = popup, .beside = beside, .box = {}});
 }
 
 bool Popups::close_one() {
@@ -88,11 +88,14 @@ bool Popups::close_one() {
 }
 
 void open_popup_below_item(const Ui& ui, const char* id) {
-  ui.memory->popups.open(ImGui::GetID(id), {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + ui.px(4)});
+  const glm::vec2 gap(0.0F, ui.px(4));
+  ui.memory->popups.open(ImGui::GetID(id),
+                         {from_im(ImGui::GetItemRectMin()) - gap, from_im(ImGui::GetItemRectMax()) + gap});
 }
 
 void open_popup_at_mouse(const Ui& ui, const char* id) {
-  ui.memory->popups.open(ImGui::GetID(id), from_im(ImGui::GetIO().MousePos));
+  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  ui.memory->popups.open(ImGui::GetID(id), {mouse, mouse});
 }
 
 bool begin_popup(const Ui& ui, const char* id, float width) {
@@ -101,8 +104,10 @@ bool begin_popup(const Ui& ui, const char* id, float width) {
   if (popups.depth_ >= popups.open_.size() || popups.open_[popups.depth_].id != popup) return false;
   Popups::Open& open = popups.open_[popups.depth_++];
   const glm::vec2 size = open.box.max - open.box.min, window = from_im(ImGui::GetIO().DisplaySize);
-  place_window(glm::max(glm::min(open.at, window - size), glm::vec2(0.0F)), glm::vec2(0.0F));
-  if (width > 0.0F) ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, window.y));
+  glm::vec2 at(open.beside.min.x, open.beside.max.y);
+  if (at.y + size.y > window.y && open.beside.min.y > size.y) at.y = open.beside.min.y - size.y;
+  place_window(glm::max(glm::min(at, window - size), glm::vec2(0.0F)), glm::vec2(0.0F));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width > 0.0F ? width : window.x, window.y));
   // Not in the style of a window that it is opened from.
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(12), ui.px(8)));

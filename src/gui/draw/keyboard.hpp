@@ -82,8 +82,8 @@ class Popups {
  public:
   /// Closes those in which a press was not made.
   void begin_frame();
-  /// At a place in pixels; closes it if this very click has just closed it.
-  void open(ImGuiID popup, const glm::vec2& at);
+  /// Below a box in pixels, or above it where there is no room; not if this very click has just closed it.
+  void open(ImGuiID popup, const ScreenBox& beside);
   void close_all() { open_.clear(); }
   /// The innermost one; false where none is open.
   bool close_one();
@@ -94,7 +94,7 @@ class Popups {
   friend void end_popup(const Ui& ui);
   struct Open {
     ImGuiID id = 0;
-    glm::vec2 at{0.0F};
+    ScreenBox beside;
     ScreenBox box = {};  // where it was drawn last
   };
   std::vector<Open> open_;

@@ -191,17 +191,20 @@ bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSp
   return changed;
 }
 
-bool menu_item(const Ui& ui, std::string_view label, bool enabled) {
+bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec) {
   const std::string_view shown = label.substr(0, label.find("##"));
-  ImGui::BeginDisabled(!enabled);
+  ImGui::BeginDisabled(!spec.enabled);
   const float width =
       std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
   const Row row = begin_row(ui, label, width);
   ImGui::EndDisabled();
   if (row.hovered || row.focused)
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), ui.colours->field_hovered, ui.px(6));
-  draw_row_text({ui.fonts.body, enabled ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(8), row,
-                shown);
+  draw_row_text({ui.fonts.body, spec.enabled ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(8),
+                row, shown);
+  if (spec.chosen)
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::check, {row.max.x - ui.px(14), row.middle()}, ui.px(12),
+              ui.colours->text);
   if (row.clicked) ui.memory->popups.close_all();
   return row.clicked;
 }
@@ -263,7 +266,8 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row, spec.label);
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
-  draw_value(ui, row, fmt::format("{:.{}f}", shown, spec.decimals));
+  draw_value(ui, row,
+             shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals));
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
 }
@@ -299,8 +303,10 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   draw_label(ui, {.min = start, .max = start + glm::vec2(width, height)}, label);
   if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
   const int before = index;
-  if (has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)}))
-    index = std::clamp(index + value_steps(ui.memory->keyboard), 0, static_cast<int>(words.size()) - 1);
+  const bool focused = has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)});
+  // None of the words may be chosen.
+  if (const int steps = focused ? value_steps(ui.memory->keyboard) : 0; steps != 0)
+    index = std::clamp(index + steps, 0, static_cast<int>(words.size()) - 1);
   ImGui::BeginGroup();
   ImGui::Dummy(ImVec2(width, height));
   for (std::size_t k = 0; k < words.size(); ++k) {

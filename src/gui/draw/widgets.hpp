@@ -59,7 +59,8 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
 struct NumberSpec {
   std::string_view label;
   int decimals;
-  float width;  // pixels
+  float width;             // pixels
+  std::string unset = {};  // stands in place of 0
 };
 bool number_field(const Ui& ui, const char* id, double& value, const NumberSpec& spec);
 
@@ -91,7 +92,11 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 bool disclosure(const Ui& ui, std::string_view label, bool open);
 
 /// A line of a menu; a click closes the menu.
-bool menu_item(const Ui& ui, std::string_view label, bool enabled = true);
+struct MenuItemSpec {
+  bool enabled = true;
+  bool chosen = false;
+};
+bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec = {});
 
 /// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
 inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -26,8 +26,11 @@ std::vector<FeatureDirection> feature_directions(const PartModel& model, const P
 }  // namespace
 
 LoadedPart load_for_window(const std::string& path, const ReadOptions& options, const Progress& progress) {
-  LoadedPart loaded{
-      .path = path, .model = load_part(path, options, progress), .geometry = {}, .features = {}};
+  LoadedPart loaded{.path = path,
+                    .reading = options,
+                    .model = load_part(path, options, progress),
+                    .geometry = {},
+                    .features = {}};
   progress.report("preparing the picture", 0.0);
   const PartModel& model = *loaded.model;
   loaded.geometry = std::make_shared<const ViewGeometry>(

@@ -21,6 +21,7 @@ struct FeatureDirection {
 /// A part and what its pictures need, ready for the GL; copies share it.
 struct LoadedPart {
   std::string path;
+  ReadOptions reading;
   std::shared_ptr<const PartModel> model;
   std::shared_ptr<const ViewGeometry> geometry;
   /// The axes of the file, axes of round walls, normals of large planes, directions along much wall area.

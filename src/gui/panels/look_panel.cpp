@@ -56,11 +56,12 @@ void draw_look_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (context.layout.begin(ui, "Look")) {
     LookSettings& look = context.edits.settings.look;
+    const PartLengths lengths(context.state);
     for (const Option<LookSettings>& option : look_options()) {
       const bool is_switch = std::holds_alternative<SwitchKind<LookSettings>>(option.kind);
       if ((is_switch && option.key != "section") || is_among(k_map_look_options, option)) continue;
       if (option.key == "section_height" && !look.section) continue;
-      option_row(ui, option, look);
+      option_row(ui, option, look, {.lengths = &lengths});
       if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }

@@ -44,6 +44,18 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
   ImGui::EndGroup();
 }
 
+/// What seldom needs a change stands in a list of its own.
+void draw_accuracy(const PanelContext& context, const PartLengths& lengths) {
+  const Ui& ui = context.ui;
+  MethodSettings& method = context.edits.settings.method;
+  if (disclosure(ui, "Accuracy", false)) open_popup_below_item(ui, "accuracy");
+  if (!begin_popup(ui, "accuracy", ui.px(k_panel_width))) return;
+  const std::string standard = fmt::format("{:.3g}", lateral_tolerance(method, lengths.diagonal));
+  for (const std::string_view key : k_accuracy_options)
+    option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths, .unset = standard});
+  end_popup(ui);
+}
+
 }  // namespace
 
 void draw_map_comparison(const PanelContext& context) {
@@ -70,14 +82,16 @@ void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
   const Ui& ui = context.ui;
   if (context.layout.begin(ui, "Shadow maps")) {
     LookSettings& look = context.edits.settings.look;
-    option_row(ui, option_named(look_options(), "regions"), look);
+    MethodSettings& method = context.edits.settings.method;
+    const PartLengths lengths(context.state);
     bool touched = false;
     for (const std::string_view key : k_map_options)
-      touched = option_row(ui, option_named(method_options(), key), context.edits.settings.method) || touched;
+      touched = option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths}) || touched;
     // What a control of the maps does is to be seen.
     if (touched) look.regions_by = RegionsBy::maps;
     option_row(ui, option_named(look_options(), "mark_difference"), look);
     draw_thumbnails(context, textures);
+    draw_accuracy(context, lengths);
   }
   context.layout.end();
 }

@@ -1,12 +1,30 @@
 #include "gui/panels/option_row.hpp"
 
+#include "classify/figures.hpp"
+
 namespace moldlight::gui {
 
-std::string value_text(double value, int decimals, std::string_view unit) {
-  const std::string number = grouped(fmt::format("{:.{}f}", value, decimals));
-  if (unit == "deg") return number + "°";
-  if (unit.empty()) return number;
-  return fmt::format("{} {}", number, unit);
+PartLengths::PartLengths(const AppState& state)
+    : diagonal(state.model->frame.diagonal),
+      texel(diagonal / state.settings.method.resolution),
+      unit(length_unit(state.model->part)) {}
+
+std::string PartLengths::text(double length) const {
+  return fmt::format("{} {}", grouped(fmt::format("{:.2g}", length)), unit);
+}
+
+std::string value_text(const ShownValue& shown, const PartLengths* lengths) {
+  const std::string number = grouped(fmt::format("{:.{}f}", shown.value, shown.decimals));
+  if (shown.unit == "deg") return number + "°";
+  if (shown.unit.empty()) return number;
+  if (shown.unit == k_share) return fmt::format("{:.0f} %", 100.0 * shown.value);
+  if (lengths == nullptr) return fmt::format("{} {}", number, shown.unit);
+  if (shown.unit == k_half_diagonal)
+    return fmt::format("{} {}", grouped(fmt::format("{:.1f}", 0.5 * lengths->diagonal * shown.value)),
+                       lengths->unit);
+  if (shown.unit == k_texels_across)
+    return fmt::format("{} × {}", number, lengths->text(lengths->diagonal / shown.value));
+  return fmt::format("{} {} · {}", number, shown.unit, lengths->text(shown.value * lengths->texel));
 }
 
 namespace {
@@ -38,7 +56,7 @@ bool option_menu(const Ui& ui, const OptionTexts& option) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) open_popup_at_mouse(ui, id.c_str());
   if (!begin_popup(ui, id.c_str())) return false;
   const bool reset =
-      menu_item(ui, fmt::format("Reset to {}", standard), option.value != option.default_value);
+      menu_item(ui, fmt::format("Reset to {}", standard), {.enabled = option.value != option.default_value});
   if (menu_item(ui, "Copy the value")) ImGui::SetClipboardText(option.value.c_str());
   end_popup(ui);
   return reset;

@@ -17,8 +17,25 @@
 
 namespace moldlight::gui {
 
-/// "1.0°", "3 texel", "2048²": a value with its unit as the window writes it.
-[[nodiscard]] std::string value_text(double value, int decimals, std::string_view unit);
+/// What the part's lengths are, all in its unit.
+struct PartLengths {
+  double diagonal = 1.0;
+  double texel = 1.0;  // of the shadow maps
+  std::string unit;    // as it is written behind a number
+
+  explicit PartLengths(const AppState& state);
+  /// "0.15 mm"
+  [[nodiscard]] std::string text(double length) const;
+};
+
+/// "1.0°", "40 %", "3 texel · 0.15 mm": a value with its unit as the window writes it; what is told by the
+/// part's lengths only where they are known.
+struct ShownValue {
+  double value;
+  int decimals;
+  std::string_view unit;
+};
+[[nodiscard]] std::string value_text(const ShownValue& shown, const PartLengths* lengths = nullptr);
 /// Tooltip and right-click menu of the row just drawn; true when its reset was chosen.
 struct OptionTexts {
   std::string_view label, help;
@@ -45,9 +62,12 @@ template <typename S>
   return std::ranges::find(keys, option.key) != keys.end();
 }
 
-/// Numbers are typed in place of being slid.
-struct TypedNumbers {
-  std::function<void(const std::string& why)> refused;  // told of a value out of range
+/// What a row may be told beside its option.
+struct RowOptions {
+  std::function<void(const std::string& why)> refused = {};  // numbers are typed in place of being slid; told
+                                                             // of a value out of range
+  const PartLengths* lengths = nullptr;                      // lengths are written beside texels
+  std::string unset = {};                                    // stands for a number that is not set
 };
 
 /// Whether the window has a control for it.
@@ -63,15 +83,15 @@ template <typename S>
 
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>
-bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedNumbers& typed = {}) {
+bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOptions& row = {}) {
   const std::string before = option_text(option, settings), standard = option_text(option, S{});
   const bool modified = before != standard;
   std::optional<std::string> after;  // what was entered
   const auto number_row = [&](double number, int decimals, SliderSpec spec) {
-    spec.text = [&](double v) { return value_text(v, decimals, option.unit); };
+    spec.text = [&](double v) { return value_text({v, decimals, option.unit}, row.lengths); };
     const float width = ImGui::GetContentRegionAvail().x;
-    if (typed.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
-                      : slider(ui, {option.label, modified}, number, spec))
+    if (row.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
+                    : slider(ui, {option.label, modified}, number, spec))
       after = real_text(number);
   };
   const auto words_row = [&](const Words& words) {
@@ -87,7 +107,10 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                  [&](const PositiveKind<S>& kind) {
                    double number = kind.value(settings).value_or(0.0);
                    const float width = ImGui::GetContentRegionAvail().x;
-                   if (number_field(ui, option.key.data(), number, {option.label, 3, width}))
+                   const std::string label = row.lengths && option.unit == "part's unit"
+                                                 ? fmt::format("{}, {}", option.label, row.lengths->unit)
+                                                 : std::string(option.label);
+                   if (number_field(ui, option.key.data(), number, {label, 3, width, row.unset}))
                      after = number > 0.0 ? real_text(number) : std::string();  // none
                  },
                  [&](const IntegerKind<S>& kind) {
@@ -97,10 +120,10 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
                                .max = static_cast<double>(kind.max),
                                .step = 1.0,
                                .logarithmic = wide,
-                               .snap = !wide                    ? std::function<double(double)>()
-                                       : option.unit == "texel" ? near_power_of_two
-                                                                : near_round_number});
-                   if (!after || typed.refused) return;
+                               .snap = !wide                            ? std::function<double(double)>()
+                                       : option.unit == k_texels_across ? near_power_of_two
+                                                                        : near_round_number});
+                   if (!after || row.refused) return;
                    int whole = static_cast<int>(std::lround(*number_from<double>(*after)));
                    if (kind.odd && whole % 2 == 0) whole += whole < kind.max ? 1 : -1;
                    after = fmt::format("{}", whole);
@@ -122,7 +145,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const TypedN
   try {
     set_option(option, settings, *after);
   } catch (const UsageError& error) {
-    if (typed.refused) typed.refused(error.what());
+    if (row.refused) row.refused(error.what());
     return false;  // a value typed out of range
   }
   return option_text(option, settings) != before;

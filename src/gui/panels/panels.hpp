@@ -30,8 +30,8 @@ struct BallDrag {
   glm::vec2 grip{0.0F};  // from the cursor to the marker, pixels
 };
 
-/// Options that the panel of the shadow maps shows, and those under the method's Accuracy; other panels show
-/// the rest of their tables.
+/// Options that the panel of the shadow maps shows, and those under its Accuracy; other panels show the rest
+/// of their tables.
 inline constexpr std::array<std::string_view, 4> k_map_options = {"kernel", "kernel_shape", "edge_thickness",
                                                                   "resolution"};
 inline constexpr std::array<std::string_view, 2> k_map_look_options = {"regions", "mark_difference"};
@@ -42,7 +42,7 @@ void draw_top_bar(const PanelContext& context);
 void draw_direction_panel(const PanelContext& context, BallDrag& drag);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
-void draw_method_panel(const PanelContext& context);
+void draw_part_panel(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.

@@ -123,15 +123,9 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
 
 /// What the picture's regions are told by.
 void draw_by(const PanelContext& context) {
-  const Option<LookSettings>& option = option_named(look_options(), "regions");
-  const auto& kind = std::get<ChoiceKind<LookSettings>>(option.kind);
-  LookSettings& look = context.edits.settings.look;
-  int index = kind.get(look);
-  const Ui& ui = context.ui;
-  ImGui::Indent(ui.px(18));  // below the regions' names
-  if (choice(ui, {"by"}, kind.words, index)) kind.set(look, index);
-  ImGui::Unindent(ui.px(18));
-  tooltip(ui, option.label, option.help);
+  ImGui::Indent(context.ui.px(18));  // below the regions' names
+  option_row(context.ui, option_named(look_options(), "regions"), context.edits.settings.look);
+  ImGui::Unindent(context.ui.px(18));
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ void draw_sweep_options(const PanelContext& context) {
   const int columns =
       std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / context.ui.px(k_column)));
   // Most of them range over many powers of ten, some from 0 on.
-  const TypedNumbers numbers{[&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+  const RowOptions numbers{
+      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
   SweepSettings& settings = context.edits.sweep_choices.options;
   if (ImGui::BeginTable("options", columns,
                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {

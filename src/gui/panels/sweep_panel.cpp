@@ -339,7 +339,8 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                             ImGuiHoveredFlags_AllowWhenOverlapped);
   std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
-  if (candidate.pareto) tip += "\nNo other listed direction beats it in undercut, patches and depth alike.";
+  if (candidate.pareto)
+    tip += "\nNo other listed direction has less undercut, fewer undercuts and less depth.";
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
     tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }

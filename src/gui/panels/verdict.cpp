@@ -14,6 +14,7 @@ namespace moldlight::gui {
 namespace {
 
 std::string undercuts_text(std::size_t count) {
+  if (count == 0) return "Undercut in specks";
   return count == 1 ? "1 undercut" : fmt::format("{} undercuts", grouped(std::to_string(count)));
 }
 

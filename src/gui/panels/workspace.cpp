@@ -10,7 +10,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
     draw_top_bar(context);
     if (context.state.model) {
       draw_direction_panel(context, ball_);
-      draw_method_panel(context);
+      draw_part_panel(context);
       draw_maps_panel(context, textures.maps);
       draw_regions_panel(context);
       draw_look_panel(context);

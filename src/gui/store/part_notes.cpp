@@ -11,6 +11,7 @@
 #include "classify/option_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace moldlight::gui {
 
@@ -20,9 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* k_schema = "moldlight.view/2";
-/// Before exact regions: figures were sums over samples, and a kernel was always set.
-constexpr const char* k_older_schema = "moldlight.view/1";
+constexpr std::string_view k_schema = "moldlight.view/3";
 
 /// FNV-1a: names of files in the state folder stay the same from run to run.
 std::uint64_t hash(std::string_view text) {
@@ -58,12 +57,34 @@ void set_settings(Query& query, Json json) {
   set_options(method_options(), query.method, json);
 }
 
+/// Takes notes of former versions to the present one. Until 1, figures were sums over samples, and a kernel
+/// was always set; until 2, a look had the opacity of other surface.
+void renew(Json& json) {
+  const auto object = [&](const char* key) { return json.contains(key) && json[key].is_object(); };
+  if (json["schema"] == "moldlight.view/1") {
+    if (object("settings"))
+      for (const char* key : {"exact_rays", "readout", "kernel"}) json["settings"].erase(key);
+    json["schema"] = "moldlight.view/2";
+  }
+  if (json["schema"] == "moldlight.view/2") {
+    if (object("look") && json["look"].contains("others_opacity")) {
+      const Json opacity = json["look"]["others_opacity"];
+      json["look"].erase("others_opacity");
+      if (opacity.is_number()) json["look"]["transparency"] = 1.0 - opacity.get<double>();
+    }
+    json["schema"] = k_schema;
+  }
+  if (json["schema"] == k_schema) return;
+  throw UsageError(fmt::format("settings: the schema is {}, not {}", json["schema"].dump(), k_schema));
+}
+
 }  // namespace
 
 std::string part_notes_json(const PartNotes& notes, const std::string& part_path) {
   Json json;
   json["schema"] = k_schema;
   json["part"] = part_path;
+  if (!notes.unit.empty()) json["unit"] = notes.unit;
   json["settings"] = settings_json(notes.settings);
   json["look"] = options_json(look_options(), notes.settings.look);
   json["bookmarks"] = Json::array();
@@ -82,12 +103,12 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
     set_settings(notes.settings, json);
     return notes;
   }
-  if (json["schema"] == k_older_schema) {
-    if (json.contains("settings") && json["settings"].is_object()) {
-      for (const char* key : {"exact_rays", "readout", "kernel"}) json["settings"].erase(key);
-    }
-  } else if (json["schema"] != k_schema) {
-    throw UsageError(fmt::format("settings: the schema is {}, not {}", json["schema"].dump(), k_schema));
+  renew(json);
+  if (json.contains("unit")) {
+    const auto unit =
+        json["unit"].is_string() ? find_length_unit(json["unit"].get<std::string>()) : std::nullopt;
+    if (!unit) throw UsageError(fmt::format("settings: the unit {} is unknown", json["unit"].dump()));
+    notes.unit = unit->name;
   }
   if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);

@@ -31,11 +31,12 @@ struct EditedSettings : Query {
 struct PartNotes {
   EditedSettings settings;
   std::vector<Bookmark> bookmarks;
+  std::string unit = {};  // see ReadOptions::unit
 
   bool operator==(const PartNotes&) const = default;
 };
 
-/// Schema moldlight.view/2.
+/// Schema moldlight.view/3.
 [[nodiscard]] std::string part_notes_json(const PartNotes& notes, const std::string& part_path);
 /// Takes what part_notes_json writes, and an object of its settings alone. What the text does not
 /// say stays as in `notes`. Throws UsageError that says what is wrong.

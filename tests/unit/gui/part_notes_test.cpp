@@ -1,6 +1,7 @@
 // Settings and bookmarks of a part: written, read back, and read as an older version wrote them.
 #include "gui/store/part_notes.hpp"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ TEST(PartNotes, AreReadBackAsTheyWereWritten) {
   notes.settings.method.resolution = 512;
   notes.settings.look.regions_by = RegionsBy::maps;
   notes.settings.look.mark_difference = true;
+  notes.unit = "in";
   notes.bookmarks.push_back({.note = "hook", .direction = {0, 1, 0}});
   EXPECT_EQ(parse_part_notes(part_notes_json(notes, "part.stl"), {}), notes);
 }
@@ -42,6 +44,21 @@ TEST(PartNotes, OfAnOlderVersionKeepWhatStillMeansTheSame) {
   EXPECT_EQ(notes, expected);
   EXPECT_EQ(parse_part_notes(R"({"schema": "moldlight.view/1", "bookmarks": []})", {}), PartNotes{});
   EXPECT_THROW(static_cast<void>(parse_part_notes(R"({"schema": "moldlight.view/9"})", {})), UsageError);
+}
+
+TEST(PartNotes, OfVersionTwoTellTheOpacityThatIsATransparencyNow) {
+  const PartNotes notes =
+      parse_part_notes(R"({"schema": "moldlight.view/2", "look": {"others_opacity": 0.25}})", {});
+  PartNotes expected;
+  expected.settings.look.transparency = 0.75;
+  EXPECT_EQ(notes, expected);
+}
+
+TEST(PartNotes, RefuseAUnitThatIsNone) {
+  for (const char* bad : {R"("furlong")", "7", "null"}) {
+    const std::string text = fmt::format(R"({{"schema": "moldlight.view/3", "unit": {}}})", bad);
+    EXPECT_THROW(static_cast<void>(parse_part_notes(text, {})), UsageError) << bad;
+  }
 }
 
 /// Whose squared length is no double.

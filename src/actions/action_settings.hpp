@@ -1,0 +1,33 @@
+// What a mold maker allows of side actions, with the table of its options.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "classify/option.hpp"
+
+namespace moldlight {
+
+/// Lengths are in millimetres; a part whose file names no unit is taken to be in millimetres.
+struct ActionSettings {
+  double slide_angle_deg = 5.0;   // a slide moves within this angle of the plane across d, [0, 45]
+  double incline_deg = 30.0;      // an inclined slide within this, [0, 80]
+  double lifter_angle_deg = 8.0;  // of a lifter to the ejection, [1, 45]: couples its travel and its stroke
+  double clearance_mm = 3.0;      // added to a slide's least travel, [0, 1000]
+  double strip_strain_pct = 0.0;  // largest strain at which a ring is stripped off, [0, 100]; 0: none is
+  double bundle_across_mm =
+      50.8;                       // undercuts that one slide forms are no farther apart across its direction,
+  double bundle_along_mm = 25.4;  // and along it (published by a vendor of cost estimation), [0, 10000]
+  std::vector<glm::dvec3> side_directions = {};  // always tried, of any length but zero
+
+  bool operator==(const ActionSettings&) const = default;
+};
+
+[[nodiscard]] std::span<const Option<ActionSettings>> action_options();
+
+/// Two undercuts share a slide only if the directions they would have alone are within this angle.
+inline constexpr double k_bundle_deg = 30.0;
+
+}  // namespace moldlight

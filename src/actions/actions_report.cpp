@@ -1,0 +1,158 @@
+#include "actions/actions_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "classify/classify_report.hpp"
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+std::string_view side_name(bool core_side) { return region_name(core_side ? Region::core : Region::cavity); }
+
+Json numbers_json(const std::vector<std::size_t>& patches) {
+  Json list = Json::array();
+  for (const std::size_t patch : patches) list.push_back(patch + 1);
+  return list;
+}
+
+/// Facets as the file numbers them.
+Json facets_json(const Part& part, const std::vector<FacetIndex>& facets) {
+  Json list = Json::array();
+  for (const FacetIndex facet : facets)
+    list.push_back(part.file_facets.empty() ? facet : part.file_facets[facet]);
+  return list;
+}
+
+Json patch_json(const Part& part, const UndercutReport& patch, std::size_t number) {
+  return {{"id", number},
+          {"area", patch.undercut.area},
+          {"formed_area", patch.formed_area},
+          {"centre", vector_json(patch.undercut.centre)},
+          {"size_across", patch.undercut.size_across},
+          {"size_along", patch.undercut.size_along},
+          {"depth", finite(patch.depth)},
+          {"side", side_name(patch.core_side)},
+          {"blocked_by", facets_json(part, patch.blocked_by)}};
+}
+
+Json action_json(const SideAction& action) {
+  return {{"kind", facts(action.kind).name},
+          {"direction", vector_json(action.direction)},
+          {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
+          {"travel", action.travel},
+          {"stroke", action.stroke ? Json(*action.stroke) : Json()},
+          {"axis", Json()},
+          {"pitch", Json()},
+          {"turns", Json()},
+          {"strain", Json()},
+          {"patches", numbers_json(action.patches)},
+          {"area", action.area},
+          {"side", side_name(action.core_side)},
+          {"clear_to", finite(action.clear_to)}};
+}
+
+const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
+  const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
+    return std::ranges::find(action.patches, patch) != action.patches.end();
+  });
+  return found == plan.actions.end() ? nullptr : &*found;
+}
+
+std::string patches_text(const std::vector<std::size_t>& patches) {
+  constexpr std::size_t k_most = 6;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(patches.size(), k_most); ++k)
+    text += fmt::format("{}{}", k == 0 ? "" : " ", patches[k] + 1);
+  return patches.size() > k_most ? fmt::format("{} … {} in all", text, patches.size()) : text;
+}
+
+}  // namespace
+
+nlohmann::ordered_json actions_json(const ActionsReport& report) {
+  const auto& [model, result, settings, plan] = report;
+  Json json;
+  json["schema"] = "moldlight.actions/1";
+  json["part"] = part_json(model, result.warnings);
+  json["direction"] = vector_json(result.direction);
+  json["settings"] = options_json(method_options(), result.settings);
+  json["settings"].update(options_json(action_options(), settings));
+  json["patches"] = Json::array();
+  for (std::size_t k = 0; k < plan.patches.size(); ++k)
+    json["patches"].push_back(patch_json(model.part, plan.patches[k], k + 1));
+  json["actions"] = Json::array();
+  for (const SideAction& action : plan.actions) json["actions"].push_back(action_json(action));
+  json["unreleased"] = {{"area", plan.unreleased_area}, {"patches", numbers_json(plan.unreleased)}};
+  json["dropped"] = {{"number", plan.dropped}, {"area", plan.dropped_area}};
+  json["optimal"] = plan.optimal;
+  return json;
+}
+
+std::string actions_table(const ActionsReport& report) {
+  const auto& [model, result, settings, plan] = report;
+  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
+  const FigureColumn areas(result.total_area), lengths(10.0 * model.frame.diagonal);
+  std::string text = fmt::format("{}: {} undercut{} along {}, {} {} ({})\n", part_name(model.part),
+                                 plan.patches.size(), plan.patches.size() == 1 ? "" : "s",
+                                 figures(result.direction, 1.0), areas.text(result.areas[Region::undercut]),
+                                 area_unit, share_text(result.areas[Region::undercut], result.total_area));
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "side actions: {}\n", actions_text(plan));
+  if (!plan.actions.empty()) {
+    fmt::format_to(out, "\n{:<9} {:>22} {:>17} {:>11} {:>11}  undercuts\n", "kind", "direction",
+                   "free, degrees", "travel " + unit, "area " + area_unit);
+    for (const SideAction& action : plan.actions) {
+      fmt::format_to(out, "{:<9} {:>22} {:>17} {:>11} {:>11}  {}\n", facts(action.kind).name,
+                     direction_text(action.direction, 3),
+                     action.kind == ActionKind::lifter
+                         ? std::string("-")
+                         : fmt::format("{:.2f} to {:.2f}", action.interval.from_deg, action.interval.to_deg),
+                     lengths.text(action.travel), areas.text(action.area), patches_text(action.patches));
+    }
+  }
+  if (!plan.unreleased.empty())
+    fmt::format_to(out, "\nNothing that was tried releases {} {} in {} undercuts: {}\n",
+                   areas.text(plan.unreleased_area), area_unit, plan.unreleased.size(),
+                   patches_text(plan.unreleased));
+  if (plan.dropped > 0)
+    fmt::format_to(out, "{} specks within the lateral tolerance are left out, {} {}.\n", plan.dropped,
+                   figure(plan.dropped_area), area_unit);
+  text += plan.optimal ? "No cheaper set of the actions that were tried releases as much.\n"
+                       : "A cheaper set may exist: the search for the least was given up.\n";
+  return text;
+}
+
+std::string actions_csv(const ActionsReport& report) {
+  std::string text = "patch,area,formed_area,x,y,z,size_across,size_along,depth,side,kind,dx,dy,dz,travel\n";
+  const auto out = std::back_inserter(text);
+  for (std::size_t k = 0; k < report.plan.patches.size(); ++k) {
+    const UndercutReport& patch = report.plan.patches[k];
+    const Undercut& undercut = patch.undercut;
+    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", k + 1, undercut.area, patch.formed_area,
+                   undercut.centre.x, undercut.centre.y, undercut.centre.z, undercut.size_across,
+                   undercut.size_along, patch.depth, side_name(patch.core_side));
+    if (const SideAction* action = action_of(report.plan, k)) {
+      fmt::format_to(out, ",{},{},{},{},{}\n", facts(action->kind).name, action->direction.x,
+                     action->direction.y, action->direction.z, action->travel);
+    } else {
+      text += ",none,,,,\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace moldlight

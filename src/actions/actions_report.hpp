@@ -1,0 +1,30 @@
+// The report on side actions: a table for people, JSON and CSV for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "actions/side_action.hpp"
+
+namespace moldlight {
+
+/// What a report is about.
+struct ActionsReport {
+  const PartModel& model;
+  const Classification& result;
+  const ActionSettings& settings;
+  const ActionPlan& plan;
+};
+
+/// Schema `moldlight.actions/1`. Lengths and areas are in the part's unit, angles in degrees; what does not
+/// apply or is without end is null. Patches are numbered from 1, the largest first.
+[[nodiscard]] nlohmann::ordered_json actions_json(const ActionsReport& report);
+
+/// The actions with what they release, then what nothing does.
+[[nodiscard]] std::string actions_table(const ActionsReport& report);
+
+/// A line a patch, with the action that releases it; a heading line names the columns.
+[[nodiscard]] std::string actions_csv(const ActionsReport& report);
+
+}  // namespace moldlight

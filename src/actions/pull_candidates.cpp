@@ -1,0 +1,139 @@
+#include "actions/pull_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "actions/release.hpp"
+#include "mold/map_frame.hpp"
+#include "mold/round_wall.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_same_deg = 1e-4;
+constexpr std::size_t k_most_planes = 8;  // of an undercut, the largest
+constexpr std::size_t k_most_walls = 4;   // round ones looked for
+constexpr double k_plane_cosine = 0.99999;
+
+/// Facets of an undercut by the plane they lie in, and the area there.
+struct Plane {
+  glm::dvec3 normal{0.0};
+  double area = 0.0;
+  FacetIndex facet = 0;
+};
+
+std::vector<Plane> planes_of(const PartModel& model, const SplitMesh& split, const Undercut& undercut) {
+  std::map<FacetIndex, double> areas;
+  for (const std::uint32_t piece : undercut.pieces) {
+    const auto& corners = split.pieces[piece].corners;
+    const glm::dvec3& a = split.vertices[corners[0]];
+    areas[split.pieces[piece].facet] +=
+        0.5 * glm::length(glm::cross(split.vertices[corners[1]] - a, split.vertices[corners[2]] - a));
+  }
+  std::vector<Plane> facets;
+  for (const auto& [facet, area] : areas) facets.push_back({model.geometry.normals[facet], area, facet});
+  std::ranges::stable_sort(facets, std::greater(), &Plane::area);
+  constexpr std::size_t k_most_facets = 4000;  // the small rest adds no plane worth a look
+  facets.resize(std::min(facets.size(), k_most_facets));
+  std::vector<Plane> planes;
+  for (const Plane& facet : facets) {
+    const auto same = std::ranges::find_if(
+        planes, [&](const Plane& plane) { return glm::dot(plane.normal, facet.normal) > k_plane_cosine; });
+    if (same != planes.end()) {
+      same->area += facet.area;
+    } else if (planes.size() < 16 * k_most_planes) {
+      planes.push_back(facet);
+    }
+  }
+  std::ranges::stable_sort(planes, std::greater(), &Plane::area);
+  return planes;
+}
+
+/// Collects directions, each once.
+class Collector {
+ public:
+  Collector(const glm::dvec3& direction, double incline_deg)
+      : direction_(direction), incline_deg_(incline_deg) {}
+
+  /// As it is and level, in both senses.
+  void add_line(const glm::dvec3& line, PullSource source) {
+    const double length = glm::length(line);
+    if (length < 1e-9) return;
+    for (const double sense : {1.0, -1.0}) add(sense / length * line, source);
+  }
+  void add(const glm::dvec3& pull, PullSource source) {
+    const glm::dvec3 level = pull - glm::dot(pull, direction_) * direction_;
+    // In the plane, to rounding, or close to it by rounding of the file: the plane's own.
+    if (glm::length(level) > 1e-3) put({glm::normalize(level), source});
+    const double angle_deg = std::abs(elevation_deg(pull, direction_));
+    if (angle_deg > 0.01 && angle_deg <= incline_deg_) put({pull, source});
+  }
+  [[nodiscard]] std::vector<PullCandidate> take() { return std::move(found_); }
+
+ private:
+  void put(const PullCandidate& candidate) {
+    const double near = std::cos(glm::radians(k_same_deg));
+    for (PullCandidate& known : found_) {
+      if (glm::dot(known.direction, candidate.direction) < near) continue;
+      known.source = std::min(known.source, candidate.source);
+      return;
+    }
+    found_.push_back(candidate);
+  }
+
+  glm::dvec3 direction_;
+  double incline_deg_;
+  std::vector<PullCandidate> found_;
+};
+
+}  // namespace
+
+double elevation_deg(const glm::dvec3& pull, const glm::dvec3& direction) {
+  return glm::degrees(std::asin(std::clamp(glm::dot(pull, direction), -1.0, 1.0)));
+}
+
+std::vector<PullCandidate> own_pulls(const PartModel& model, const SplitMesh& split, const Undercut& undercut,
+                                     const glm::dvec3& direction, const ActionSettings& settings) {
+  Collector found(direction, settings.incline_deg);
+  for (const glm::dvec3& given : settings.side_directions)
+    found.add(glm::normalize(given), PullSource::exact);
+  std::vector<Plane> planes = planes_of(model, split, undercut);
+  std::size_t walls = 0;
+  for (const Plane& plane : planes) {
+    if (walls == k_most_walls) break;
+    const auto axis = round_wall_axis(model.geometry, model.adjacency, plane.facet);
+    if (!axis) continue;
+    found.add_line(*axis, PullSource::exact);
+    ++walls;
+  }
+  glm::dvec3 mean(0.0);
+  for (const Plane& plane : planes) mean += plane.area * plane.normal;
+  if (glm::length(mean) > 1e-6 * undercut.area) found.add(glm::normalize(mean), PullSource::even);
+  planes.resize(std::min(planes.size(), k_most_planes));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    found.add(planes[i].normal, PullSource::shape);
+    for (std::size_t j = 0; j < i; ++j) {
+      const glm::dvec3 edge = glm::cross(planes[i].normal, planes[j].normal);
+      if (glm::length(edge) > 0.05) found.add_line(edge, PullSource::shape);
+    }
+  }
+  std::vector<PullCandidate> pulls = found.take();
+  std::ranges::stable_sort(pulls, {}, &PullCandidate::source);
+  return pulls;
+}
+
+std::vector<PullCandidate> pull_fan(const glm::dvec3& direction) {
+  constexpr int k_count = 72;
+  const MapFrame frame = map_frame(direction);
+  std::vector<PullCandidate> fan;
+  for (int k = 0; k < k_count; ++k)
+    fan.push_back({turned_about(frame.x, direction, 360.0 * k / k_count), PullSource::even});
+  return fan;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,153 @@
+#include "actions/release.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mold/exact_rays.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr double k_resolved = 1e-7;  // of a length
+constexpr double k_resolved_deg = 1e-4;
+constexpr double k_step_deg = 2.5;  // beyond it a turn goes on in equal steps
+constexpr double k_past = 1e-6;     // behind a facet that is not in the way
+constexpr int k_most_passed = 256;  // such facets along one ray
+/// A part lies in a ball of diameter 1 in the unit frame.
+constexpr double k_across = 1.0;
+
+}  // namespace
+
+Release::Release(const PartModel& model, const ExactQuery& query)
+    : model_(model), query_(query), sine_(std::sin(glm::radians(query.tau_deg))) {}
+
+glm::vec3 Release::start(const UndercutSample& sample, const glm::dvec3& pull) const {
+  if (std::abs(glm::dot(sample.normal, pull)) >= sine_) return sample.position;
+  return lateral_point(sample.position, sample.normal, {.direction = pull, .lateral = query_.lateral});
+}
+
+double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull) const {
+  if (glm::dot(sample.normal, pull) <= -sine_) return 0.0;
+  const glm::dvec3 from(start(sample, pull));
+  double gone = 0.0;
+  for (int passed = 0; passed < k_most_passed; ++passed) {
+    const auto hit = model_.rays().first_hit(glm::vec3(from + gone * pull), glm::vec3(pull), true);
+    if (!hit) return k_never;
+    gone += static_cast<double>(hit->distance);
+    if (glm::dot(model_.geometry.normals[hit->facet], pull) <= -sine_) return gone;
+    gone += k_past;
+  }
+  return gone;
+}
+
+double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                          double length) const {
+  double area = 0.0;
+  for (const UndercutSample& sample : samples)
+    area += free_length(sample, pull) >= length ? sample.area : 0.0;
+  return area;
+}
+
+bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length) const {
+  double total = 0.0, blocked = 0.0;
+  for (const UndercutSample& sample : samples) total += sample.area;
+  for (const UndercutSample& sample : samples) {
+    if (free_length(sample, pull) >= length) continue;
+    blocked += sample.area;
+    if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
+  }
+  return true;
+}
+
+TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                                const glm::dvec3& axis) const {
+  const auto reach = [&](double sense) {
+    const auto free = [&](double angle_deg) {
+      return releases(samples, turned_about(pull, axis, sense * angle_deg), k_never);
+    };
+    double good = 0.0, bad = 0.25;
+    while (free(bad)) {
+      good = bad;
+      if (good >= 180.0) return 180.0;
+      bad = std::min(180.0, bad < k_step_deg ? 2.0 * bad : bad + k_step_deg);
+    }
+    while (bad - good > k_resolved_deg) {
+      const double middle = 0.5 * (good + bad);
+      (free(middle) ? good : bad) = middle;
+    }
+    return good;
+  };
+  return {-reach(-1.0), reach(1.0)};
+}
+
+bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
+                    const glm::dvec3& side) const {
+  const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);
+  return !model_.rays().first_hit(at, glm::vec3(side), true).has_value();
+}
+
+double Release::clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                             const glm::dvec3& side, double step) const {
+  double beyond = 0.0;
+  for (const UndercutSample& sample : samples) {
+    const double end = std::max(0.0, 0.5 * k_across - glm::dot(glm::dvec3(sample.position), pull));
+    double good = end, bad = end - step;
+    // What has been found already need not be found again.
+    while (bad > beyond && clear(sample, pull, bad, side)) {
+      good = bad;
+      bad -= step;
+    }
+    if (bad <= beyond) {
+      bad = beyond;
+      if (clear(sample, pull, bad, side)) continue;
+    }
+    while (good - bad > k_resolved) {
+      const double middle = 0.5 * (good + bad);
+      (clear(sample, pull, middle, side) ? good : bad) = middle;
+    }
+    beyond = good;
+  }
+  return beyond;
+}
+
+std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                                           const glm::dvec3& side, double most) const {
+  constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
+  double total = 0.0;
+  for (const UndercutSample& sample : samples) total += sample.area;
+  const auto all_clear = [&](double length) {
+    double blocked = 0.0;
+    for (const UndercutSample& sample : samples) {
+      if (clear(sample, pull, length, side) && free_length(sample, pull) >= length) continue;
+      blocked += sample.area;
+      if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
+    }
+    return true;
+  };
+  double bad = 0.0;
+  for (double good = k_first_step; good <= most; good *= k_growth) {
+    if (!all_clear(good)) {
+      bad = good;
+      continue;
+    }
+    while (good - bad > k_resolved) {
+      const double middle = 0.5 * (good + bad);
+      (all_clear(middle) ? good : bad) = middle;
+    }
+    return good;
+  }
+  return std::nullopt;
+}
+
+glm::dvec3 turned_about(const glm::dvec3& direction, const glm::dvec3& axis, double angle_deg) {
+  return glm::normalize(glm::angleAxis(glm::radians(angle_deg), axis) * direction);
+}
+
+}  // namespace moldlight

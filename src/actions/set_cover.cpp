@@ -1,0 +1,129 @@
+#include "actions/set_cover.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/check.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// A relative saving below this is rounding.
+constexpr double k_saving = 1e-12;
+
+class Search {
+ public:
+  Search(std::size_t atoms, std::span<const CoverColumn> columns, std::size_t most_nodes)
+      : columns_(columns),
+        most_nodes_(most_nodes),
+        having_(atoms),
+        covered_(atoms, 0),
+        allowed_(columns.size(), 1) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      CHECK(columns[c].cost > 0.0);
+      for (const std::size_t atom : columns[c].atoms) having_[atom].push_back(c);
+    }
+    drop_dominated();
+  }
+
+  Cover run() {
+    Cover cover;
+    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
+      if (!having_[atom].empty()) continue;
+      cover.uncovered.push_back(atom);
+      covered_[atom] = 1;
+    }
+    branch(0.0);
+    cover.columns = best_;
+    std::ranges::sort(cover.columns);
+    cover.cost = best_.empty() ? 0.0 : best_cost_;
+    cover.optimal = nodes_ <= most_nodes_;
+    return cover;
+  }
+
+ private:
+  void drop_dominated() {
+    std::vector<std::vector<std::size_t>> sorted;
+    for (const CoverColumn& column : columns_) {
+      sorted.push_back(column.atoms);
+      std::ranges::sort(sorted.back());
+    }
+    for (std::size_t a = 0; a < columns_.size(); ++a) {
+      for (std::size_t b = 0; b < columns_.size() && allowed_[a] != 0; ++b) {
+        if (a == b || allowed_[b] == 0 || !std::ranges::includes(sorted[b], sorted[a])) continue;
+        const bool same = sorted[a].size() == sorted[b].size() && columns_[a].cost == columns_[b].cost;
+        if (columns_[b].cost <= columns_[a].cost && (!same || b < a)) allowed_[a] = 0;
+      }
+    }
+    for (auto& having : having_) std::erase_if(having, [&](std::size_t c) { return allowed_[c] == 0; });
+  }
+
+  /// Cost that the open atoms need at least: of atoms that share no column each needs one of its own.
+  [[nodiscard]] double bound() const {
+    double least = 0.0;
+    std::vector<char> touched(columns_.size(), 0);
+    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
+      if (covered_[atom] > 0) continue;
+      const auto& having = having_[atom];
+      if (std::ranges::any_of(having, [&](std::size_t c) { return touched[c] != 0; })) continue;
+      double cheapest = std::numeric_limits<double>::infinity();
+      for (const std::size_t c : having) {
+        cheapest = std::min(cheapest, columns_[c].cost);
+        touched[c] = 1;
+      }
+      least += cheapest;
+    }
+    return least;
+  }
+
+  void branch(double cost) {
+    if (++nodes_ > most_nodes_ && !best_.empty()) return;
+    std::size_t rarest = having_.size(), fewest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
+      if (covered_[atom] > 0 || having_[atom].size() >= fewest) continue;
+      rarest = atom;
+      fewest = having_[atom].size();
+    }
+    if (rarest == having_.size()) {
+      if (cost < best_cost_ * (1.0 - k_saving)) {
+        best_cost_ = cost;
+        best_ = chosen_;
+      }
+      return;
+    }
+    if (cost + bound() >= best_cost_ * (1.0 - k_saving)) return;
+    // Those that cover most for their cost first: a good cover is found soon.
+    std::vector<std::size_t> order = having_[rarest];
+    const auto worth = [&](std::size_t c) {
+      const auto open =
+          std::ranges::count_if(columns_[c].atoms, [&](std::size_t atom) { return covered_[atom] == 0; });
+      return static_cast<double>(open) / columns_[c].cost;
+    };
+    std::ranges::stable_sort(order, std::greater(), worth);
+    for (const std::size_t c : order) {
+      chosen_.push_back(c);
+      for (const std::size_t atom : columns_[c].atoms) ++covered_[atom];
+      branch(cost + columns_[c].cost);
+      for (const std::size_t atom : columns_[c].atoms) --covered_[atom];
+      chosen_.pop_back();
+    }
+  }
+
+  std::span<const CoverColumn> columns_;
+  std::size_t most_nodes_;
+  std::vector<std::vector<std::size_t>> having_;  // columns of each atom
+  std::vector<int> covered_;                      // how often each atom is
+  std::vector<char> allowed_;
+  std::vector<std::size_t> chosen_, best_;
+  double best_cost_ = std::numeric_limits<double>::infinity();
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns, std::size_t most_nodes) {
+  return Search(atoms, columns, most_nodes).run();
+}
+
+}  // namespace moldlight

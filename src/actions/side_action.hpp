@@ -1,0 +1,74 @@
+// The side actions that release a part's undercuts.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "actions/action_settings.hpp"
+#include "actions/release.hpp"
+#include "actions/undercut.hpp"
+#include "classify/classification.hpp"
+
+namespace moldlight {
+
+/// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
+/// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
+/// it. Insert: leaves the mold with the part and is pulled out by hand.
+enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip, insert };
+inline constexpr std::size_t k_action_kinds = 6;
+
+/// What else is said of a kind: the one place for it.
+struct ActionFacts {
+  std::string_view name;  // in reports
+  std::string_view plural;
+  std::string_view meaning;  // a sentence
+  double weight;             // in the choice of the least set: what a mold maker minds, no money
+};
+[[nodiscard]] const ActionFacts& facts(ActionKind kind);
+
+/// Lengths and areas are in the part's unit.
+struct SideAction {
+  ActionKind kind = ActionKind::slide;
+  glm::dvec3 direction{1, 0, 0};     // unit
+  TurnInterval interval;             // to which the direction may turn about the parting direction
+  double travel = 0.0;               // with the clearance, for what moves straight
+  std::optional<double> stroke;      // of the ejector, for a lifter
+  std::vector<std::size_t> patches;  // numbers among the undercuts, rising
+  double area = 0.0;                 // undercut area that it releases
+  bool core_side = true;             // the half that it belongs to: the core's, along +d
+  double clear_to =
+      std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
+};
+
+/// An undercut and what was found out about it.
+struct UndercutReport {
+  Undercut undercut;
+  double formed_area = 0.0;  // with the surface beside it, up to creases, that the same action can form
+  double depth = 0.0;        // least distance across d to where the part is not in the way along d
+  bool core_side = true;     // from which it is nearer
+  std::vector<FacetIndex> blocked_by;  // facets that hide it, the most frequent first
+};
+
+struct ActionPlan {
+  std::vector<UndercutReport> patches;  // the largest first
+  std::size_t dropped = 0;              // specks
+  double dropped_area = 0.0;
+  std::vector<SideAction> actions;      // the largest area first
+  std::vector<std::size_t> unreleased;  // patches that nothing releases
+  double unreleased_area = 0.0;
+  bool optimal = true;  // no cheaper set of the actions that were found releases as much
+};
+
+/// `result` is a classification of the model that has its split mesh. Throws Cancelled.
+[[nodiscard]] ActionPlan find_actions(const PartModel& model, const Classification& result,
+                                      const ActionSettings& settings, const Progress& progress);
+
+/// "2 slides, 1 lifter"; "none" where nothing is needed.
+[[nodiscard]] std::string actions_text(const ActionPlan& plan);
+
+}  // namespace moldlight

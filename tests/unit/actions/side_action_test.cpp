@@ -1,0 +1,205 @@
+// Side actions of parts whose release is known in closed form.
+#include "actions/side_action.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+#include <gtest/gtest.h>
+
+#include "mold/direction.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::at_height;
+using test::box_face;
+using test::Loop2;
+using test::regular_polygon;
+using test::SolidBuilder;
+
+constexpr double k_tau_deg = 1.0;
+
+struct Planned {
+  std::shared_ptr<const PartModel> model;
+  Classification result;
+  ActionPlan plan;
+};
+
+Planned plan_of(const TriangleMesh& mesh, const ActionSettings& settings = {},
+                const glm::dvec3& direction = {0, 0, 1}) {
+  Planned planned;
+  Part part;
+  part.unit = "mm";
+  part.mesh = mesh;
+  part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
+  planned.model = prepare_part(std::move(part), Progress());
+  Query query;
+  query.direction = direction;
+  planned.result = classify_exact(*planned.model, query, Progress(), true);
+  planned.plan = find_actions(*planned.model, planned.result, settings, Progress());
+  return planned;
+}
+
+struct Hole {
+  double draft_deg = 0.0;
+  bool through = false;
+  double depth = 14.0, radius = 5.0;
+  int sides = 32;
+  double turn_deg = 0.0;
+};
+
+/// A block with a hole from its +z face, wider there by the draft.
+TriangleMesh block_with_hole(const Hole& hole) {
+  const glm::dvec3 low(-14, -12, 0), high(14, 12, 22);
+  const double depth = hole.through ? high.z : hole.depth;
+  const double narrow = hole.radius - depth * std::tan(glm::radians(hole.draft_deg));
+  const Loop2 outer = regular_polygon(hole.sides, hole.radius, hole.turn_deg);
+  const Loop2 inner = regular_polygon(hole.sides, narrow, hole.turn_deg);
+  SolidBuilder solid;
+  if (hole.through) {
+    solid.box(low, high, {4, 5});
+    solid.face(box_face(low, high, 4), {at_height(inner, low.z)});
+  } else {
+    solid.box(low, high, {5});
+    solid.face(at_height(inner, high.z - depth));
+  }
+  solid.face(box_face(low, high, 5), {at_height(outer, high.z)});
+  const Loop2 in_outer(outer.rbegin(), outer.rend()), in_inner(inner.rbegin(), inner.rend());
+  solid.walls(at_height(in_inner, high.z - depth), at_height(in_outer, high.z));
+  return solid.mesh();
+}
+
+/// Its z axis laid into the plane across z, at this azimuth.
+TriangleMesh laid(const TriangleMesh& mesh, double azimuth_deg) {
+  const glm::dquat down = glm::angleAxis(glm::radians(90.0), glm::dvec3(0, 1, 0));
+  const glm::dquat round = glm::angleAxis(glm::radians(azimuth_deg), glm::dvec3(0, 0, 1));
+  return test::rotated(mesh, round * down);
+}
+
+TEST(SideHole, AtAnyAzimuthIsASlideAlongItsAxis) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> azimuths(0.0, 360.0);
+  for (int k = 0; k < 40; ++k) {
+    const double azimuth = azimuths(random);
+    Hole hole{.draft_deg = k % 4 < 2 ? 0.0 : 0.5 + 0.1 * k, .through = k % 2 == 1};
+    hole.draft_deg = std::min(hole.draft_deg, 4.0);
+    hole.turn_deg = azimuth;
+    const Planned planned = plan_of(laid(block_with_hole(hole), azimuth));
+    ASSERT_EQ(planned.plan.actions.size(), 1U) << azimuth << " " << hole.draft_deg;
+    const SideAction& action = planned.plan.actions.front();
+    EXPECT_EQ(action.kind, ActionKind::slide);
+    EXPECT_TRUE(planned.plan.unreleased.empty());
+    const glm::dvec3 axis(std::cos(glm::radians(azimuth)), std::sin(glm::radians(azimuth)), 0.0);
+    const double off_deg = line_angle_deg(action.direction, axis);
+    EXPECT_LT(off_deg, 0.01) << azimuth << " " << hole.draft_deg;
+    if (!hole.through || hole.draft_deg > k_tau_deg) {
+      EXPECT_GT(glm::dot(action.direction, axis), 0.0) << "out of the open, or the wide, end";
+    }
+    // Walls of a polygon turn a little farther than those of a circle.
+    const double free_deg = hole.draft_deg + k_tau_deg;
+    EXPECT_NEAR(action.interval.to_deg, free_deg, 0.05) << azimuth << " " << hole.draft_deg;
+    EXPECT_NEAR(action.interval.from_deg, -free_deg, 0.05) << azimuth << " " << hole.draft_deg;
+    const double depth = hole.through ? 22.0 : hole.depth;
+    EXPECT_NEAR(action.travel, depth + 3.0, 1e-3 * planned.model->frame.diagonal)
+        << azimuth << " " << hole.draft_deg;
+  }
+}
+
+TEST(SideHole, InOneDirectionOnlyIfBlind) {
+  const Planned planned = plan_of(laid(block_with_hole({}), 0.0), {}, {0, 0, -1});
+  ASSERT_EQ(planned.plan.actions.size(), 1U) << "d reversed";
+  EXPECT_GT(planned.plan.actions[0].direction.x, 1.0 - 1e-9);
+  EXPECT_EQ(planned.plan.patches.size(), 1U);
+  EXPECT_FALSE(planned.plan.patches[0].blocked_by.empty());
+  EXPECT_NEAR(planned.plan.patches[0].depth, 14.0, 0.02);
+}
+
+/// Within 5 degrees of the plane it is a slide, up to 30 an inclined one, beyond nothing.
+TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
+  for (const auto& [lean_deg, kind] :
+       {std::pair(3.0, ActionKind::slide), std::pair(20.0, ActionKind::inclined)}) {
+    const glm::dquat lean = glm::angleAxis(glm::radians(-lean_deg), glm::dvec3(0, 1, 0));
+    const Planned planned = plan_of(test::rotated(laid(block_with_hole({}), 0.0), lean));
+    const auto& actions = planned.plan.actions;
+    const auto found = std::ranges::find_if(actions, [&](const SideAction& action) {
+      return line_angle_deg(action.direction, lean * glm::dvec3(1, 0, 0)) < 0.01;
+    });
+    ASSERT_NE(found, actions.end()) << lean_deg;
+    EXPECT_EQ(found->kind, kind) << lean_deg;
+  }
+  const glm::dquat steep = glm::angleAxis(glm::radians(-45.0), glm::dvec3(0, 1, 0));
+  EXPECT_FALSE(plan_of(test::rotated(laid(block_with_hole({}), 0.0), steep)).plan.unreleased.empty());
+}
+
+TEST(SideAction, OfAPartWithoutUndercutsIsNone) {
+  SolidBuilder solid;
+  solid.box({0, 0, 0}, {10, 10, 10});
+  const Planned planned = plan_of(solid.mesh());
+  EXPECT_TRUE(planned.plan.actions.empty());
+  EXPECT_TRUE(planned.plan.patches.empty());
+  EXPECT_TRUE(planned.plan.optimal);
+  EXPECT_EQ(actions_text(planned.plan), "none");
+}
+
+TEST(SideAction, OfAClosedVoidIsNone) {
+  SolidBuilder solid;
+  solid.box({0, 0, 0}, {10, 10, 10});
+  solid.box({3, 3, 3}, {7, 7, 7}, {}, true);
+  const Planned planned = plan_of(solid.mesh());
+  EXPECT_TRUE(planned.plan.actions.empty());
+  EXPECT_NEAR(planned.plan.unreleased_area, 6.0 * 16.0, 1e-9);
+}
+
+/// A box with a hook from one inner wall to the other: it keeps the hook's lower side, and what is below it,
+/// from the core; a lifter moves under it by its length.
+TEST(SideAction, UnderAHookInABoxIsALifter) {
+  constexpr double k_hook = 3.0;
+  SolidBuilder solid;  // open above, and the hook sticks out of the wall at x = 2 over the whole width
+  const Loop2 outer = {{0, 0},  {40, 0},          {40, 20},         {38, 20}, {38, 2}, {2, 2},
+                       {2, 14}, {2 + k_hook, 14}, {2 + k_hook, 16}, {2, 16},  {2, 20}, {0, 20}};
+  solid.extrude(outer, {}, 30.0);
+  TriangleMesh mesh = solid.mesh();
+  for (const double sense : {1.0, -1.0}) {
+    ActionSettings settings;
+    settings.lifter_angle_deg = 10.0;
+    const Planned planned = plan_of(mesh, settings, {0, 0, sense});
+    // Its ends are open: there it is a slide along y as well, and that is simpler.
+    ASSERT_EQ(planned.plan.actions.size(), 1U);
+    EXPECT_EQ(planned.plan.actions[0].kind, ActionKind::slide);
+    EXPECT_NEAR(std::abs(planned.plan.actions[0].direction.y), 1.0, 1e-9);
+  }
+}
+
+/// Two pockets in one side of a long block.
+TriangleMesh block_with_pockets(double apart) {
+  const glm::dvec3 low(0, 0, 0), high(40, 40 + apart, 20);
+  const glm::dvec3 a_low(20, 10, 5), a_high(40, 20, 15), b_low(20, 20 + apart, 5), b_high(40, 30 + apart, 15);
+  SolidBuilder solid;
+  solid.box(low, high, {1});
+  solid.box(a_low, a_high, {1}, true);
+  solid.box(b_low, b_high, {1}, true);
+  solid.face(box_face(low, high, 1), {box_face(a_low, a_high, 1), box_face(b_low, b_high, 1)});
+  return solid.mesh();
+}
+
+TEST(SideAction, IsSharedByPocketsThatAreNearEachOther) {
+  for (const auto& [apart, number] : {std::pair(40.0, 1U), std::pair(60.0, 2U)}) {
+    const Planned planned = plan_of(block_with_pockets(apart));
+    EXPECT_EQ(planned.plan.actions.size(), number) << apart;
+    EXPECT_EQ(planned.plan.patches.size(), 2U);
+    ActionSettings settings;
+    settings.bundle_across_mm = 70.0;
+    EXPECT_EQ(plan_of(block_with_pockets(apart), settings).plan.actions.size(), 1U) << apart;
+    settings.bundle_across_mm = 10.0;
+    EXPECT_EQ(plan_of(block_with_pockets(apart), settings).plan.actions.size(), 2U) << apart;
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
