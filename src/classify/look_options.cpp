@@ -21,7 +21,7 @@ std::span<const Option<LookSettings>> look_options() {
       {"section", "--section", "Section", "",
        "Cut the part by a plane: across the parting direction, along it, or across an axis of the part.",
        choice<&S::section>({"off", "across", "along", "x", "y", "z"})},
-      {"section_at", "--section-at", "Section at", "",
+      {"section_at", "--section-at", "Section at", k_share,
        "Where the section plane lies, from one end of the part to the other; what lies beyond is cut away.",
        RealKind<S>{&S::section_at, 0.0, 1.0, 0.01}},
       {"section_turn", "--section-turn", "Section turned", "deg",

@@ -45,6 +45,7 @@ App::App(const gl::Context& context, AppOptions options)
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
+  state_.hints_done = options_.user.hints_done;
   state_.shipped = options_.shipped_parts;
   state_.camera.orientation = standard_orientation(StandardView::isometric);
 }
@@ -103,13 +104,18 @@ void App::say(std::string text, bool failure) {
 void App::prepare(const FrameInput& input) {
   now_s_ = input.now_s;
   size_ = glm::max(input.size, glm::ivec2(1));
-  scale_ = input.content_scale * static_cast<float>(state_.window.ui_scale);
+  scale_ = fitting_scale(size_, input.content_scale * static_cast<float>(state_.window.ui_scale));
   imgui_.prepare(state_.window.theme, scale_);
 }
 
 void App::frame(const FrameInput& input) {
-  const Ui& ui = imgui_.begin_frame(now_s_);
+  // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
+  const bool typing = ImGui::GetIO().WantTextInput || imgui_.memory().typing_id != 0;
+  const KeyPress* const last = input.played.keys.empty() ? nullptr : &input.played.keys.back();
+  const ControlKey key = last != nullptr && takes_key(*last, typing) ? control_key(*last) : ControlKey::none;
+  const Ui& ui = imgui_.begin_frame(now_s_, key);
   layout_.begin_frame(size_, scale_);
+  if (picture_wait_ > 0) --picture_wait_;
   poll_jobs();
   if (flight_.flying()) state_.camera = flight_.at(now_s_);
   pick();
@@ -119,10 +125,9 @@ void App::frame(const FrameInput& input) {
 
   Edits edits(state_);
   for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
-  // A field that opens takes what is typed from its next frame on; what comes in between is no shortcut.
-  const bool typing = ImGui::GetIO().WantTextInput || ui.memory->typing_id != 0;
   for (const KeyPress& press : input.played.keys) {
-    if (!typing || ends_program(press)) apply_shortcut(press, state_, edits);
+    if (leaves(press) && close_innermost(typing, edits)) continue;
+    if ((!typing && !takes_key(press, false)) || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
@@ -140,6 +145,7 @@ void App::frame(const FrameInput& input) {
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
+  draw_hints({ui, state_, edits, layout_});
   const Query asked_before = state_.settings;
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
@@ -153,6 +159,34 @@ void App::frame(const FrameInput& input) {
   const bool event = input.played.any || !input.dropped.empty();
   settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
+}
+
+bool App::takes_key(const KeyPress& press, bool typing) const {
+  const ControlKey key = control_key(press);
+  if (key == ControlKey::next || key == ControlKey::former) return true;
+  if (key == ControlKey::none) return false;
+  if (typing) {  // the browser's filter, beside which its list goes by keys
+    return state_.dialogs.browser && key != ControlKey::left && key != ControlKey::right && press.key != ' ';
+  }
+  const UiMemory& memory = imgui_.memory();
+  const Dialogs& dialogs = state_.dialogs;
+  const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture;
+  return memory.keyboard.focused() || memory.popups.any() || asked;
+}
+
+bool App::close_innermost(bool typing, Edits& edits) {
+  UiMemory& memory = imgui_.memory();
+  if (memory.typing_id != 0 || memory.popups.close_one()) return true;
+  Dialogs& dialogs = edits.dialogs;
+  Dialogs none;
+  none.panels_hidden = dialogs.panels_hidden;
+  if (!(dialogs == none)) {
+    dialogs = none;
+    return true;
+  }
+  if (typing || !memory.keyboard.focused()) return typing;
+  memory.keyboard.give_to(0);
+  return true;
 }
 
 void App::poll_jobs() {
@@ -281,6 +315,7 @@ void App::apply(const Edits& edits) {
   // The large ball would cover one of the two pictures.
   if (choices.large_ball && !former.sweep_choices.large_ball) choices.compared.reset();
   if (choices.compared && !former.sweep_choices.compared) choices.large_ball = false;
+  if (edits.dragging) state_.hints_done.insert(Hint::arrow);
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {
     state_.settings = history_.settled();
@@ -444,7 +479,20 @@ void App::plan_next_frame() {
 }
 
 std::optional<std::string> App::take_picture_request() {
+  if (picture_wait_ > 0) return std::nullopt;
   return std::exchange(picture_request_, std::nullopt);
+}
+
+void App::picture_saved(const std::string& path) {
+  saved_to_ = std::filesystem::path(path).parent_path().string();
+  say(fmt::format("Picture saved as {}", path), false);
+}
+
+void App::end_jobs() {
+  loader_.cancel();
+  export_.cancel();
+  sweep_.cancel();
+  measurer_.cancel();
 }
 
 void App::save() {
@@ -455,6 +503,7 @@ void App::save() {
       if (text != option_text(option, begun_with_)) set_option(option, options_.user.window, text);
     }
     options_.user.sweep = state_.sweep_choices.options;
+    options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
     const PartNotes notes{state_.settings, state_.bookmarks, state_.reading.unit};

@@ -60,6 +60,9 @@ class App {
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
+  /// Whether what to do next is told at the things themselves; only where the window asks for it.
+  void show_hints(bool shown) { state_.shows_hints = shown; }
+
   /// Readies fonts and style; then ImGui is told of the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
   void frame(const FrameInput& input);
@@ -72,8 +75,12 @@ class App {
   /// Where the controls of the last frame are: a slider or switch by its label, a choice's word as
   /// "label=word".
   [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
-    return imgui_.controls();
+    return imgui_.memory().controls;
   }
+  /// The control that has the keyboard, by its name there; empty for none.
+  [[nodiscard]] const std::string& focused() const { return imgui_.memory().focused; }
+  /// The texts of the last frame.
+  [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
   /// True while figures, or the split mesh, are not there that will be.
@@ -82,14 +89,22 @@ class App {
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
+  /// To be told where a picture went: the next ones go there too, and where is said.
+  void picture_saved(const std::string& path);
   /// True once the user has asked to end the program.
   [[nodiscard]] bool quitting() const { return quitting_; }
   void say(std::string text, bool failure);
+  /// Tells all that runs in the background to end, without waiting for it.
+  void end_jobs();
   /// Saves what is to be remembered.
   void save();
 
  private:
   friend struct Commands;
+  /// Whether controls, and not the shortcuts, get the key.
+  [[nodiscard]] bool takes_key(const KeyPress& press, bool typing) const;
+  /// Escape for what lies over the panels, and for the control that has the keyboard; false if there is none.
+  bool close_innermost(bool typing, Edits& edits);
   void poll_jobs();
   void load(const std::string& path, const ReadOptions& reading, PartNotes notes);
   /// Of a part that is to be opened: those that were set, or saved for it.
@@ -147,6 +162,8 @@ class App {
   PartNotes saved_notes_;
   WindowSettings begun_with_;  // what differs from it was changed in the window
   std::optional<std::string> picture_request_;
+  int picture_wait_ = 0;  // frames until no dialog is in it
+  std::string saved_to_;  // folder of the last export or picture of this session; empty: none yet
   glm::ivec2 size_{1};
   float scale_ = 1.0F;
   double now_s_ = 0.0, next_frame_s_ = 0.0;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/settings.hpp"
+#include "gui/store/user_state.hpp"
 #include "gui/view/surface.hpp"
 #include "mold/map_frame.hpp"
 #include "render/camera.hpp"
@@ -49,7 +51,8 @@ struct Toast {
 /// Which dialogs are open.
 struct Dialogs {
   bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false;
-  std::optional<bool> large_map;  // true: of +d
+  std::optional<bool> large_map;       // true: of +d
+  std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
   bool operator==(const Dialogs&) const = default;
 };
@@ -64,6 +67,7 @@ struct Editable {
   Dialogs dialogs;
   SweepChoices sweep_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
+  std::set<Hint> hints_done;
 };
 
 struct AppState : Editable {
@@ -82,6 +86,7 @@ struct AppState : Editable {
   std::optional<Loading> loading;
   std::vector<Toast> toasts;
   bool can_undo = false, can_redo = false;
+  bool shows_hints = false;   // to newcomers
   bool notes_beside = false;  // settings and bookmarks are saved beside the part
 };
 

@@ -64,6 +64,7 @@ void Commands::take_axis() {
 }
 
 void Commands::fly_to_direction(const glm::dvec3& direction) {
+  app.state_.hints_done.insert(Hint::verdict);
   if (app.state_.window.motion) {
     app.turn_.start(app.state_.settings.direction.unit(), direction, app.now_s_);
   } else {
@@ -82,15 +83,19 @@ void Commands::choose_face(const std::optional<FacetIndex>& facet) {
 
 void Commands::take_picture() {
   if (!app.state_.model) return;
-  const fs::path part(app.state_.path);
-  // A name of its own for each picture: none is ever overwritten.
-  for (int number = 1; number < 10000; ++number) {
-    const fs::path path = part.parent_path() / fmt::format("{}-{:02}.png", part.stem().string(), number);
-    std::error_code ignored;
-    if (fs::exists(path, ignored)) continue;
-    app.picture_request_ = path.string();
-    return;
+  const bool asks = app.saved_to_.empty();
+  const fs::path folder = asks ? pictures_folder() : fs::path(app.saved_to_);
+  const std::string path = free_name(folder, fs::path(app.state_.path).stem().string());
+  if (asks) {
+    app.state_.dialogs.picture = path;
+  } else {
+    save_picture(path);
   }
+}
+
+void Commands::save_picture(const std::string& path) {
+  app.picture_request_ = path;
+  app.picture_wait_ = 2;  // this frame shows the dialog that asks for it
 }
 
 void Commands::export_files(const OutputPaths& files, const std::string& picture) {
@@ -109,10 +114,14 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
     }
     return names.empty() ? std::string("Exported") : fmt::format("Exported {} to {}", names, folder.string());
   });
-  if (!picture.empty()) app.picture_request_ = picture;
+  for (const std::string* path : {&picture, &files.json, &files.mesh, &files.split_folder, &files.borders}) {
+    if (!path->empty()) app.saved_to_ = fs::path(*path).parent_path().string();
+  }
+  if (!picture.empty()) save_picture(picture);
 }
 
 void Commands::start_sweep() {
+  app.state_.hints_done.insert(Hint::sweep);
   app.state_.sweep_choices.compared.reset();
   app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
 }
@@ -160,17 +169,22 @@ void take_the_other(Enum& one_of_two) {
   one_of_two = one_of_two == Enum{0} ? Enum{1} : Enum{0};
 }
 
-/// Gives up a drag, closes what is open, and takes back what was chosen.
+/// Gives up a drag, or takes back the last of what was opened and chosen beside the dialogs.
 void escape(const Pressed& p) {
   p.edits.give_up_drag = true;
-  const bool hidden = p.edits.dialogs.panels_hidden;
-  p.edits.dialogs = {};
-  p.edits.dialogs.panels_hidden = hidden;
-  p.edits.sweep_choices.compared.reset();
-  p.edits.sweep_choices.large_ball = false;
-  p.edits.measuring.reset();
-  if (p.state.face) p.edits.ask(&Commands::choose_face, std::nullopt);
-  p.edits.ask(&Commands::dismiss_toasts);
+  SweepChoices& choices = p.edits.sweep_choices;
+  if (ImGui::IsMouseDown(0)) return;
+  if (!p.state.toasts.empty()) {
+    p.edits.ask(&Commands::dismiss_toasts);
+  } else if (p.edits.measuring) {
+    p.edits.measuring.reset();
+  } else if (choices.compared) {
+    choices.compared.reset();
+  } else if (choices.large_ball) {
+    choices.large_ball = false;
+  } else if (p.state.face) {
+    p.edits.ask(&Commands::choose_face, std::nullopt);
+  }
 }
 
 /// Arrow keys move the direction's tip on the screen.
@@ -230,7 +244,7 @@ const std::vector<Shortcut>& shortcuts() {
   static const std::vector<Shortcut> k_shortcuts = {
       {{direction, "Drag the arrow's tip", "turn the parting direction"}},
       {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
-      {{direction, "Esc", "undo the drag"}, always, {GLFW_KEY_ESCAPE}, escape},
+      {{direction, "Esc", "undo the drag, close what is open"}, always, {GLFW_KEY_ESCAPE}, escape},
       {{direction, "Double click", "direction: normal of that facet"}},
       {{direction, "Click", "choose the face there"}},
       {{direction, "Alt + double click", "direction: axis of that round wall"}},
@@ -290,11 +304,12 @@ const std::vector<Shortcut>& shortcuts() {
        with_ctrl,
        {'Z', 'Y'},
        [](P p) { p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo); }},
-      {{program, "Tab", "hide the panels"},
-       always,
+      {{program, "Tab, Space, arrows", "go to a control, press, change it"}},
+      {{program, "Ctrl+Tab", "hide the panels"},
+       with_ctrl,
        {GLFW_KEY_TAB},
        [](P p) { p.edits.dialogs.panels_hidden = !p.edits.dialogs.panels_hidden; }},
-      {{program, "H", "this sheet"},
+      {{program, "H", "this sheet; type to search it"},
        always,
        {'H', GLFW_KEY_F1},
        [](P p) { p.edits.dialogs.help = !p.edits.dialogs.help; }},
@@ -312,6 +327,8 @@ bool acts(When when, const KeyPress& press, const AppState& state) {
 }
 
 }  // namespace
+
+bool leaves(const KeyPress& press) { return press.key == GLFW_KEY_ESCAPE; }
 
 bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'; }
 

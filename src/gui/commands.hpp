@@ -37,7 +37,9 @@ struct Commands {
   void fly_to_direction(const glm::dvec3& direction);
   /// Chooses the face of the facet; of nothing, none.
   void choose_face(const std::optional<FacetIndex>& facet);
+  /// A picture beside those of this session; the first one asks where.
   void take_picture();
+  void save_picture(const std::string& path);
   /// Writes files that `classify` would write too, and a picture, each if its path is not empty.
   void export_files(const OutputPaths& files, const std::string& picture);
   void start_sweep();
@@ -69,6 +71,8 @@ struct Edits : Editable {
 
 /// Whether a key ends the program, also while text is being typed.
 [[nodiscard]] bool ends_program(const KeyPress& press);
+/// Whether it is the key that closes and gives up.
+[[nodiscard]] bool leaves(const KeyPress& press);
 /// For keys pressed while no text is being typed.
 void apply_shortcut(KeyPress press, const AppState& state, Edits& edits);
 

@@ -15,9 +15,8 @@ namespace {
 constexpr double k_least_frame_s = 1e-5;  // ImGui's clock has to run
 constexpr glm::vec2 k_nowhere(-1.0e6F);
 
-/// The keys that ImGui listens to.
+/// The keys that ImGui listens to. Tab is not among them: ImGui knows no controls but its own.
 constexpr std::pair<int, ImGuiKey> k_keys[] = {
-    {GLFW_KEY_TAB, ImGuiKey_Tab},
     {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
     {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
     {GLFW_KEY_UP, ImGuiKey_UpArrow},
@@ -45,6 +44,15 @@ constexpr std::pair<int, ImGuiKey> k_keys[] = {
     {GLFW_KEY_Z, ImGuiKey_Z},
 };
 
+constexpr std::pair<int, ControlKey> k_control_keys[] = {
+    {GLFW_KEY_SPACE, ControlKey::press},    {GLFW_KEY_ENTER, ControlKey::press},
+    {GLFW_KEY_KP_ENTER, ControlKey::press}, {GLFW_KEY_LEFT, ControlKey::left},
+    {GLFW_KEY_RIGHT, ControlKey::right},    {GLFW_KEY_UP, ControlKey::up},
+    {GLFW_KEY_DOWN, ControlKey::down},      {GLFW_KEY_PAGE_UP, ControlKey::page_up},
+    {GLFW_KEY_HOME, ControlKey::home},      {GLFW_KEY_PAGE_DOWN, ControlKey::page_down},
+    {GLFW_KEY_END, ControlKey::end},        {GLFW_KEY_BACKSPACE, ControlKey::erase},
+};
+
 void set_key(ImGuiIO& io, int key, bool down) {
   const auto* known = std::find_if(std::begin(k_keys), std::end(k_keys),
                                    [&](const auto& entry) { return entry.first == key; });
@@ -70,6 +78,13 @@ void set_modifiers(ImGuiIO& io, bool ctrl, bool shift, bool alt) {
 }
 
 }  // namespace
+
+ControlKey control_key(const KeyPress& press) {
+  if (press.ctrl || press.alt) return ControlKey::none;
+  if (press.key == GLFW_KEY_TAB) return press.shift ? ControlKey::former : ControlKey::next;
+  const auto known = std::ranges::find(k_control_keys, press.key, &std::pair<int, ControlKey>::first);
+  return known == std::end(k_control_keys) ? ControlKey::none : known->second;
+}
 
 void InputQueue::move_mouse(double time_s, const glm::vec2& to) {
   events_.push_back({.kind = Kind::move, .time_s = time_s, .at = to});

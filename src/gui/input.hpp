@@ -12,6 +12,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "gui/draw/keyboard.hpp"
+
 struct ImGuiIO;
 
 namespace moldlight::gui {
@@ -21,6 +23,9 @@ struct KeyPress {
   int key = 0;
   bool ctrl = false, shift = false, alt = false;
 };
+
+/// What the key asks of controls; none for all others, and with Ctrl or Alt.
+[[nodiscard]] ControlKey control_key(const KeyPress& press);
 
 /// Events go in as they come; a frame takes as many of them as act as they would in frames of their own: a
 /// run of mouse moves, or one change of a button, or one press of a key, … The rest waits for the next frame.

@@ -56,7 +56,7 @@ ScreenBox OffscreenWindow::control(std::string_view name) const {
   return found->second;
 }
 
-bool OffscreenWindow::frame() {
+void OffscreenWindow::make_frame() {
   context_->make_current();
   now_s_ += k_frame_s;
   FrameInput input{.size = target_->size(),
@@ -70,8 +70,16 @@ bool OffscreenWindow::frame() {
   io.DisplayFramebufferScale = ImVec2(1.0F, 1.0F);
   input.played = input_.play(io, now_s_);
   app_->frame(input);
-  const bool refining = app_->draw({.framebuffer = target_->framebuffer(), .size = target_->size()});
-  return refining;
+}
+
+bool OffscreenWindow::frame() {
+  make_frame();
+  return app_->draw({.framebuffer = target_->framebuffer(), .size = target_->size()});
+}
+
+void OffscreenWindow::lay_out() {
+  make_frame();
+  ImGui::EndFrame();
 }
 
 void OffscreenWindow::frames(int count) {

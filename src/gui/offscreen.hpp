@@ -31,6 +31,7 @@ class OffscreenWindow {
   ~OffscreenWindow();
 
   [[nodiscard]] App& app() { return *app_; }
+  [[nodiscard]] const App& app() const { return *app_; }
   [[nodiscard]] const AppState& state() const { return app_->state(); }
   [[nodiscard]] const gl::Context& context() const { return *context_; }
 
@@ -48,6 +49,8 @@ class OffscreenWindow {
 
   /// One frame of 1/60 s; returns true while the picture is being refined.
   bool frame();
+  /// A frame whose panels are laid out, but not drawn.
+  void lay_out();
   /// Lets time go by without a frame, as a slow one does.
   void pass_time(double seconds) { now_s_ += seconds; }
   /// Frames only as the app asks for them now, as on the desktop.
@@ -71,6 +74,8 @@ class OffscreenWindow {
   [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
 
  private:
+  /// All of a frame but its drawing.
+  void make_frame();
   /// Throws Error with the complaint after a time limit.
   void wait_while(const std::function<bool()>& waiting, const char* complaint);
 

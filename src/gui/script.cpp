@@ -199,6 +199,10 @@ Play wait(const Event& event) {
   return [frames](OffscreenWindow& window) { window.frames(frames); };
 }
 
+Play show_hints(const Event& event) {
+  return [shown = event.value.get<bool>()](OffscreenWindow& window) { window.app().show_hints(shown); };
+}
+
 /// An event whose value is a text alone.
 template <void (*act)(OffscreenWindow&, const std::string&)>
 Play with_text(const Event& event) {
@@ -229,6 +233,7 @@ constexpr EventKind k_events[] = {
     {"resize", resize},
     {"scale", set_scale},
     {"wait", wait, false},
+    {"hints", show_hints},
     {"screenshot", with_text<write_screenshot>, false},
 };
 

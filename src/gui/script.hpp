@@ -22,6 +22,7 @@ using Script = std::vector<ScriptEvent>;
 ///   {"key": "F", "ctrl": true, "shift": true, "alt": true}  {"type": "text"}  {"hold": ["ctrl"]}
 ///   {"open": "path"}  {"drop": "path"}  {"resize": [w, h]}  {"scale": 2}
 ///   {"wait": "loaded" | "measured" | "swept" | seconds}  {"screenshot": "out.png"}
+///   {"hints": true}
 /// A place is [x, y] in pixels from the upper left corner, or the name of a control: its label, "label=word"
 /// for the word of a choice, "label@0.3" for a place at that share of its width, 0 to 1. Throws UsageError
 /// that names the event and what is wrong: a scale beyond 0.5 to 4, a wait of more than 600 s, a list without

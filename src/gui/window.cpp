@@ -69,7 +69,7 @@ class WindowContext final : public gl::Context {
     const gl::Turn turn(true);
     window_ = glfwCreateWindow(k_first_size.x, k_first_size.y, "moldlight", nullptr, nullptr);
     if (window_ == nullptr) throw Error(glfw_reason());
-    glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, 720, 450, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &events_);
     listen();
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
@@ -226,7 +226,7 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
   const glm::ivec2 size = context.framebuffer_size();
   try {
     write_picture(path, size, gl::read_colours(context.functions(), 0, size));
-    app.say(fmt::format("Picture saved as {}", path), false);
+    app.picture_saved(path);
   } catch (const Error& error) {
     app.say(error.what(), true);
   }
@@ -234,10 +234,11 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
 
 void run_frames(App& app, WindowContext& context, const Progress& progress) {
   std::string title;
-  while (glfwWindowShouldClose(context.window()) == GLFW_FALSE && !app.quitting()) {
+  while (true) {
     WindowContext::Events& events = context.events();
     wait_for_events(events.input.empty() ? app.next_frame_s() : 0.0);
-    if (progress.cancelled()) return;
+    // Not after one more frame, which takes long with a large part.
+    if (progress.cancelled() || glfwWindowShouldClose(context.window()) == GLFW_TRUE) return;
     const glm::ivec2 size = context.framebuffer_size();
     if (size.x <= 0 || size.y <= 0) {
       glfwWaitEvents();  // minimised
@@ -252,6 +253,7 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
     ImGui_ImplGlfw_NewFrame();
     input.played = events.input.play(ImGui::GetIO(), input.now_s);
     app.frame(input);
+    if (app.quitting()) return;
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     {
@@ -285,12 +287,17 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   }
   App app(*context, app_options(options));
   const GlfwPlatform platform(context->window());
+  app.show_hints(true);
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);
   glfwShowWindow(context->window());
   const InterruptWatch watch(progress);
   run_frames(app, *context, progress);
+  // What goes on behind may take a while to end: nobody is to look at a window that no longer answers.
+  glfwHideWindow(context->window());
+  glfwPollEvents();
+  app.end_jobs();
   app.save();
   if (progress.cancelled()) throw Cancelled();
 }

@@ -81,6 +81,8 @@ TEST_F(Controls, OfTheMethod) {
 }
 
 TEST_F(Controls, OfTheLook) {
+  window.resize({1280, 800});  // the panel is whole with a section's controls
+  window.settle();
   click("Section=along");  // its place and its turn are shown with it
   walk(
       look_options(), [&] { return state().settings.look; }, true);

@@ -1,4 +1,8 @@
 // The window's export writes what `classify` writes.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
 #include "classify/write_outputs.hpp"
 #include "gui/window_with_part.hpp"
 
@@ -45,6 +49,37 @@ TEST_F(Exports, TheSplitMeshAndItsBordersAsTheCommandLine) {
     const std::string file = std::string("/cup_") + region + ".stl";
     same("cup-regions" + file, "expected" + file);
   }
+}
+
+TEST_F(Exports, TheFirstPictureAsksWhereAndTheNextGoBesideIt) {
+  namespace fs = std::filesystem;
+  const fs::path pictures = part.output("pictures"), chosen = part.output("chosen");
+  fs::create_directory(pictures);
+  fs::create_directory(chosen);
+  ::setenv("XDG_PICTURES_DIR", pictures.c_str(), 1);
+  key({.key = k_f12});
+  ASSERT_TRUE(state().dialogs.picture);
+  EXPECT_EQ(*state().dialogs.picture, (pictures / "cup-01.png").string()) << "not beside the part";
+  EXPECT_FALSE(window.app().take_picture_request()) << "not without asking";
+  click("Picture path");
+  key({.key = 'A', .ctrl = true});
+  const std::string first = (chosen / "cup-01.png").string();
+  window.type(first);
+  window.frames(2);
+  window.press_key({.key = k_enter});
+  window.frame();
+  EXPECT_FALSE(window.app().take_picture_request()) << "the dialog is still in the picture";
+  window.frames(3);
+  EXPECT_FALSE(state().dialogs.picture);
+  EXPECT_EQ(window.app().take_picture_request(), first);
+  std::ofstream(first) << "a picture";
+  window.app().picture_saved(first);
+  EXPECT_NE(state().toasts.back().text.find(first), std::string::npos);
+
+  key({.key = k_f12});
+  EXPECT_FALSE(state().dialogs.picture) << "once a session";
+  EXPECT_EQ(window.app().take_picture_request(), (chosen / "cup-02.png").string());
+  ::unsetenv("XDG_PICTURES_DIR");
 }
 
 TEST_F(Exports, AFailedOneOpensTheDialogAgainWithItsPath) {

@@ -27,7 +27,10 @@ class Faces : public WindowWithPart {
   [[nodiscard]] std::vector<std::uint8_t> settled_pixels() {
     window.move_mouse({-1e6F, -1e6F});
     window.settle();
-    return window.pixels();
+    std::vector<std::uint8_t> pixels = window.pixels();
+    // Below the bar, which tells whether there is something to undo.
+    pixels.erase(pixels.begin(), pixels.begin() + std::ptrdiff_t{4} * 40 * window.size().x);
+    return pixels;
   }
 };
 

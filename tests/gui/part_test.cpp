@@ -97,12 +97,5 @@ TEST_F(WindowWithPart, AnIdleWindowWantsNoFrames) {
   EXPECT_TRUE(std::isinf(window.app().next_frame_s()));
 }
 
-TEST_F(WindowWithPart, TabHidesThePanels) {
-  key({.key = k_tab});
-  EXPECT_FALSE(window.app().controls().contains("Kernel"));
-  key({.key = k_tab});
-  EXPECT_TRUE(window.app().controls().contains("Kernel"));
-}
-
 }  // namespace
 }  // namespace moldlight::gui::test

@@ -17,6 +17,7 @@ TEST(UserState, IsReadBackAsItWasWritten) {
   state.sweep.objective = parse_objective("undercut:1,draw-depth:0.1");
   state.sweep.kinds = {CandidateKind::plane, CandidateKind::axis};
   state.sweep.user_directions = {{1, 0, 0.25}, {0, -1, 0}};
+  state.hints_done = {Hint::arrow, Hint::sweep};
   state.remember("/a part.stl");
   state.remember("/b.step");
   const UserState read = parse_user_state(user_state_json(state));
@@ -24,6 +25,7 @@ TEST(UserState, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read.recent, (std::vector<std::string>{"/b.step", "/a part.stl"}));
   EXPECT_EQ(read.sweep.directions, 123);
   EXPECT_TRUE(read.sweep.thorough);
+  EXPECT_EQ(read.hints_done, state.hints_done);
   EXPECT_EQ(read.sweep.pressure, 30.5);
   EXPECT_EQ(read.sweep.kinds, state.sweep.kinds);
   EXPECT_EQ(read.sweep.user_directions, state.sweep.user_directions);

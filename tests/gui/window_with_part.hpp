@@ -11,7 +11,8 @@
 namespace moldlight::gui::test {
 
 // Codes of keys that are no letters (GLFW's).
-inline constexpr int k_escape = 256, k_enter = 257, k_tab = 258, k_right = 262, k_left = 263, k_up = 265;
+inline constexpr int k_escape = 256, k_enter = 257, k_tab = 258, k_right = 262, k_left = 263, k_up = 265,
+                     k_f12 = 301;
 
 /// Settings are quick ones: small maps, few samples. Motion is off.
 class WindowWithPart : public ::testing::Test {

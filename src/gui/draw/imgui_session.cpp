@@ -13,6 +13,7 @@ ImguiSession::ImguiSession() : context_(ImGui::CreateContext()) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
+  io.UserData = &memory_;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would draw twice a second
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   const gl::Turn turn(true);
@@ -53,13 +54,19 @@ void ImguiSession::prepare(Theme theme, float scale) {
   ImGui_ImplOpenGL3_NewFrame();
 }
 
-const Ui& ImguiSession::begin_frame(double now_s) {
+const Ui& ImguiSession::begin_frame(double now_s, ControlKey key) {
   memory_.wake_s = std::numeric_limits<double>::infinity();
   memory_.controls.clear();
-  memory_.type_in_next = false;
-  memory_.field_before = 0;
+  memory_.texts.clear();
   ui_.now_s = now_s;
   ImGui::NewFrame();
+  // A text into which is typed would go on taking letters.
+  const bool leaves = key == ControlKey::next || key == ControlKey::former;
+  if (leaves && ImGui::GetIO().WantTextInput && memory_.typing_id == 0) ImGui::SetWindowFocus(nullptr);
+  memory_.keyboard.begin_frame(key, ImGui::IsMouseClicked(0) && memory_.typing_id == 0);
+  memory_.popups.begin_frame();
+  memory_.scrim_clicked = false;
+  if (!memory_.keyboard.focused()) memory_.focused.clear();
   return ui_;
 }
 

@@ -23,15 +23,14 @@ class ImguiSession {
 
   /// Renders fonts anew if the scale changed; call it before NewFrame of the platform.
   void prepare(Theme theme, float scale);
-  /// Starts ImGui's frame; `ui` is valid until the next one.
-  const Ui& begin_frame(double now_s);
+  /// Starts ImGui's frame; `ui` is valid until the next one. `key`: what was pressed for the controls.
+  const Ui& begin_frame(double now_s, ControlKey key);
   /// Ends the frame and draws it into the framebuffer that is bound.
   void draw();
+  /// What the controls of the last frame have left.
+  [[nodiscard]] const UiMemory& memory() const { return memory_; }
+  [[nodiscard]] UiMemory& memory() { return memory_; }
   /// When the controls want the next frame at the latest; infinity for not at all.
-  /// Where the controls of the last frame are, by label.
-  [[nodiscard]] const std::map<std::string, ScreenBox, std::less<>>& controls() const {
-    return memory_.controls;
-  }
   [[nodiscard]] double wake_s() const { return memory_.wake_s; }
 
  private:

@@ -16,6 +16,11 @@ namespace {
 
 constexpr float k_least_room = 96.0F;       // layout units: with less a panel is collapsed
 constexpr float k_widest_bottom = 1120.0F;  // layout units
+constexpr float k_least_bottom = 600.0F;    // with less between the side panels it reaches below them
+
+/// Layout units that panels and dialogs have at least.
+constexpr glm::vec2 k_least_size(960.0F, 600.0F);
+constexpr float k_least_scale = 0.75F;  // with less nobody could read it
 
 /// A panel in imgui.ini as ImGui writes it: the position in pixels of a window of k_layout_size.
 glm::vec2 parse_pair(std::string_view text) {
@@ -27,6 +32,12 @@ glm::vec2 parse_pair(std::string_view text) {
 }
 
 }  // namespace
+
+float fitting_scale(const glm::ivec2& size, float wanted) {
+  const glm::vec2 most = glm::vec2(size) / k_least_size;
+  const float fits = std::floor(16.0F * std::min(most.x, most.y)) / 16.0F;
+  return std::min(wanted, std::max(fits, k_least_scale));
+}
 
 std::vector<PanelPlace> parse_layout(std::string_view ini, float panel_width) {
   constexpr std::string_view k_heading = "[Window][", k_position = "Pos=", k_collapsed = "Collapsed=";
@@ -171,9 +182,11 @@ void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
   draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
-            hovered ? ui.colours->text : ui.colours->faint);
+            hovered ? ui.colours->text : ui.colours->muted);
+  const bool focused = has_keyboard(ui, "title", {chevron - reach, chevron + reach});
   list.PopClipRect();
-  each.toggle = hovered && ImGui::IsMouseClicked(0);
+  each.toggle =
+      (hovered && ImGui::IsMouseClicked(0)) || (focused && ui.memory->keyboard.takes(ControlKey::press));
 }
 
 void PanelLayout::end() {
@@ -190,9 +203,12 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   open_ = &each;
   each.bottom = each.drawn = true;
   const float gap = ui.px(12);
-  const float room = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
+  const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
+  const bool below = between < ui.px(k_least_bottom);
+  const float room = below ? static_cast<float>(size_.x) - 2.0F * gap : between;
+  const float middle = below ? 0.5F * static_cast<float>(size_.x) : area.middle_x();
   const float width = std::min(room, ui.px(k_widest_bottom));
-  place_window({std::round(area.middle_x()), static_cast<float>(size_.y) - gap}, {0.5F, 1.0F});
+  place_window({std::round(middle), static_cast<float>(size_.y) - gap}, {0.5F, 1.0F});
   ImGui::SetNextWindowSizeConstraints(
       ImVec2(width, 0.0F), ImVec2(width, static_cast<float>(size_.y) - ui.px(k_bar_height) - 2.0F * gap));
   ImGui::Begin(("##" + each.place.name).c_str(), nullptr, k_card_window);

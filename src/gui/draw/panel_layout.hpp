@@ -27,6 +27,10 @@ struct PanelPlace {
 /// The size in layout units for which imgui.ini is written.
 inline constexpr glm::vec2 k_layout_size{1280.0F, 720.0F};
 
+/// Pixels per layout unit in a window of this size, pixels, where `wanted` are asked for: fewer, in
+/// sixteenths, where panels would not fit beside each other.
+[[nodiscard]] float fitting_scale(const glm::ivec2& size, float wanted);
+
 /// Places from text as in imgui.ini (written for k_layout_size); panels it does not name are left out.
 [[nodiscard]] std::vector<PanelPlace> parse_layout(std::string_view ini, float panel_width);
 [[nodiscard]] std::string layout_text(const std::vector<PanelPlace>& places, float panel_width);
@@ -56,7 +60,8 @@ class PanelLayout {
   /// Begins the panel's window; false if there is nothing to draw in it. Call end() either way.
   bool begin(const Ui& ui, const char* name);
   void end();
-  /// The same for a panel along the bottom, between those on the sides; it is as high as what is in it, and
+  /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
+  /// it is as high as what is in it, and
   /// its first row is its title, which the panel draws. False if it is folded up to that row.
   bool begin_bottom(const Ui& ui, const char* name);
   /// Folds the panel that is open up or down from the next frame on.

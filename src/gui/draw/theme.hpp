@@ -10,8 +10,8 @@ namespace moldlight::gui {
 
 /// Packed as ImGui packs them.
 struct ThemeColours {
-  ImU32 panel, panel_border, popup;  // behind text
-  ImU32 text, muted, faint;          // text: figures and labels, units and hints, what is switched off
+  ImU32 panel, panel_border, popup;          // behind text
+  ImU32 text, muted;                         // text: figures and labels; units and hints
   ImU32 field, field_hovered, field_active;  // behind a value
   ImU32 fill, accent, on_accent;             // a slider's filled part, knobs and chosen words, text on them
   ImU32 line;                                // separators

@@ -4,6 +4,8 @@
 #include <limits>
 #include <string>
 
+#include <glm/common.hpp>
+
 namespace moldlight::gui {
 
 glm::vec2 text_size(const SizedFont& font, std::string_view text) {
@@ -13,10 +15,30 @@ glm::vec2 text_size(const SizedFont& font, std::string_view text) {
   return {std::ceil(size.x), size.y};
 }
 
+void note_text(const ImDrawList& list, ImU32 colour, const ScreenBox& box, std::string_view text) {
+  auto& memory = *static_cast<UiMemory*>(ImGui::GetIO().UserData);
+  const char* const window = list._OwnerName;
+  memory.texts.push_back({.text = std::string(text),
+                          .window = window != nullptr ? window : "",
+                          .box = box,
+                          .clip = {from_im(list.GetClipRectMin()), from_im(list.GetClipRectMax())},
+                          .colour = colour});
+}
+
 void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text) {
   if (text.empty()) return;
-  list.AddText(lettering.font.font, lettering.font.size, ImVec2(std::round(at.x), std::round(at.y)),
-               lettering.colour, text.data(), text.data() + text.size());
+  const glm::vec2 corner = glm::round(at);
+  list.AddText(lettering.font.font, lettering.font.size, im(corner), lettering.colour, text.data(),
+               text.data() + text.size());
+  note_text(list, lettering.colour, {corner, corner + text_size(lettering.font, text)}, text);
+}
+
+void draw_item_text(ImU32 colour, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+  note_text(*ImGui::GetWindowDrawList(), colour,
+            {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())}, text);
 }
 
 void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text) {

@@ -10,19 +10,23 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
 #include "gui/draw/fonts.hpp"
+#include "gui/draw/keyboard.hpp"
 #include "gui/draw/theme.hpp"
 
 namespace moldlight::gui {
 
-/// Where something is drawn, pixels.
-struct ScreenBox {
-  glm::vec2 min{0.0F}, max{0.0F};
-  [[nodiscard]] glm::vec2 centre() const { return 0.5F * (min + max); }
+/// A text as it was drawn in this frame: by these, layout and contrast are checked.
+struct DrawnText {
+  std::string text;
+  std::string window;  // ImGui's name of the window that it belongs to
+  ScreenBox box, clip;
+  ImU32 colour = 0;
 };
 
 /// What the controls remember from one frame to the next.
@@ -30,14 +34,17 @@ struct UiMemory {
   ImGuiID typing_id = 0;  // the control into which a value is being typed
   std::array<char, 64> typed{};
   bool typing_starts = false;
-  bool type_in_next = false;  // Tab was pressed: the next field takes over
-  ImGuiID type_in = 0;        // with Shift: this one does
-  ImGuiID field_before = 0;   // the field that was drawn last
-  ImGuiID resting_on = 0;     // the item on which the mouse rests
+  ImGuiID type_in = 0;  // the control that takes over
+  Keyboard keyboard;
+  Popups popups;
+  std::string focused;         // name of the control that has the keyboard, as in `controls`
+  bool scrim_clicked = false;  // beside the dialog that is open
+  ImGuiID resting_on = 0;      // the item on which the mouse rests
   double resting_since_s = 0.0;
   double wake_s = std::numeric_limits<double>::infinity();  // when the next frame is wanted at the latest
   std::map<std::string, ScreenBox, std::less<>>
-      controls;  // of this frame, by label: recorded input finds them
+      controls;                  // of this frame, by label: recorded input finds them
+  std::vector<DrawnText> texts;  // of this frame, in the order in which they were drawn
 };
 
 struct Ui {
@@ -92,9 +99,13 @@ struct Lettering {
 };
 /// Size of a text in a font, pixels.
 [[nodiscard]] glm::vec2 text_size(const SizedFont& font, std::string_view text);
+/// Remembers a text that was drawn by other means than the functions below.
+void note_text(const ImDrawList& list, ImU32 colour, const ScreenBox& box, std::string_view text);
 /// Draws a text with its upper left corner there.
 void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text);
-/// The same into the window that is open, ending at `right`.
+/// As an item of the window that is open, in its present font; wrapped where that is asked for.
+void draw_item_text(ImU32 colour, std::string_view text);
+/// Into the window that is open, ending at `right`.
 void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text);
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);

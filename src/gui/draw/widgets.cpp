@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "base/error.hpp"
 #include "classify/option.hpp"
@@ -17,24 +18,37 @@ namespace {
 
 constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
 
-/// A row's place on the screen, and what the mouse does to it.
+/// A row's place on the screen, and what mouse and keyboard do to it.
 struct Row {
   glm::vec2 min{0.0F}, max{0.0F};
-  bool hovered = false, active = false, clicked = false;
+  bool hovered = false, active = false, clicked = false, pressed = false, focused = false;
   [[nodiscard]] float middle() const { return 0.5F * (min.y + max.y); }
 };
 
 Row begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
-  const std::string id(label);
   if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
-  Row row;
-  row.clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(std::max(width, 1.0F), ui.px(k_row_height)));
-  row.min = from_im(ImGui::GetItemRectMin());
-  row.max = from_im(ImGui::GetItemRectMax());
-  row.hovered = ImGui::IsItemHovered();
-  row.active = ImGui::IsItemActive();
-  ui.memory->controls[id] = {row.min, row.max};
-  return row;
+  const Pressable item = pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
+  return {item.box.min, item.box.max, item.hovered, item.active, item.clicked, item.pressed, item.focused};
+}
+
+/// Around a control that has the keyboard.
+void draw_focus_ring(const Ui& ui, const ScreenBox& box) {
+  const glm::vec2 gap(1.5F * ui.scale);
+  ImGui::GetWindowDrawList()->AddRect(im(box.min - gap), im(box.max + gap), ui.colours->accent, ui.px(7), 0,
+                                      2.0F * ui.scale);
+  if (!ui.memory->keyboard.arrived()) return;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float top = ImGui::GetWindowPos().y + style.WindowPadding.y,
+              bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - style.WindowPadding.y;
+  if (box.min.y < top || box.max.y > bottom) ImGui::SetScrollHereY(0.5F);
+}
+
+/// By how many steps the arrow keys move a value; with PageUp and PageDown by ten.
+int value_steps(Keyboard& keyboard) {
+  if (keyboard.takes(ControlKey::left)) return -1;
+  if (keyboard.takes(ControlKey::right)) return 1;
+  if (keyboard.takes(ControlKey::page_down)) return -10;
+  return keyboard.takes(ControlKey::page_up) ? 10 : 0;
 }
 
 ImU32 field_colour(const Ui& ui, const Row& row) {
@@ -81,7 +95,20 @@ double value_at(double share, const SliderSpec& spec) {
                           : spec.min + share * (spec.max - spec.min);
 }
 
+/// A value so many steps on, and by one at least that is told apart.
+double stepped(double value, int steps, const SliderSpec& spec) {
+  if (!spec.snap) {
+    const double step = spec.step > 0.0 ? spec.step : 0.01 * (spec.max - spec.min);
+    return snapped(value + steps * step, spec);
+  }
+  const double before = value;
+  for (int k = 1; k <= 64 && value == before; ++k)
+    value = snapped(value_at(share_of(before, spec) + 0.004 * k * steps, spec), spec);
+  return value;
+}
+
 void start_typing(UiMemory& memory, ImGuiID id, const std::string& text) {
+  memory.keyboard.give_to(id);
   memory.typing_id = id;
   memory.typing_starts = true;
   std::snprintf(memory.typed.data(), memory.typed.size(), "%s", text.c_str());
@@ -98,19 +125,14 @@ std::optional<double> typed_row(const Ui& ui, ImGuiID id, float width) {
   const bool entered =
       ImGui::InputText("##typed", memory.typed.data(), memory.typed.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  // ImGui would go back to this very field, the only one of text.
-  const bool tabbed = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
+  memory.keyboard.visit(id);
+  const bool tabbed = !memory.keyboard.focused(id);
   const bool left = tabbed || ImGui::IsItemDeactivated(), edited = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopID();
   ImGui::PopStyleVar();
   memory.typing_starts = false;
   if (!entered && !left) return std::nullopt;
   memory.typing_id = 0;
-  if (tabbed && ImGui::GetIO().KeyShift) {
-    memory.type_in = memory.field_before;
-  } else if (tabbed) {
-    memory.type_in_next = true;
-  }
   const bool given_up =
       !entered && !tabbed && (!edited || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)));
   if (given_up) return std::nullopt;
@@ -128,6 +150,65 @@ bool wants_typing() {
 
 }  // namespace
 
+bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
+  if (!ui.memory->keyboard.visit(ImGui::GetID(id.data(), id.data() + id.size()))) return false;
+  ui.memory->focused = id;
+  draw_focus_ring(ui, box);
+  return true;
+}
+
+Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size) {
+  Pressable item;
+  item.clicked = ImGui::InvisibleButton(id, im(glm::max(size, glm::vec2(1.0F))));
+  item.box = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  item.hovered = ImGui::IsItemHovered();
+  item.active = ImGui::IsItemActive();
+  ui.memory->controls[id] = item.box;
+  const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;  // else inside BeginDisabled()
+  item.focused = enabled && has_keyboard(ui, id, item.box);
+  item.pressed = item.focused && ui.memory->keyboard.takes(ControlKey::press);
+  item.clicked = item.clicked || item.pressed;
+  return item;
+}
+
+bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSpec& spec) {
+  Keyboard& keyboard = ui.memory->keyboard;
+  const ImGuiID control = ImGui::GetID(id);
+  const bool focused = keyboard.visit(control);
+  if (spec.starts || (focused && keyboard.arrived())) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x);
+  const bool changed = ImGui::InputTextWithHint(id, spec.hint, text.data(), text.size());
+  if (ImGui::IsItemActivated()) keyboard.give_to(control);
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) keyboard.enter();
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  const std::string_view shown(id);
+  const std::string name(shown.substr(shown.starts_with("##") ? 2 : 0));
+  ui.memory->controls[name] = box;
+  if (focused) {
+    ui.memory->focused = name;
+    draw_focus_ring(ui, box);
+  }
+  return changed;
+}
+
+bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec) {
+  const std::string_view shown = label.substr(0, label.find("##"));
+  ImGui::BeginDisabled(!spec.enabled);
+  const float width =
+      std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
+  const Row row = begin_row(ui, label, width);
+  ImGui::EndDisabled();
+  if (row.hovered || row.focused)
+    ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), ui.colours->field_hovered, ui.px(6));
+  draw_row_text({ui.fonts.body, spec.enabled ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(8),
+                row, shown);
+  if (spec.chosen)
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::check, {row.max.x - ui.px(14), row.middle()}, ui.px(12),
+              ui.colours->text);
+  if (row.clicked) ui.memory->popups.close_all();
+  return row.clicked;
+}
+
 bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec& spec) {
   const std::string id_text(label.text);
   const ImGuiID id = ImGui::GetID(id_text.c_str());
@@ -138,8 +219,11 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     return value != before;
   }
   const Row row = begin_row(ui, label.text);
-  if (wants_typing()) {
+  Keyboard& keyboard = ui.memory->keyboard;
+  if (wants_typing() || row.pressed) {
     start_typing(*ui.memory, id, real_text(value));
+  } else if (const int steps = row.focused ? value_steps(keyboard) : 0; steps != 0) {
+    value = stepped(value, steps, spec);
   } else if (row.active) {
     const float mouse = ImGui::GetIO().MousePos.x;
     // A press alone changes nothing: the first of two clicks that start typing would.
@@ -172,10 +256,10 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     const auto typed = typed_row(ui, id, spec.width);
     return typed && std::exchange(value, *typed) != *typed;
   }
-  const bool taken_over = std::exchange(memory.type_in_next, false) || memory.type_in == id;
-  memory.field_before = id;
   const Row row = begin_row(ui, id_text, spec.width);
-  if (row.clicked || taken_over) {
+  if (row.clicked || (row.focused && memory.keyboard.arrived())) memory.type_in = id;
+  // The field that Tab has left has yet to give its number where it is drawn after this one.
+  if (memory.type_in == id && memory.typing_id == 0) {
     memory.type_in = 0;
     start_typing(memory, id, real_text(value));
   }
@@ -209,45 +293,45 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   ImGui::PushID(label.text.data(), label.text.data() + label.text.size());
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
-  std::vector<float> widths;
+  const auto width_of = [&](std::string_view word) { return text_size(ui.fonts.body, word).x + ui.px(12); };
   float total = 0.0F;
-  for (const std::string_view word : words) {
-    widths.push_back(text_size(ui.fonts.body, word).x + ui.px(12));
-    total += widths.back();
-  }
-  const glm::vec2 box_min(start.x + width - total, start.y);
+  for (const std::string_view word : words) total += width_of(word);
+  // Words that have no room beside the name stand below it, in as many lines as they need.
+  const bool below = text_size(ui.fonts.body, label.text).x + ui.px(label.modified ? 17 : 8) + total > width;
+  glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  Row label_row{.min = start, .max = start + glm::vec2(width, height)};
-  draw_label(ui, label_row, label);
-  list.AddRectFilled(im(box_min), im(label_row.max), ui.colours->field, ui.px(6));
-  bool changed = false;
-  float left = box_min.x;
+  draw_label(ui, {.min = start, .max = start + glm::vec2(width, height)}, label);
+  if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
+  const int before = index;
+  const bool focused = has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)});
+  // None of the words may be chosen.
+  if (const int steps = focused ? value_steps(ui.memory->keyboard) : 0; steps != 0)
+    index = std::clamp(index + steps, 0, static_cast<int>(words.size()) - 1);
   ImGui::BeginGroup();
   ImGui::Dummy(ImVec2(width, height));
   for (std::size_t k = 0; k < words.size(); ++k) {
-    ImGui::SetCursorScreenPos(ImVec2(left, start.y));
+    const float word_width = width_of(words[k]);
+    if (below && at.x + word_width > start.x + width) at = {start.x + ui.px(2), at.y + height};
+    ImGui::SetCursorScreenPos(im(at));
     ImGui::PushID(static_cast<int>(k));
-    const bool clicked = ImGui::InvisibleButton("word", ImVec2(widths[k], height));
+    const bool clicked = ImGui::InvisibleButton("word", ImVec2(word_width, height));
     const bool chosen = static_cast<int>(k) == index;
-    const glm::vec2 min(left, start.y), max(left + widths[k], start.y + height);
+    const glm::vec2 min = at, max = at + glm::vec2(word_width, height);
     if (chosen || ImGui::IsItemHovered()) {
       const glm::vec2 inset(ui.px(2), ui.px(2));
       list.AddRectFilled(im(min + inset), im(max - inset),
                          chosen ? ui.colours->accent : ui.colours->field_hovered, ui.px(4));
     }
     draw_text(list, {ui.fonts.body, chosen ? ui.colours->on_accent : ui.colours->text},
-              {left + ui.px(6), start.y + 0.5F * (height - ui.fonts.body.size)}, words[k]);
+              at + glm::vec2(ui.px(6), 0.5F * (height - ui.fonts.body.size)), words[k]);
     ui.memory->controls[fmt::format("{}={}", label.text, words[k])] = {min, max};
-    if (clicked && !chosen) {
-      index = static_cast<int>(k);
-      changed = true;
-    }
-    left += widths[k];
+    if (clicked) index = static_cast<int>(k);
+    at.x = max.x;
     ImGui::PopID();
   }
   ImGui::EndGroup();
   ImGui::PopID();
-  return changed;
+  return index != before;
 }
 
 bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
@@ -259,7 +343,8 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
   draw_row_text({ui.fonts.body, filled ? ui.colours->on_accent : ui.colours->text},
                 0.5F * (row.min.x + row.max.x - text_width), row, shown);
-  return row.clicked;
+  const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;
+  return row.clicked || (spec.strong && enabled && ui.memory->keyboard.takes_enter());
 }
 
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
@@ -268,12 +353,17 @@ bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   }
   draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.min + row.max), ui.px(14),
-            row.hovered ? ui.colours->text : ui.colours->muted);
+            faded(row.hovered ? ui.colours->text : ui.colours->muted, ImGui::GetStyle().Alpha));
   tooltip(ui, {}, spec.tip);
   return row.clicked;
 }
 
-bool chip(const Ui& ui, std::string_view label, bool on, float width) {
+bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
+  const float width = text_size(ui.fonts.body, label).x + ui.px(18);
+  if (!first) {
+    ImGui::SameLine(0.0F, ui.px(4));
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+  }
   const Row row = begin_row(ui, label, width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = 0.5F * (row.max.y - row.min.y);
@@ -292,9 +382,8 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
   std::vector<std::string_view> after;
   ImGui::BeginGroup();
   for (const std::string_view word : words) {
-    if (word != words.front()) ImGui::SameLine(0.0F, ui.px(4));
     const bool on = is_chosen(word);
-    const bool clicked = chip(ui, word, on, text_size(ui.fonts.body, word).x + ui.px(18));
+    const bool clicked = chip(ui, word, on, word == words.front());
     if (on != clicked) after.push_back(word);
   }
   ImGui::EndGroup();
@@ -316,66 +405,13 @@ bool disclosure(const Ui& ui, std::string_view label, bool open) {
   return row.clicked;
 }
 
-bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  place_window(0.5F * from_im(window), glm::vec2(0.5F));
-  if (size.y > 0.0F) {
-    ImGui::SetNextWindowSize(im(size));
-  } else if (size.x > 0.0F) {
-    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), ImVec2(size.x, window.y));
-  }
-  ImGui::SetNextWindowBgAlpha(1.0F);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-  if (size.y <= 0.0F) flags |= ImGuiWindowFlags_AlwaysAutoResize;
-  return ImGui::Begin(name, nullptr, flags);
-}
-
-void end_dialog() {
-  ImGui::End();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
-}
-
-void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
-  constexpr double k_rest_s = 0.5;
-  if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
-  UiMemory& memory = *ui.memory;
-  const glm::vec2 corner = from_im(ImGui::GetItemRectMin());
-  const auto item = static_cast<ImGuiID>(static_cast<int>(corner.x) * 8192 + static_cast<int>(corner.y) + 1);
-  if (item != memory.resting_on) {
-    memory.resting_on = item;
-    memory.resting_since_s = ui.now_s;
-  }
-  if (ui.now_s - memory.resting_since_s < k_rest_s) {
-    memory.wake_s = std::min(memory.wake_s, memory.resting_since_s + k_rest_s);
-    return;
-  }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(260));
-  if (!title.empty()) heading(ui, title);
-  coloured_text(title.empty() ? ui.colours->text : ui.colours->muted, text);
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
-}
-
 void place_window(const glm::vec2& at, const glm::vec2& pivot) {
   ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
 }
 
 void heading(const Ui& ui, std::string_view text) {
   const FontScope strong(ui.fonts.strong);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-}
-
-void coloured_text(ImU32 colour, std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopStyleColor();
+  draw_item_text(ui.colours->text, text);
 }
 
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
@@ -383,6 +419,12 @@ void row_text(const Ui& ui, const Lettering& lettering, float width, std::string
   ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
   draw_text(*ImGui::GetWindowDrawList(), lettering,
             {at.x, at.y + 0.5F * (ui.px(k_row_height) - lettering.font.size)}, text);
+}
+
+void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged) {
+  const glm::vec2 room(ui.px(5), ui.px(1)), size = text_size(tagged.lettering.font, tagged.text);
+  list.AddRectFilled(im(tagged.at - room), im(tagged.at + size + room), ui.colours->popup, ui.px(6));
+  draw_text(list, tagged.lettering, tagged.at, tagged.text);
 }
 
 void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding) {
@@ -396,27 +438,26 @@ void hint(const Ui& ui, std::string_view text) {
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
   const bool wraps = ImGui::GetContentRegionAvail().x > ui.px(k_least_wrap);
   if (wraps) ImGui::PushTextWrapPos(0.0F);
-  coloured_text(ui.colours->muted, text);
+  draw_item_text(ui.colours->muted, text);
   if (wraps) ImGui::PopTextWrapPos();
 }
 
-void copy_menu(const char* id, const std::string& text) {
-  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id);
-  if (!ImGui::BeginPopup(id)) return;
-  if (ImGui::MenuItem(fmt::format("Copy {}", text).c_str())) ImGui::SetClipboardText(text.c_str());
-  ImGui::EndPopup();
+void copy_menu(const Ui& ui, const char* id, const std::string& text) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) open_popup_at_mouse(ui, id);
+  if (!begin_popup(ui, id)) return;
+  if (menu_item(ui, fmt::format("Copy {}", text))) ImGui::SetClipboardText(text.c_str());
+  end_popup(ui);
 }
 
 glm::vec2 tag_size(const Ui& ui, std::string_view text) {
   return text_size(ui.fonts.small, text) + 2.0F * glm::vec2(ui.px(8), ui.px(3));
 }
 
-void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, float alpha) {
+void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const glm::vec2 half = 0.5F * tag_size(ui, text);
-  list.AddRectFilled(im(middle - half), im(middle + half), faded(ui.colours->panel, 0.85F * alpha), half.y);
-  draw_text(list, {ui.fonts.small, faded(ui.colours->text, alpha)},
-            middle - 0.5F * text_size(ui.fonts.small, text), text);
+  list.AddRectFilled(im(middle - half), im(middle + half), ui.colours->panel, half.y);
+  draw_text(list, {ui.fonts.small, colour}, middle - 0.5F * text_size(ui.fonts.small, text), text);
 }
 
 void progress_bar(const Ui& ui, double fraction, float width) {

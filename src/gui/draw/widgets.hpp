@@ -9,12 +9,35 @@
 #include <vector>
 
 #include "gui/draw/icons.hpp"
+#include "gui/draw/overlays.hpp"
 #include "gui/draw/ui.hpp"
 
 namespace moldlight::gui {
 
 /// Height of a control, layout units.
 inline constexpr float k_row_height = 24.0F;
+
+/// What is clicked, or pressed with the keyboard.
+struct Pressable {
+  ScreenBox box;
+  bool hovered = false, active = false;
+  bool clicked = false;  // or pressed
+  bool pressed = false;  // with the keyboard
+  bool focused = false;  // has the keyboard; a ring shows it
+};
+/// An item of this size in pixels on which nothing is drawn yet. Recorded input finds it by its id.
+Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size);
+
+/// To be told of each other control, with its place: whether it has the keyboard, which a ring shows.
+bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box);
+
+/// A text that is typed. Empty it shows `hint`.
+struct TextSpec {
+  const char* hint = "";
+  float width = 0.0F;   // pixels; 0: all there is
+  bool starts = false;  // takes what is typed from now on
+};
+bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSpec& spec = {});
 
 /// A row's name; that of a changed setting has a dot before it, which tells where a reset does something.
 struct RowLabel {
@@ -61,21 +84,19 @@ struct IconButtonSpec {
 };
 bool icon_button(const Ui& ui, const IconButtonSpec& spec);
 
-/// A switch as a small rounded word.
-bool chip(const Ui& ui, std::string_view label, bool on, float width);
+/// A switch as a small rounded word. Those after the first of a row stand beside it, or begin another line.
+bool chip(const Ui& ui, std::string_view label, bool on, bool first = true);
 /// Some of a few words, in their order.
 bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<std::string_view>& chosen);
 /// A quiet row that shows or hides more rows.
 bool disclosure(const Ui& ui, std::string_view label, bool open);
 
-/// A window in the middle of the screen over a scrim; `size` in pixels, 0: as wide or high as what is in it.
-/// Call end_dialog() either way.
-bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size);
-void end_dialog();
-
-/// A tooltip for the item just drawn, shown when the mouse rests on it: a title (may be empty) and a
-/// sentence.
-void tooltip(const Ui& ui, std::string_view title, std::string_view text);
+/// A line of a menu; a click closes the menu.
+struct MenuItemSpec {
+  bool enabled = true;
+  bool chosen = false;
+};
+bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec = {});
 
 /// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
 inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -86,13 +107,19 @@ inline constexpr ImGuiWindowFlags k_card_window =
 void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
 /// A right click on the item just drawn offers to copy a text.
-void copy_menu(const char* id, const std::string& text);
+void copy_menu(const Ui& ui, const char* id, const std::string& text);
 
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);
-void coloured_text(ImU32 colour, std::string_view text);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
+/// A text with its upper left corner at `at`, on a tag of its own: it reads on whatever lies below.
+struct TaggedText {
+  Lettering lettering;
+  glm::vec2 at{0.0F};
+  std::string_view text;
+};
+void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged);
 /// A text as high as a control, `width` pixels wide.
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text);
 /// A texture of the GL, whose rows begin below; nothing for 0.
@@ -100,7 +127,7 @@ void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, floa
 
 /// A word in the scene, behind the panels, on a tag that reads on any colour.
 [[nodiscard]] glm::vec2 tag_size(const Ui& ui, std::string_view text);
-void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, float alpha);
+void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour);
 
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);

@@ -25,6 +25,8 @@ class Measurer {
 
   /// Call it every frame. `moving`: a hand is at settings whose split mesh is not wanted yet, or a flight.
   void update(const AppState& state, Figures& figures, double now_s, bool moving);
+  /// Gives up what runs.
+  void cancel() { job_.cancel(); }
   /// When update() wants to be called next without any input; infinity for not at all.
   [[nodiscard]] double wake_s() const { return wake_s_; }
 

@@ -10,7 +10,8 @@ namespace moldlight::gui {
 
 namespace {
 
-void draw_axis_names(const Ui& ui, const Ball& ball) {
+/// Those that the marker does not cover.
+void draw_axis_names(const Ui& ui, const Ball& ball, const glm::vec2& marker) {
   constexpr std::string_view k_names = "XYZ";
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 direction(0.0);
@@ -18,8 +19,12 @@ void draw_axis_names(const Ui& ui, const Ball& ball) {
     const BallPoint point = ball.point(direction);
     if (!point.front) continue;
     const glm::vec2 at = ball.centre + 0.86F * (ball.screen(point) - ball.centre);
-    draw_text(ball.list, {ui.fonts.small, ui.colours->muted},
-              at - 0.5F * text_size(ui.fonts.small, k_names.substr(axis, 1)), k_names.substr(axis, 1));
+    if (glm::distance(at, marker) < ui.px(14)) continue;
+    const std::string_view name = k_names.substr(axis, 1);
+    draw_tagged_text(ui, ball.list,
+                     {.lettering = {ui.fonts.small, ui.colours->muted},
+                      .at = at - 0.5F * text_size(ui.fonts.small, name),
+                      .text = name});
   }
 }
 
@@ -76,7 +81,8 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     across[axis] = 1.0;
     draw_circle(ball, across, 90.0, {faded(ui.colours->text, 0.16F), 1.0F});
   }
-  draw_axis_names(ui, ball);
+  const BallPoint marker = ball.point(context.edits.settings.direction.unit());
+  const glm::vec2 at = ball.screen(marker);
   if (ImGui::GetIO().KeyCtrl) {
     for (const FeatureDirection& feature : context.state.features) {
       for (const glm::dvec3& direction : {feature.direction, -feature.direction}) {
@@ -86,8 +92,6 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     }
   }
   if (mapped) draw_sweep_marks(ui, ball, sweep);
-  const BallPoint marker = ball.point(context.edits.settings.direction.unit());
-  const glm::vec2 at = ball.screen(marker);
   list.AddLine(im(ball.centre), im(at), faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
   if (marker.front) {
     list.AddCircleFilled(im(at), 5.5F * ui.scale, mapped ? IM_COL32(20, 14, 18, 220) : IM_COL32(0, 0, 0, 70));
@@ -96,6 +100,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   } else {
     list.AddCircle(im(at), 4.5F * ui.scale, faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   }
+  draw_axis_names(ui, ball, at);
   if (read) tell_direction(context, ball_direction(ball.camera, {mouse, true}));
 }
 

@@ -29,7 +29,7 @@ void draw_length(const PanelContext& context, const ViewSegment& way, double len
   const auto from = project(camera, size, glm::dvec3(way.start)),
              to = project(camera, size, glm::dvec3(way.end));
   if (!from || !to || glm::distance(*from, *to) < ui.px(k_least_way)) return;
-  draw_tag(ui, glm::vec2(0.5 * (*from + *to)), length_text(context.state, length), 1.0F);
+  draw_tag(ui, glm::vec2(0.5 * (*from + *to)), length_text(context.state, length), ui.colours->text);
 }
 
 }  // namespace

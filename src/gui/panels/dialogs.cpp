@@ -1,8 +1,12 @@
 // The help sheet and the window's settings.
+#include <cctype>
+#include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/panels.hpp"
+#include "gui/panels/workspace.hpp"
 
 namespace moldlight::gui {
 
@@ -26,43 +30,55 @@ std::vector<HelpLine> mouse_help(NavigationPreset preset) {
   return lines("Left drag", "Right or middle drag");
 }
 
-void draw_lines(const Ui& ui, std::string_view title, const std::vector<HelpLine>& lines) {
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// The lines that have the words; nothing where there is none.
+void draw_lines(const Ui& ui, std::string_view title, std::vector<HelpLine> lines, const std::string& words) {
+  std::erase_if(lines, [&](const HelpLine& line) {
+    return lower(fmt::format("{} {}", line.keys, line.meaning)).find(words) == std::string::npos;
+  });
+  if (lines.empty()) return;
   heading(ui, title);
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   const float left = ImGui::GetCursorPosX();
   for (const HelpLine& line : lines) {
-    ImGui::TextUnformatted(line.keys);
+    draw_item_text(ui.colours->text, line.keys);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + ui.px(148));
-    coloured_text(ui.colours->muted, line.meaning);
+    draw_item_text(ui.colours->muted, line.meaning);
   }
   ImGui::Dummy(ImVec2(1, ui.px(10)));
 }
 
-bool clicked_outside() {
-  return ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows |
-                                                             ImGuiHoveredFlags_AllowWhenBlockedByPopup |
-                                                             ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-}
-
 }  // namespace
 
-void draw_help(const PanelContext& context) {
-  if (!context.state.dialogs.help) return;
+void HelpSheet::draw(const PanelContext& context) {
+  const bool opens = context.state.dialogs.help && !open_;
+  open_ = context.state.dialogs.help;
+  if (!open_) return;
+  if (opens) filter_.fill(0);
   const Ui& ui = context.ui;
   if (begin_dialog(ui, "Help", {0, 0})) {
+    text_field(ui, "##search", filter_, {.hint = "search", .width = ui.px(280), .starts = opens});
+    ImGui::Dummy(ImVec2(ui.px(840), ui.px(4)));
+    const std::string words = lower(filter_.data());
+    const float left = ImGui::GetCursorPosX();
     ImGui::BeginGroup();
-    draw_lines(ui, "Direction", help_lines(HelpLine::Group::direction));
-    draw_lines(ui, "Mouse", mouse_help(context.state.window.navigation));
+    draw_lines(ui, "Direction", help_lines(HelpLine::Group::direction), words);
+    draw_lines(ui, "Mouse", mouse_help(context.state.window.navigation), words);
     ImGui::EndGroup();
-    ImGui::SameLine(0.0F, ui.px(40));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + ui.px(440));
     ImGui::BeginGroup();
-    draw_lines(ui, "View", help_lines(HelpLine::Group::view));
-    draw_lines(ui, "Program", help_lines(HelpLine::Group::program));
+    draw_lines(ui, "View", help_lines(HelpLine::Group::view), words);
+    draw_lines(ui, "Program", help_lines(HelpLine::Group::program), words);
     ImGui::EndGroup();
-    if (clicked_outside()) context.edits.dialogs.help = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.help = false;
 }
 
 void draw_settings(const PanelContext& context) {
@@ -81,10 +97,8 @@ void draw_settings(const PanelContext& context) {
     if (button(ui, "Put the panels back in place")) context.edits.ask(&Commands::reset_layout);
     ImGui::SameLine();
     if (button(ui, "Close", {.width = 0.0F, .strong = true})) context.edits.dialogs.settings = false;
-    if (clicked_outside() && ImGui::GetIO().MousePos.y > ui.px(k_bar_height))
-      context.edits.dialogs.settings = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.settings = false;
 }
 
 }  // namespace moldlight::gui

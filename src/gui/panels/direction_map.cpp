@@ -143,7 +143,7 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
   heading(ui, title);
-  ImGui::TextUnformatted(text.c_str());
+  draw_item_text(ui.colours->text, text);
   if (!source.empty()) hint(ui, source);
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
@@ -176,7 +176,9 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   }
   const Ui& ui = context.ui;
   const FreeArea area = context.layout.free_area(false);
-  const float room = static_cast<float>(area.max.y - area.min.y) - ui.px(120);
+  // The view cube keeps its place.
+  const glm::vec2 free = glm::vec2(area.max - area.min) - glm::vec2(ui.px(140), ui.px(120));
+  const float room = std::min(free.x, free.y);
   const float size = std::clamp(ui.px(k_large_ball), ui.px(120), std::max(room, ui.px(120)));
   ImGui::SetNextWindowPos(
       ImVec2(static_cast<float>(area.min.x) + ui.px(12), static_cast<float>(area.min.y) + ui.px(8)));

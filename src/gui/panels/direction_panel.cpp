@@ -35,7 +35,7 @@ void draw_axis_buttons(const PanelContext& context) {
 
 void draw_bookmarks(const PanelContext& context) {
   const Ui& ui = context.ui;
-  if (!ImGui::BeginPopup("bookmarks")) return;
+  if (!begin_popup(ui, "bookmarks")) return;
   auto& bookmarks = context.edits.bookmarks;
   heading(ui, "Bookmarks");
   if (button(ui, "Keep this direction", {.width = ui.px(232)})) context.edits.keep_bookmark();
@@ -47,8 +47,8 @@ void draw_bookmarks(const PanelContext& context) {
     ImGui::SameLine();
     std::array<char, 128> note{};
     std::snprintf(note.data(), note.size(), "%s", bookmarks[k].note.c_str());
-    ImGui::SetNextItemWidth(ui.px(172));
-    if (ImGui::InputTextWithHint("##note", "note", note.data(), note.size())) bookmarks[k].note = note.data();
+    if (text_field(ui, "##note", note, {.hint = "note", .width = ui.px(172)}))
+      bookmarks[k].note = note.data();
     ImGui::SameLine();
     const bool removed = icon_button(ui, {"remove", Icon::close, "Forget it"});
     ImGui::PopID();
@@ -57,7 +57,7 @@ void draw_bookmarks(const PanelContext& context) {
       break;
     }
   }
-  ImGui::EndPopup();
+  end_popup(ui);
 }
 
 void draw_fields(const PanelContext& context) {
@@ -102,7 +102,7 @@ void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
     ImGui::SameLine(0.0F, ui.px(4));
     if (icon_button(
             ui, {"bookmark", Icon::bookmark, "Bookmarks of directions", !context.state.bookmarks.empty()})) {
-      ImGui::OpenPopup("bookmarks");
+      open_popup_below_item(ui, "bookmarks");
     }
     draw_bookmarks(context);
     ImGui::EndGroup();

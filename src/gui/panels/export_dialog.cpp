@@ -1,4 +1,4 @@
-// The dialog that writes what `classify` writes.
+// The dialogs that write what `classify` writes, and a picture.
 #include <cstdio>
 #include <filesystem>
 
@@ -33,9 +33,7 @@ void ExportDialog::draw(const PanelContext& context) {
   if (begin_dialog(ui, "Export", {ui.px(480), 0.0F})) {
     heading(ui, "Export");
     hint(ui, "Files are named after this path:");
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    ImGui::InputText("##base", base_.data(), base_.size());
-    ui.memory->controls["Export path"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+    text_field(ui, "##Export path", base_);
     toggle(ui, {"Result as JSON"}, json_);
     toggle(ui, {"Table of facets (CSV)"}, facets_);
     if (!context.state.model->part.facet_source.empty()) {
@@ -59,7 +57,35 @@ void ExportDialog::draw(const PanelContext& context) {
     ImGui::SameLine();
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.exporting = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.exporting = false;
+}
+
+void PictureDialog::draw(const PanelContext& context) {
+  const auto& asked = context.state.dialogs.picture;
+  if (!asked) return proposed_.clear();
+  if (proposed_ != *asked) {
+    proposed_ = *asked;
+    std::snprintf(path_.data(), path_.size(), "%s", proposed_.c_str());
+  }
+  const Ui& ui = context.ui;
+  if (begin_dialog(ui, "Picture", {ui.px(480), 0.0F})) {
+    heading(ui, "Save a picture");
+    hint(ui, "Later ones of this session go beside it, numbered.");
+    text_field(ui, "##Picture path", path_);
+    std::error_code ignored;
+    const bool taken = std::filesystem::exists(path_.data(), ignored);
+    if (taken) hint(ui, "There is a file of this name.");
+    ImGui::Dummy(ImVec2(1, ui.px(4)));
+    ImGui::BeginDisabled(taken || path_[0] == 0);
+    if (button(ui, "Save", {.width = ui.px(112), .strong = true})) {
+      context.edits.ask(&Commands::save_picture, std::string(path_.data()));
+      context.edits.dialogs.picture.reset();
+    }
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.picture.reset();
+  }
+  if (end_dialog(ui)) context.edits.dialogs.picture.reset();
 }
 
 }  // namespace moldlight::gui

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,26 +29,27 @@ std::string size_text(std::uintmax_t bytes) {
   return bytes < 1000000000 ? fmt::format("{:.1f} MB", value / 1e6) : fmt::format("{:.1f} GB", value / 1e9);
 }
 
-struct ListLine {
-  Icon icon;
-  std::string_view name, note;
-};
-
 /// Draws a line of the list, clicked or not.
-bool list_line(const Ui& ui, const char* id, const ListLine& line) {
+bool list_line(const Ui& ui, int index, const FileBrowser::Line& line, bool selected) {
+  ImGui::PushID(index);
   const bool clicked =
-      ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_row_height)));
-  if (!ImGui::IsItemVisible()) return clicked;
+      ImGui::InvisibleButton("line", ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_row_height)));
+  ImGui::PopID();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  if (!ImGui::IsItemVisible()) return clicked;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, ui.colours->field_hovered, ui.px(6));
+  if (ImGui::IsItemHovered() || selected) list.AddRectFilled(min, max, ui.colours->field_hovered, ui.px(6));
+  if (selected) list.AddRect(min, max, ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
   const float middle = 0.5F * (min.y + max.y);
-  draw_icon(list, line.icon, {min.x + ui.px(14), middle}, ui.px(13), ui.colours->muted);
-  const float note_width = text_size(ui.fonts.small, line.note).x;
+  draw_icon(list, line.folder ? Icon::folder : Icon::file, {min.x + ui.px(14), middle}, ui.px(13),
+            ui.colours->muted);
+  const std::string note = fitted(ui.fonts.small, line.note, ui.px(260));
+  const float note_width = text_size(ui.fonts.small, note).x;
   draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size},
-            fitted(ui.fonts.body, line.name, max.x - min.x - ui.px(50) - note_width));
+            fitted(ui.fonts.body, line.path.filename().string(), max.x - min.x - ui.px(50) - note_width));
   draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(10), middle - 0.5F * ui.fonts.small.size,
-               line.note);
+               note);
+  ui.memory->controls["file " + line.path.filename().string()] = {from_im(min), from_im(max)};
   return clicked;
 }
 
@@ -60,6 +62,7 @@ void FileBrowser::enter(const fs::path& folder) {
   entries_.clear();
   filter_.fill(0);
   problem_.clear();
+  selected_ = -1;
   fs::directory_iterator entry(folder_, fs::directory_options::skip_permission_denied, error);
   if (error) problem_ = fmt::format("This folder cannot be read: {}.", error.message());
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
@@ -78,52 +81,71 @@ void FileBrowser::draw_head(const PanelContext& context) {
   const Ui& ui = context.ui;
   heading(ui, "Open a part");
   ImGui::Dummy(ImVec2(1, ui.px(2)));
-  if (icon_button(ui, {"up", Icon::up, "The folder above"})) enter(folder_.parent_path());
+  if (icon_button(ui, {"up", Icon::up, "The folder above (Backspace)"})) next_ = folder_.parent_path();
   ImGui::SameLine();
   const float room = ImGui::GetContentRegionAvail().x;
   row_text(ui, {ui.fonts.body, ui.colours->muted}, room, fitted(ui.fonts.body, folder_.string(), room));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(110));
-  ImGui::InputTextWithHint("##filter", "filter by name", filter_.data(), filter_.size());
-  ImGui::SameLine();
-  if (chip(ui, "all files", all_files_, ui.px(72))) all_files_ = !all_files_;
+  if (filter_[0] == 0 && ui.memory->keyboard.takes(ControlKey::erase)) next_ = folder_.parent_path();
+  const TextSpec filter{.hint = "filter by name",
+                        .width = ImGui::GetContentRegionAvail().x - ui.px(110),
+                        .starts = std::exchange(starts_, false)};
+  if (text_field(ui, "##filter", filter_, filter)) selected_ = -1;
+  if (chip(ui, "all files", all_files_, false)) all_files_ = !all_files_;
+}
+
+std::vector<FileBrowser::Line> FileBrowser::lines(const AppState& state) const {
+  std::vector<Line> lines;
+  constexpr std::size_t k_most_recent = 5;
+  if (filter_[0] == 0) {
+    for (std::size_t k = 0; k < std::min(state.recent.size(), k_most_recent); ++k) {
+      const fs::path path = state.recent[k];
+      lines.push_back({.path = path, .note = path.parent_path().string(), .folder = false, .recent = true});
+    }
+  }
+  const std::string filter = lower(filter_.data());
+  for (const Entry& entry : entries_) {
+    if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
+    if (lower(entry.name).find(filter) == std::string::npos) continue;
+    lines.push_back({.path = folder_ / entry.name,
+                     .note = entry.folder ? std::string() : size_text(entry.bytes),
+                     .folder = entry.folder,
+                     .recent = false});
+  }
+  return lines;
 }
 
 void FileBrowser::draw_list(const PanelContext& context) {
   const Ui& ui = context.ui;
   ImGui::BeginChild("files", ImVec2(0, -ui.px(k_row_height + 8)));
   if (!problem_.empty()) hint(ui, problem_);
-  if (filter_[0] == 0 && !context.state.recent.empty()) {
-    hint(ui, "RECENT");
-    for (std::size_t k = 0; k < std::min<std::size_t>(context.state.recent.size(), 5); ++k) {
-      const fs::path path = context.state.recent[k];
-      if (list_line(ui, fmt::format("recent {}", k).c_str(),
-                    {Icon::file, path.filename().string(),
-                     fitted(ui.fonts.small, path.parent_path().string(), ui.px(260))})) {
-        context.edits.ask(&Commands::open_part, path.string());
-        context.edits.dialogs.browser = false;
-      }
-    }
-    hint(ui, "THIS FOLDER");
-  }
-  const std::string filter = lower(filter_.data());
-  std::optional<fs::path> next;
-  for (const Entry& entry : entries_) {
-    if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
-    if (!filter.empty() && lower(entry.name).find(filter) == std::string::npos) continue;
-    if (!list_line(ui, entry.name.c_str(),
-                   {entry.folder ? Icon::folder : Icon::file, entry.name,
-                    entry.folder ? std::string() : size_text(entry.bytes)})) {
-      continue;
-    }
-    if (entry.folder) {
-      next = folder_ / entry.name;
-    } else {
-      context.edits.ask(&Commands::open_part, (folder_ / entry.name).string());
-      context.edits.dialogs.browser = false;
-    }
+  const std::vector<Line> shown = lines(context.state);
+  const int count = static_cast<int>(shown.size());
+  Keyboard& keyboard = ui.memory->keyboard;
+  const int page = std::max(1, static_cast<int>(ImGui::GetWindowHeight() / ui.px(k_row_height)) - 1);
+  const int steps = keyboard.takes_steps(page, count);
+  if (steps != 0 && count > 0) selected_ = std::clamp(selected_ + steps, 0, count - 1);
+  std::optional<Line> chosen;
+  // Without a selection, what is typed may leave one line alone.
+  const int entered = selected_ < 0 && count == 1 ? 0 : selected_;
+  if (entered >= 0 && entered < count && keyboard.takes(ControlKey::press))
+    chosen = shown[static_cast<std::size_t>(entered)];
+  for (int k = 0; k < count; ++k) {
+    const Line& line = shown[static_cast<std::size_t>(k)];
+    const bool first = k == 0 || shown[static_cast<std::size_t>(k - 1)].recent != line.recent;
+    if (first && shown.front().recent) hint(ui, line.recent ? "RECENT" : "THIS FOLDER");
+    if (list_line(ui, k, line, k == selected_)) chosen = line;
+    if (k == selected_ && steps != 0) ImGui::SetScrollHereY(0.5F);
   }
   ImGui::EndChild();
-  if (next) enter(*next);
+  if (chosen && chosen->folder) next_ = chosen->path;
+  if (chosen && !chosen->folder) {
+    context.edits.ask(&Commands::open_part, chosen->path.string());
+    context.edits.dialogs.browser = false;
+  }
+  if (next_) {
+    enter(*std::exchange(next_, std::nullopt));
+    starts_ = true;
+  }
 }
 
 void FileBrowser::draw(const PanelContext& context) {
@@ -132,7 +154,7 @@ void FileBrowser::draw(const PanelContext& context) {
     return;
   }
   if (!open_) {
-    open_ = true;
+    open_ = starts_ = true;
     fs::path start = context.state.path.empty() ? fs::path() : fs::path(context.state.path).parent_path();
     if (start.empty() && !context.state.recent.empty())
       start = fs::path(context.state.recent.front()).parent_path();
@@ -148,7 +170,7 @@ void FileBrowser::draw(const PanelContext& context) {
     draw_list(context);
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.browser = false;
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.browser = false;
 }
 
 }  // namespace moldlight::gui

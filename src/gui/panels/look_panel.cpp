@@ -1,5 +1,6 @@
 // What the picture shows: the mold's opening, section, colours, edges.
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,22 +12,14 @@ namespace moldlight::gui {
 
 namespace {
 
-/// Switches that only add or remove something in the picture are chips; they flow over as many lines as they
-/// need.
+/// Switches that only add or remove something in the picture are chips.
 void draw_chips(const Ui& ui, LookSettings& look) {
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   bool first = true;
   for (const Option<LookSettings>& option : look_options()) {
     const auto* kind = std::get_if<SwitchKind<LookSettings>>(&option.kind);
     if (kind == nullptr || is_among(k_map_look_options, option)) continue;
-    const float width = text_size(ui.fonts.body, option.label).x + ui.px(18);
-    if (!first) {
-      ImGui::SameLine(0.0F, ui.px(4));
-      if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-    }
-    first = false;
     bool& on = look.*(kind->member);
-    if (chip(ui, option.label, on, width)) on = !on;
+    if (chip(ui, option.label, on, std::exchange(first, false))) on = !on;
     tooltip(ui, option.label, option.help);
   }
 }

@@ -24,17 +24,19 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
   const float gap = ui.px(8), size = ui.px(k_picture);
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   for (const bool plus : {true, false}) {
-    const bool clicked = ImGui::InvisibleButton(caption(plus), ImVec2(size, size));
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const Pressable map = pressable(ui, caption(plus), {size, size});
+    const auto& [min, max] = map.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
+    list.AddRectFilled(im(min), im(max), map.hovered ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(6));
-    draw_picture(list, plus ? textures.plus : textures.minus, {from_im(min), from_im(max)}, ui.px(6));
-    draw_text(list, {ui.fonts.small, ui.colours->muted},
-              {min.x + ui.px(6), max.y - ui.px(4) - ui.fonts.small.size}, caption(plus));
+    draw_picture(list, plus ? textures.plus : textures.minus, map.box, ui.px(6));
+    draw_tagged_text(ui, list,
+                     {.lettering = {ui.fonts.small, ui.colours->text},
+                      .at = {min.x + ui.px(8), max.y - ui.px(4) - ui.fonts.small.size},
+                      .text = caption(plus)});
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
             "Second depths: the surface that faces away from this side. Click to see it large.");
-    if (clicked) context.edits.dialogs.large_map = plus;
+    if (map.clicked) context.edits.dialogs.large_map = plus;
     ImGui::SameLine(0.0F, gap);
   }
   ImGui::BeginGroup();
@@ -46,15 +48,12 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
 void draw_accuracy(const PanelContext& context, const PartLengths& lengths) {
   const Ui& ui = context.ui;
   MethodSettings& method = context.edits.settings.method;
-  if (disclosure(ui, "Accuracy", false)) ImGui::OpenPopup("accuracy");
-  const float width = ui.px(k_panel_width);
-  place_window(from_im(ImGui::GetItemRectMin()) - glm::vec2(0.0F, ui.px(4)), {0.0F, 1.0F});
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, 4.0F * width));
-  if (!ImGui::BeginPopup("accuracy")) return;
+  if (disclosure(ui, "Accuracy", false)) open_popup_below_item(ui, "accuracy");
+  if (!begin_popup(ui, "accuracy", ui.px(k_panel_width))) return;
   const std::string standard = fmt::format("{:.3g}", lateral_tolerance(method, lengths.diagonal));
   for (const std::string_view key : k_accuracy_options)
     option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths, .unset = standard});
-  ImGui::EndPopup();
+  end_popup(ui);
 }
 
 }  // namespace
@@ -110,9 +109,9 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
     const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
     draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, {min, min + side},
                  ui.px(6));
-    if (ImGui::InvisibleButton("close", ImVec2(side, side))) context.edits.dialogs.large_map.reset();
+    if (pressable(ui, "close", {side, side}).clicked) context.edits.dialogs.large_map.reset();
   }
-  end_dialog();
+  if (end_dialog(ui)) context.edits.dialogs.large_map.reset();
 }
 
 }  // namespace moldlight::gui

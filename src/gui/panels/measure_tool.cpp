@@ -27,7 +27,7 @@ void draw_row(const Ui& ui, const char* name, const std::string& figure, const s
   const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
   draw_text(list, {ui.fonts.body, ui.colours->muted}, {min.x + ui.px(4), top}, name);
   draw_text_to({ui.fonts.strong, ui.colours->text}, max.x - ui.px(4), top, figure);
-  copy_menu(name, exact);
+  copy_menu(ui, name, exact);
 }
 
 void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm::vec2& beside) {
@@ -102,7 +102,7 @@ void draw_measuring(const PanelContext& context) {
   if (seen.size() < 2) {
     const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
     draw_tag(ui, {area.middle_x(), static_cast<float>(area.min.y) + ui.px(24)},
-             places.empty() ? "Measure: click a place on the part" : "and another one", 1.0F);
+             places.empty() ? "Measure: click a place on the part" : "and another one", ui.colours->text);
     return;
   }
   const MeasuredPair pair = measured(places[0], places[1], state.settings.direction.unit());
@@ -111,7 +111,8 @@ void draw_measuring(const PanelContext& context) {
   if (clicked) {
     draw_card(context, pair, middle);
   } else {
-    draw_tag(ui, middle, fmt::format("{:.4g} {}", pair.distance, length_unit(state.model->part)), 1.0F);
+    draw_tag(ui, middle, fmt::format("{:.4g} {}", pair.distance, length_unit(state.model->part)),
+             ui.colours->text);
   }
 }
 

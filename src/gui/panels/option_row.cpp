@@ -53,12 +53,12 @@ bool option_menu(const Ui& ui, const OptionTexts& option) {
   const std::string standard = option.default_value.empty() ? "none" : option.default_value;
   tooltip(ui, option.label, fmt::format("{}\nDefault: {}. Right click for more.", option.help, standard));
   const std::string id = fmt::format("menu {}", option.label);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) ImGui::OpenPopup(id.c_str());
-  if (!ImGui::BeginPopup(id.c_str())) return false;
-  const bool reset = ImGui::MenuItem(fmt::format("Reset to {}", standard).c_str(), nullptr, false,
-                                     option.value != option.default_value);
-  if (ImGui::MenuItem("Copy the value")) ImGui::SetClipboardText(option.value.c_str());
-  ImGui::EndPopup();
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) open_popup_at_mouse(ui, id.c_str());
+  if (!begin_popup(ui, id.c_str())) return false;
+  const bool reset =
+      menu_item(ui, fmt::format("Reset to {}", standard), {.enabled = option.value != option.default_value});
+  if (menu_item(ui, "Copy the value")) ImGui::SetClipboardText(option.value.c_str());
+  end_popup(ui);
   return reset;
 }
 

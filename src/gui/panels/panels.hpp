@@ -58,7 +58,7 @@ void draw_cursor_readout(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
-void draw_help(const PanelContext& context);
+void draw_hints(const PanelContext& context);
 void draw_settings(const PanelContext& context);
 void draw_large_map(const PanelContext& context, const MapTextures& textures);
 /// The options of the sweep, straight from its table.

@@ -9,8 +9,6 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr std::size_t k_most_listed = 16;  // bodies; the list scrolls beyond
-
 /// The bodies of the file, and which of them is shown.
 struct Bodies {
   std::vector<std::string> names;
@@ -31,18 +29,15 @@ std::string body_text(const Bodies& bodies, std::size_t number) {
 }
 
 void list_bodies(const Ui& ui, const Bodies& bodies, std::size_t& wanted) {
-  const float row = ImGui::GetTextLineHeightWithSpacing() + ui.px(4);
-  const float most = static_cast<float>(std::min(bodies.names.size() + 1, k_most_listed)) * row + ui.px(16);
-  ImGui::SetNextWindowSizeConstraints(ImVec2(ui.px(180), 0.0F), ImVec2(ui.px(320), most));
-  if (!ImGui::BeginPopup("bodies")) return;
+  if (!begin_popup(ui, "bodies", ui.px(280))) return;
   for (std::size_t number = 0; number <= bodies.names.size(); ++number) {
     const std::string text =
         fmt::format("{}##{}", fitted(ui.fonts.body, body_text(bodies, number), ui.px(240)), number);
-    if (ImGui::MenuItem(text.c_str(), nullptr, number == bodies.chosen)) wanted = number;
+    if (menu_item(ui, text, {.chosen = number == bodies.chosen})) wanted = number;
     ui.memory->controls[fmt::format("body {}", number)] = {from_im(ImGui::GetItemRectMin()),
                                                            from_im(ImGui::GetItemRectMax())};
   }
-  ImGui::EndPopup();
+  end_popup(ui);
 }
 
 /// The unit that the part has; choosing one names or converts it, a reset leaves it to the file.
@@ -73,7 +68,7 @@ void draw_body(const PanelContext& context) {
     wanted = (wanted + count) % (count + 1);
   ImGui::SameLine(0.0F, gap);
   const std::string shown = fitted(ui.fonts.body, body_text(bodies, bodies.chosen), width - ui.px(16));
-  if (button(ui, fmt::format("{}##body", shown), {.width = width})) ImGui::OpenPopup("bodies");
+  if (button(ui, fmt::format("{}##body", shown), {.width = width})) open_popup_below_item(ui, "bodies");
   ui.memory->controls["body"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
   list_bodies(ui, bodies, wanted);
   ImGui::SameLine(0.0F, gap);

@@ -65,7 +65,7 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top, grouped(legend.column.text(area)));
   tooltip(ui, facts(region).title,
           fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));
-  copy_menu(name.c_str(), real_text(area));
+  copy_menu(ui, name.c_str(), real_text(area));
 }
 
 void draw_total(const PanelContext& context, const Legend& legend) {
@@ -79,7 +79,7 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right, line.top, legend.unit);
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
-  copy_menu("total", real_text(legend.result.total_area));
+  copy_menu(ui, "total", real_text(legend.result.total_area));
 }
 
 /// How far the figures may be trusted: the row says no more than that the check passed, unless something is
@@ -110,7 +110,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   if (doubt.readout > 0.0)
     text += fmt::format("\nThe readout's undercut is {} from that of exact regions.", figure(doubt.readout));
   tooltip(ui, "How far the figures may be trusted", text);
-  copy_menu("trust", real_text(visible));
+  copy_menu(ui, "trust", real_text(visible));
 }
 
 /// What the picture's regions are told by.

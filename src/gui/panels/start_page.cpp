@@ -20,11 +20,10 @@ constexpr std::size_t k_recent_shown = 6;
 void draw_drop_zone(const PanelContext& context) {
   const Ui& ui = context.ui;
   const glm::vec2 size(ui.px(k_width), ui.px(k_drop_height));
-  const bool clicked = ImGui::InvisibleButton("drop", im(size));
-  const glm::vec2 min = from_im(ImGui::GetItemRectMin());
+  const Pressable zone = pressable(ui, "drop", size);
+  const glm::vec2 min = zone.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool hovered = ImGui::IsItemHovered();
-  list.AddRectFilled(im(min), im(min + size), hovered ? ui.colours->field_hovered : ui.colours->field,
+  list.AddRectFilled(im(min), im(min + size), zone.hovered ? ui.colours->field_hovered : ui.colours->field,
                      ui.px(10));
   list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
   const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
@@ -34,7 +33,7 @@ void draw_drop_zone(const PanelContext& context) {
   draw_icon(list, Icon::open, min + glm::vec2(0.5F * size.x, ui.px(38)), ui.px(30), ui.colours->muted);
   centred(ui.fonts.title, 62, ui.colours->text, "Drop a part here");
   centred(ui.fonts.body, 102, ui.colours->muted, "or click to choose one: " + part_format_names(", "));
-  if (clicked) context.edits.dialogs.browser = true;
+  if (zone.clicked) context.edits.dialogs.browser = true;
 }
 
 void draw_recent(const PanelContext& context) {
@@ -45,18 +44,18 @@ void draw_recent(const PanelContext& context) {
   for (std::size_t k = 0; k < count; ++k) {
     const fs::path path = context.state.recent[k];
     ImGui::PushID(static_cast<int>(k));
-    const bool clicked = ImGui::InvisibleButton("recent", ImVec2(ui.px(k_width), ui.px(k_row_height)));
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const Pressable row = pressable(ui, "recent", {ui.px(k_width), ui.px(k_row_height)});
+    const auto& [min, max] = row.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, ui.colours->field, ui.px(6));
+    if (row.hovered) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
     const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
     const std::string name = fitted(ui.fonts.body, path.filename().string(), ui.px(220));
     draw_icon(list, Icon::file, {min.x + ui.px(14), 0.5F * (min.y + max.y)}, ui.px(13), ui.colours->muted);
     draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), top}, name);
     const std::string folder = fitted(ui.fonts.small, path.parent_path().string(), ui.px(240));
-    draw_text_to({ui.fonts.small, ui.colours->faint}, max.x - ui.px(8),
+    draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(8),
                  0.5F * (min.y + max.y - ui.fonts.small.size), folder);
-    if (clicked) context.edits.ask(&Commands::open_part, path.string());
+    if (row.clicked) context.edits.ask(&Commands::open_part, path.string());
     ImGui::PopID();
   }
   ImGui::Dummy(ImVec2(1, ui.px(10)));
@@ -72,19 +71,18 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
   for (std::size_t k = 0; k < std::min<std::size_t>(shipped.size(), 4); ++k) {
     if (k > 0) ImGui::SameLine(0.0F, gap);
     ImGui::PushID(static_cast<int>(k));
-    const bool clicked = ImGui::InvisibleButton("shipped", ImVec2(width, width));
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const Pressable card = pressable(ui, "shipped", {width, width});
+    const auto& [min, max] = card.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.colours->field_hovered : ui.colours->field,
+    list.AddRectFilled(im(min), im(max), card.hovered ? ui.colours->field_hovered : ui.colours->field,
                        ui.px(8));
-    if (k < thumbnails.size())
-      draw_picture(list, thumbnails[k], {from_im(min), {max.x, max.y - ui.px(10)}}, ui.px(8));
+    if (k < thumbnails.size()) draw_picture(list, thumbnails[k], {min, {max.x, max.y - ui.px(10)}}, ui.px(8));
     std::string name = fs::path(shipped[k]).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');
     const glm::vec2 text = text_size(ui.fonts.small, name);
     draw_text(list, {ui.fonts.small, ui.colours->muted},
               {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y}, name);
-    if (clicked) context.edits.ask(&Commands::open_part, shipped[k]);
+    if (card.clicked) context.edits.ask(&Commands::open_part, shipped[k]);
     ImGui::PopID();
   }
 }

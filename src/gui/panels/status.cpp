@@ -38,7 +38,7 @@ void draw_chosen_face(const PanelContext& context) {
   const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
   place_window({area.middle_x(), static_cast<float>(area.max.y) - ui.px(12)}, {0.5F, 1.0F});
   ImGui::Begin("Chosen face", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
-  coloured_text(state.figures.pale ? ui.colours->muted : ui.colours->text, face_line(state));
+  draw_item_text(state.figures.pale ? ui.colours->muted : ui.colours->text, face_line(state));
   ImGui::End();
 }
 
@@ -75,7 +75,7 @@ void draw_toasts(const PanelContext& context) {
               toast.failure ? ui.colours->warning : ui.colours->muted);
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(26), at.y));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - ui.px(60));
-    ImGui::TextUnformatted(toast.text.c_str());
+    draw_item_text(ui.colours->text, toast.text);
     ImGui::PopTextWrapPos();
     top += ImGui::GetWindowHeight() + ui.px(8);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) context.edits.ask(&Commands::dismiss_toasts);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/verdict.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/view/direction.hpp"
 #include "sweep/sweep_stages.hpp"
@@ -19,13 +21,14 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 34.0F, k_heading = 20.0F;  // layout units
-constexpr float k_picture_width = 48.0F, k_picture_height = 30.0F;
+constexpr float k_row = 26.0F, k_heading = 20.0F;                    // layout units
+constexpr float k_picture_width = 154.0F, k_picture_height = 96.0F;  // of a direction's tooltip
 /// Share of the window's height that the table takes unless it is expanded.
 constexpr float k_share = 0.25F;
 constexpr float k_bar_width = 132.0F;
-/// Columns before those of figures: picture, rank, direction.
-constexpr std::size_t k_before_figures = 3;
+/// Columns before those of figures: rank, direction. And the one after them, why.
+constexpr std::size_t k_before_figures = 2;
+constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
 /// Widths of figures by their kind, layout units.
 constexpr std::array<float, 7> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F};
 
@@ -51,10 +54,17 @@ std::string progress_text(const SweepProgress& progress) {
   return text;
 }
 
+/// What is best stands first: it is all that a folded panel shows.
 std::string result_text(const AppState& state) {
   const SweepResult& result = *state.sweep.result;
-  std::string text = fmt::format("{} directions in {:.1f} s",
-                                 grouped(std::to_string(result.evaluated.size())), result.elapsed_s);
+  std::string text;
+  if (!result.candidates.empty()) {
+    const SweepCandidate& best = result.candidates.front();
+    text = fmt::format("best {}: {}  ·  ", with_minus(short_direction_text(best.candidate.direction)),
+                       undercut_text(state.model->part, best));
+  }
+  text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
+                      result.elapsed_s);
   if (!result.complete) text += "  ·  ended early";
   if (state.sweep.stale) text += "  ·  of other settings";
   return text;
@@ -85,6 +95,23 @@ std::string fitting_reason(const Ui& ui, const Candidate& candidate, float width
   return fitted(ui.fonts.small, candidate_kind_name(candidate.kind()), width);
 }
 
+float figure_width(const Ui& ui, const DirectionFigure& figure) {
+  // With room for the mark of the column that is sorted by.
+  return std::max(ui.px(k_widths[static_cast<std::size_t>(figure.kind)]),
+                  text_size(ui.fonts.small, figure.label).x + ui.px(8));
+}
+
+/// Those that the table has room for.
+std::vector<const DirectionFigure*> fitting_columns(const Ui& ui, const SweepResult& result) {
+  std::vector<const DirectionFigure*> figures = figure_columns(result);
+  const float gap = ui.px(8);
+  float needed = ui.px(k_rank_width + k_direction_width + k_least_why) + 3.0F * gap;
+  for (const DirectionFigure* figure : figures) needed += figure_width(ui, *figure) + gap;
+  if (needed > ImGui::GetContentRegionAvail().x)
+    std::erase_if(figures, [](const DirectionFigure* figure) { return !figure->use.brief; });
+  return figures;
+}
+
 void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
   struct Heading {
     std::string_view name, help;
@@ -94,20 +121,15 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
   };
   constexpr ImGuiTableColumnFlags k_fixed = ImGuiTableColumnFlags_WidthFixed,
                                   k_not = ImGuiTableColumnFlags_NoSort;
-  std::vector<Heading> headings = {{"", "", k_picture_width, k_fixed | k_not},
-                                   {"#", "Rank; directions with the same letter tie within the uncertainty.",
-                                    30.0F, k_fixed | ImGuiTableColumnFlags_DefaultSort},
-                                   {"direction", "", 108.0F, k_fixed | k_not}};
+  std::vector<Heading> headings = {{"#", "Rank; directions with the same letter tie within the uncertainty.",
+                                    ui.px(k_rank_width), k_fixed | ImGuiTableColumnFlags_DefaultSort},
+                                   {"direction", "", ui.px(k_direction_width), k_fixed | k_not}};
   for (const DirectionFigure* figure : figures)
-    headings.push_back(
-        {figure->label, figure->help, k_widths[static_cast<std::size_t>(figure->kind)], k_fixed, true});
+    headings.push_back({figure->label, figure->help, figure_width(ui, *figure), k_fixed, true});
   headings.push_back({"why", "", 0.0F, ImGuiTableColumnFlags_WidthStretch | k_not});
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const Heading& heading : headings) {
-    // With room for the mark of the column that is sorted by.
-    const float width = std::max(ui.px(heading.width), text_size(ui.fonts.small, heading.name).x + ui.px(8));
-    ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width > 0.0F ? width : 0.0F);
-  }
+  for (const Heading& heading : headings)
+    ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width);
   const FontScope small(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 0.0F));
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, ui.px(k_heading));
@@ -119,7 +141,6 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
         ImGui::GetContentRegionAvail().x - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
     // ImGui would set the text of a column of figures to the left.
     ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
-    if (heading.name.empty()) continue;
     const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
     draw_text(*ImGui::GetWindowDrawList(),
               {ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
@@ -242,11 +263,13 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   const float window_height = ImGui::GetIO().DisplaySize.y;
   const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
   const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F), all = static_cast<float>(count);
-  const Figures figures = figure_columns(*result);
+  const Figures figures = fitting_columns(ui, *result);
   constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), 0.0F));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, 0U);
+  // ImGui keeps the widths with which a table began.
+  ImGui::PushID(static_cast<int>(ui.px(k_direction_width)));
   if (ImGui::BeginTable("directions", static_cast<int>(k_before_figures + figures.size()) + 1, k_flags,
                         ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_row)))) {
     if (fresh) ImGui::SetScrollY(0.0F);
@@ -262,6 +285,9 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count), ui.px(k_row));
+    if (chosen_row_ && std::exchange(row_moved_, false))
+      ImGui::SetScrollY((static_cast<float>(*chosen_row_) + 0.5F) * ui.px(k_row) -
+                        0.5F * fits * ui.px(k_row));
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
         const std::size_t index = rows_[static_cast<std::size_t>(k)];
@@ -269,10 +295,29 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
       }
     }
     ImGui::EndTable();
+    choose_row(context, static_cast<int>(fits));
   }
+  ImGui::PopID();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   draw_footer(context, fits < all || expanded_);
+}
+
+void SweepPanel::choose_row(const PanelContext& context, int page) {
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  Keyboard& keyboard = context.ui.memory->keyboard;
+  if (!has_keyboard(context.ui, "table", box)) {
+    chosen_row_.reset();
+    return;
+  }
+  const int count = static_cast<int>(rows_.size());
+  const int steps = keyboard.takes_steps(page, count);
+  row_moved_ = steps != 0 || !chosen_row_;
+  chosen_row_ = std::clamp(chosen_row_.value_or(0) + steps, 0, count - 1);
+  if (keyboard.takes(ControlKey::press)) {
+    const std::size_t index = rows_[static_cast<std::size_t>(*chosen_row_)];
+    context.edits.ask(&Commands::fly_to_direction, result_->candidates[index].candidate.direction);
+  }
 }
 
 void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t index,
@@ -284,11 +329,12 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_row));
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
-  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
   const bool clicked = ImGui::Selectable(
       "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
       ImVec2(0.0F, ui.px(k_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  if (chosen_row_ && rows_[static_cast<std::size_t>(*chosen_row_)] == index)
+    ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
   ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                             ImGuiHoveredFlags_AllowWhenOverlapped);
@@ -298,11 +344,15 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
     tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }
-  tooltip(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)), tip);
+  if (begin_tooltip(ui)) {
+    heading(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)));
+    draw_item_text(ui.colours->muted, tip);
+    const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = from_im(ImGui::GetCursorScreenPos());
+    ImGui::Dummy(im(pixels));
+    draw_picture(*ImGui::GetWindowDrawList(), picture, {at, at + pixels}, ui.px(4));
+    end_tooltip();
+  }
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const glm::vec2 pixels(candidate_picture_size(ui.scale));
-  const glm::vec2 at(corner.x, std::round(0.5F * (min.y + max.y - pixels.y)));
-  draw_picture(list, picture, {at, at + pixels}, ui.px(4));
 
   const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
     const float inset = to_the_right ? ImGui::GetContentRegionAvail().x - text_size(font, text).x : 0.0F;
@@ -310,7 +360,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
               {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, text);
   };
   const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
-  ImGui::TableNextColumn();
+  ImGui::SameLine(0.0F, 0.0F);
   cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
   ImGui::TableNextColumn();
   cell(ui.fonts.body, normal, with_minus(short_direction_text(direction)), false);

@@ -13,21 +13,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float k_resting_alpha = 0.55F;  // of the bar while the mouse is in the scene
+constexpr const char* k_recent = "recent";
 
 void draw_recent(const PanelContext& context) {
-  if (!ImGui::BeginPopup("recent")) return;
   const Ui& ui = context.ui;
+  constexpr float k_width = 320.0F;  // layout units
+  if (!begin_popup(ui, k_recent, ui.px(k_width))) return;
   const auto offer = [&](const std::string& path) {
-    const std::string name = fmt::format("{}##{}", fs::path(path).filename().string(), path);
-    if (ImGui::MenuItem(name.c_str())) context.edits.ask(&Commands::open_part, path);
+    const std::string name = fitted(ui.fonts.body, fs::path(path).filename().string(), ui.px(k_width - 48));
+    if (menu_item(ui, fmt::format("{}##{}", name, path))) context.edits.ask(&Commands::open_part, path);
     tooltip(ui, {}, path);
   };
   if (!context.state.recent.empty()) hint(ui, "Recent");
   for (const std::string& path : context.state.recent) offer(path);
   if (!context.state.shipped.empty()) hint(ui, "Shipped with moldlight");
   for (const std::string& path : context.state.shipped) offer(path);
-  ImGui::EndPopup();
+  end_popup(ui);
 }
 
 void draw_part_name(const PanelContext& context) {
@@ -37,8 +38,9 @@ void draw_part_name(const PanelContext& context) {
   const std::string file = fs::path(state.path).filename().string();
   const std::string name = fitted(ui.fonts.body, file, ui.px(260));
   const float width = text_size(ui.fonts.body, name).x + ui.px(36);
-  if (button(ui, fmt::format("{}##part", name), {.width = width})) ImGui::OpenPopup("recent");
+  if (button(ui, fmt::format("{}##part", name), {.width = width})) open_popup_below_item(ui, k_recent);
   const ImVec2 max = ImGui::GetItemRectMax(), min = ImGui::GetItemRectMin();
+  ui.memory->controls["part name"] = {from_im(min), from_im(max)};
   draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down, {max.x - ui.px(11), 0.5F * (min.y + max.y)},
             ui.px(9), ui.colours->muted);
   tooltip(ui, file, state.path);
@@ -100,7 +102,8 @@ void draw_right(const PanelContext& context) {
 void draw_top_bar(const PanelContext& context) {
   const Ui& ui = context.ui;
   const ImGuiIO& io = ImGui::GetIO();
-  const bool near = io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model;
+  const bool near =
+      io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model || ui.memory->popups.any();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x, ui.px(k_bar_height)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
@@ -108,7 +111,6 @@ void draw_top_bar(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(ui.px(16), 0.5F * (ui.px(k_bar_height) - ui.px(k_row_height))));
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, near ? 1.0F : k_resting_alpha);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, near ? ui.colours->panel : IM_COL32(0, 0, 0, 0));
   ImGui::Begin("Bar", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
@@ -116,7 +118,7 @@ void draw_top_bar(const PanelContext& context) {
   draw_right(context);
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(5);
+  ImGui::PopStyleVar(4);
 }
 
 }  // namespace moldlight::gui

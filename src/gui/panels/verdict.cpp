@@ -27,10 +27,7 @@ bool is_free(const Classification& result) {
 std::string best_text(const Part& part, const SweepCandidate& best) {
   std::string axis = short_direction_text(best.candidate.direction);
   axis = axis.size() == 2 ? axis + ", " : std::string();
-  if (is_free(best.classification)) return "best found: " + axis + "no undercut";
-  const FigureColumn column(best.classification.total_area);
-  return fmt::format("best found: {}{} {}", axis, grouped(column.text(undercut_area(best))),
-                     powered_unit(part, 2));
+  return "best found: " + axis + undercut_text(part, best);
 }
 
 std::string best_help(const SweepCandidate& best) {
@@ -40,6 +37,12 @@ std::string best_help(const SweepCandidate& best) {
 }
 
 }  // namespace
+
+std::string undercut_text(const Part& part, const SweepCandidate& candidate) {
+  if (is_free(candidate.classification)) return "no undercut";
+  const FigureColumn column(candidate.classification.total_area);
+  return fmt::format("{} {}", grouped(column.text(undercut_area(candidate))), powered_unit(part, 2));
+}
 
 Verdict verdict_of(const AppState& state) {
   Verdict verdict;

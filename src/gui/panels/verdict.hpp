@@ -17,6 +17,8 @@ struct Verdict {
 };
 [[nodiscard]] Verdict verdict_of(const AppState& state);
 
+/// "555.6 mm²", or that there is none.
+[[nodiscard]] std::string undercut_text(const Part& part, const SweepCandidate& candidate);
 /// At the top of the legend.
 void draw_verdict(const PanelContext& context);
 

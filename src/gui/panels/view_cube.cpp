@@ -67,6 +67,7 @@ void draw_name(ImDrawList& list, const Lettering& lettering, const Face& face, s
     const glm::vec2 on_face((at.x - face.centre.x) / face.half, (face.centre.y - at.y) / face.half);
     at = im(face.centre + on_face.x * face.right + on_face.y * face.up);
   }
+  note_text(list, lettering.colour, {corner, corner + size}, name);
 }
 
 }  // namespace
@@ -75,7 +76,8 @@ void draw_view_cube(const PanelContext& context) {
   const Ui& ui = context.ui;
   const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
   const float size = ui.px(84), half = ui.px(22);
-  const glm::vec2 corner(static_cast<float>(area.max.x) - size - ui.px(8), ui.px(k_bar_height + 8));
+  const float below = context.state.sweep_choices.compared ? k_comparison_height : 0.0F;
+  const glm::vec2 corner(static_cast<float>(area.max.x) - size - ui.px(8), ui.px(k_bar_height + 8 + below));
   ImGui::SetNextWindowPos(im(corner));
   ImGui::SetNextWindowSize(ImVec2(size, size));
   ImGui::Begin("View cube", nullptr,
@@ -92,7 +94,7 @@ void draw_view_cube(const PanelContext& context) {
     const bool under_mouse = hovered && face.contains(mouse);
     const auto corners = face.corners();
     const ImU32 lit =
-        dark ? mixed(IM_COL32(60, 64, 70, 240), IM_COL32(120, 126, 134, 240), static_cast<float>(face.facing))
+        dark ? mixed(IM_COL32(54, 58, 64, 250), IM_COL32(84, 89, 96, 250), static_cast<float>(face.facing))
              : mixed(IM_COL32(190, 195, 200, 240), IM_COL32(252, 252, 253, 240),
                      static_cast<float>(face.facing));
     list.AddQuadFilled(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]),

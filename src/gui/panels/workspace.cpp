@@ -30,8 +30,9 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   draw_large_map(context, textures.maps);
   browser_.draw(context);
   export_.draw(context);
+  picture_.draw(context);
   draw_settings(context);
-  draw_help(context);
+  help_.draw(context);
   draw_toasts(context);
 }
 

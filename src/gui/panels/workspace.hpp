@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace moldlight::gui {
 
-/// Size of a candidate's small picture, pixels; `scale`: pixels per layout unit.
+/// Size of the picture in a candidate's tooltip, pixels; `scale`: pixels per layout unit.
 [[nodiscard]] glm::ivec2 candidate_picture_size(float scale);
 
 /// The order of the table's rows: by a figure, or by rank.
@@ -33,9 +34,13 @@ class SweepPanel {
   using Figures = std::vector<const DirectionFigure*>;
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
   void draw_footer(const PanelContext& context, bool more);
+  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
+  void choose_row(const PanelContext& context, int page);
 
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
+  std::optional<int> chosen_row_;              // by the keyboard; its place among rows_
+  bool row_moved_ = false;
   bool options_ = false, expanded_ = false;
   bool asked_for_ = false;  // the table of a sweep that ran by itself
 };
@@ -46,6 +51,13 @@ class FileBrowser {
   /// Draws the dialog while it is open; asks to open the part that is chosen.
   void draw(const PanelContext& context);
 
+  /// What the list offers.
+  struct Line {
+    std::filesystem::path path;
+    std::string note;  // its size, or where it is
+    bool folder = false, recent = false;
+  };
+
  private:
   struct Entry {
     std::string name;
@@ -55,13 +67,17 @@ class FileBrowser {
   void enter(const std::filesystem::path& folder);
   void draw_head(const PanelContext& context);
   void draw_list(const PanelContext& context);
+  /// Recent parts and the folder's entries, as far as the filter lets them through.
+  [[nodiscard]] std::vector<Line> lines(const AppState& state) const;
 
   std::filesystem::path folder_;
+  std::optional<std::filesystem::path> next_;  // the folder to go to
   std::vector<Entry> entries_;
   std::string problem_;
   std::array<char, 128> filter_{};
   bool all_files_ = false;
-  bool open_ = false;
+  bool open_ = false, starts_ = false;
+  int selected_ = -1;  // line that the arrow keys have gone to; -1: none
 };
 
 /// What `classify` writes, from the window.
@@ -80,6 +96,26 @@ class ExportDialog {
   int mesh_format_ = 0;
 };
 
+/// All keys and what the mouse does; typing leaves the lines that have the words.
+class HelpSheet {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  std::array<char, 64> filter_{};
+  bool open_ = false;
+};
+
+/// Asks where the first picture of a session goes.
+class PictureDialog {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  std::string proposed_;
+  std::array<char, 1024> path_{};
+};
+
 class Workspace {
  public:
   struct Textures {
@@ -95,6 +131,8 @@ class Workspace {
   SweepPanel sweep_;
   FileBrowser browser_;
   ExportDialog export_;
+  PictureDialog picture_;
+  HelpSheet help_;
 };
 
 }  // namespace moldlight::gui

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "io/atomic_file.hpp"
 #include "io/png.hpp"
 
@@ -69,6 +71,24 @@ std::vector<std::string> shipped_parts() {
     if (!parts.empty()) return parts;
   }
   return {};
+}
+
+fs::path pictures_folder() {
+  std::error_code ignored;
+  const char* const named = std::getenv("XDG_PICTURES_DIR");
+  if (named != nullptr && fs::is_directory(named, ignored)) return named;
+  const char* const home = std::getenv("HOME");
+  if (home == nullptr || !fs::is_directory(home, ignored)) return fs::current_path(ignored);
+  const fs::path pictures = fs::path(home) / "Pictures";
+  return fs::is_directory(pictures, ignored) ? pictures : fs::path(home);
+}
+
+std::string free_name(const fs::path& folder, const std::string& stem) {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    const fs::path path = folder / fmt::format("{}-{:02}.png", stem, number);
+    if (!fs::exists(path, ignored)) return path.string();
+  }
 }
 
 void write_picture(const std::string& path, const glm::ivec2& size, std::vector<std::uint8_t> rgba) {

@@ -31,6 +31,11 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// are not found.
 [[nodiscard]] std::vector<std::string> shipped_parts();
 
+/// Where a user keeps pictures: $XDG_PICTURES_DIR, else ~/Pictures, else the home folder, else here.
+[[nodiscard]] std::filesystem::path pictures_folder();
+/// A path "folder/stem-01.png" with the first number under which there is no file.
+[[nodiscard]] std::string free_name(const std::filesystem::path& folder, const std::string& stem);
+
 /// A PNG of the window: RGBA8, rows from above; the alpha is ignored. The file is replaced whole or not at
 /// all; throws FileError.
 void write_picture(const std::string& path, const glm::ivec2& size, std::vector<std::uint8_t> rgba);

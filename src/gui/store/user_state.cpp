@@ -1,6 +1,7 @@
 #include "gui/store/user_state.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
@@ -13,6 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_recent_limit = 12;
+
+constexpr std::pair<std::string_view, Hint> k_hint_names[] = {
+    {"arrow", Hint::arrow}, {"verdict", Hint::verdict}, {"sweep", Hint::sweep}};
 
 /// What another version wrote and this one does not know keeps its default.
 template <typename Settings>
@@ -40,6 +44,10 @@ std::string user_state_json(const UserState& state) {
   json["settings"] = options_json(window_options(), state.window);
   json["sweep"] = options_json(sweep_options(), state.sweep);
   json["recent"] = state.recent;
+  json["hints_done"] = Json::array();
+  for (const auto& [name, hint] : k_hint_names) {
+    if (state.hints_done.contains(hint)) json["hints_done"].push_back(name);
+  }
   return json.dump(2) + "\n";
 }
 
@@ -53,6 +61,12 @@ UserState parse_user_state(std::string_view text) {
     for (const Json& path : json["recent"]) {
       if (path.is_string() && state.recent.size() < k_recent_limit)
         state.recent.push_back(path.get<std::string>());
+    }
+  }
+  if (json.contains("hints_done")) {
+    for (const auto& [name, hint] : k_hint_names) {
+      const Json& done = json["hints_done"];
+      if (std::find(done.begin(), done.end(), name) != done.end()) state.hints_done.insert(hint);
     }
   }
   return state;

@@ -1,6 +1,8 @@
 // What the window remembers of its user: settings, recent files, places of the panels.
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,10 +12,14 @@
 
 namespace moldlight::gui {
 
+/// What a newcomer is told to do, in this order.
+enum class Hint : std::uint8_t { arrow, verdict, sweep };
+
 struct UserState {
   WindowSettings window;
   std::vector<std::string> recent;  // absolute paths, the latest first
   SweepSettings sweep;              // options of the next sweep
+  std::set<Hint> hints_done;        // not to be told any more
   std::string layout;               // as imgui.ini; empty for the shipped one
 
   /// Puts a path in front of the recent ones and forgets the oldest of more than twelve.

@@ -49,14 +49,14 @@ Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
 }
 
 /// The arrow's name beyond its tip, where the arrow itself does not run.
-void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, float alpha) {
+void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, ImU32 colour) {
   const glm::vec2 along = arrow.tip - arrow.tail;
   const float length = glm::length(along);
   const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
   const glm::vec2 room = 0.5F * tag_size(ui, name);
   glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  draw_tag(ui, middle, name, alpha);
+  draw_tag(ui, middle, name, colour);
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
     const glm::vec2 reach(ui.px(k_tip_reach));
     ui.memory->controls[fmt::format("{} arrow", name)] = {shown->tip - reach, shown->tip + reach};
     const bool lively = drag_ ? drag_->arrow == each : near_tip_ == each;
-    draw_name(ui, *shown, name, lively ? 1.0F : shown->toward_viewer ? 0.85F : 0.5F);
+    draw_name(ui, *shown, name, lively || shown->toward_viewer ? ui.colours->text : ui.colours->muted);
     if (lively)
       ImGui::GetBackgroundDrawList()->AddCircle(im(shown->tip), ui.px(k_tip_reach),
                                                 faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);

@@ -1,0 +1,80 @@
+#include "gui/draw/overlays.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+#include "gui/draw/widgets.hpp"
+
+namespace moldlight::gui {
+
+bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
+  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
+  place_window(glm::vec2(0.0F), glm::vec2(0.0F));
+  ImGui::SetNextWindowSize(im(window));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->scrim);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::Begin("Scrim", nullptr, k_fixed_window);
+  ui.memory->scrim_clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0);
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+
+  place_window(0.5F * window, glm::vec2(0.5F));
+  const glm::vec2 most = window - glm::vec2(ui.px(16));
+  if (size.y > 0.0F) {
+    ImGui::SetNextWindowSize(im(glm::min(size, most)));
+  } else {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), im(most));
+  }
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  if (size.y <= 0.0F) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  ui.memory->keyboard.enter_layer();
+  return ImGui::Begin(name, nullptr, flags);
+}
+
+bool end_dialog(const Ui& ui) {
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ui.memory->keyboard.leave_layer();
+  return ui.memory->scrim_clicked;
+}
+
+bool begin_tooltip(const Ui& ui) {
+  constexpr double k_rest_s = 0.5;
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) return false;
+  UiMemory& memory = *ui.memory;
+  const glm::vec2 corner = from_im(ImGui::GetItemRectMin());
+  const auto item = static_cast<ImGuiID>(static_cast<int>(corner.x) * 8192 + static_cast<int>(corner.y) + 1);
+  if (item != memory.resting_on) {
+    memory.resting_on = item;
+    memory.resting_since_s = ui.now_s;
+  }
+  if (ui.now_s - memory.resting_since_s < k_rest_s) {
+    memory.wake_s = std::min(memory.wake_s, memory.resting_since_s + k_rest_s);
+    return false;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(260));
+  return true;
+}
+
+void end_tooltip() {
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
+  if (!begin_tooltip(ui)) return;
+  if (!title.empty()) heading(ui, title);
+  draw_item_text(title.empty() ? ui.colours->text : ui.colours->muted, text);
+  end_tooltip();
+}
+
+}  // namespace moldlight::gui
