@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/figures.hpp"
+#include "classify/view_choice.hpp"
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
@@ -40,6 +41,13 @@ void Commands::look_from(const glm::dquat& orientation) {
 
 void Commands::look_along_direction() {
   look_from(looking_along(-app.state_.settings.direction.unit(), app.state_.camera.up()));
+}
+
+void Commands::look_at_undercuts() {
+  const Figures& figures = app.state_.figures;
+  if (!figures.split || figures.undercuts == 0) return;
+  look_from(revealing_orientation(*app.state_.model, std::span(&figures.split, 1),
+                                  app.state_.settings.direction.unit()));
 }
 
 void Commands::toggle_projection() {
@@ -273,6 +281,10 @@ const std::vector<Shortcut>& shortcuts() {
        {'1', '3', '7'},
        look_from_side},
       {{view, "0", "along the parting direction"}, part, {'0'}, asks(&Commands::look_along_direction)},
+      {{view, "U", "the undercuts, from where most is seen"},
+       part_no_ctrl,
+       {'U'},
+       asks(&Commands::look_at_undercuts)},
       {{view, "5", "parallel or perspective"}, part, {'5'}, asks(&Commands::toggle_projection)},
       {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
       {{view, "O", "open or close the mold"},

@@ -29,6 +29,8 @@ struct Commands {
   void look_from(const glm::dquat& orientation);
   /// Looks along the parting direction, onto the core.
   void look_along_direction();
+  /// Flies to where most of the undercuts is seen; nothing where there are none.
+  void look_at_undercuts();
   void toggle_projection();
   /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
   void take_normal();

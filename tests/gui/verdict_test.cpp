@@ -64,6 +64,19 @@ TEST_F(Verdicts, LeadToTheBestDirection) {
   EXPECT_TRUE(window_.app().controls().contains("direction 1"));
 }
 
+TEST_F(Verdicts, ShowTheUndercuts) {
+  // The pocket lies in the side at x = 31.7: seen from the other side a click turns to it.
+  open(moldlight::test::plate_with_side_pocket({}).mesh);
+  window_.press_key({.key = '3', .ctrl = true});
+  window_.frame();
+  window_.hold_modifiers(false, false, false);
+  window_.frames(3);
+  ASSERT_LT(window_.state().camera.toward_viewer().x, -0.9);
+  click("verdict");
+  EXPECT_GT(window_.state().camera.toward_viewer().x, 0.1);
+  EXPECT_NEAR(glm::dot(window_.state().camera.right(), glm::dvec3(0, 0, 1)), 0.0, 1e-9) << "upright";
+}
+
 class LongVerdicts : public Verdicts {
  protected:
   LongVerdicts() : Verdicts(20'000) {}

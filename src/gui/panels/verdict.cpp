@@ -78,15 +78,18 @@ void draw_verdict(const PanelContext& context) {
   const Verdict verdict = verdict_of(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::Dummy(ImVec2(width, ui.px(22)));
-  const glm::vec2 at = from_im(ImGui::GetItemRectMin());
+  const Pressable sentence = pressable(ui, "verdict", {width, ui.px(22)});
+  const glm::vec2 at = sentence.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (sentence.hovered && !verdict.free)
+    list.AddRectFilled(im(at), im(sentence.box.max), ui.colours->field, ui.px(6));
+  if (!verdict.free) tooltip(ui, "Undercuts", "Click to look at them from where most of them is seen (U).");
+  if (sentence.clicked || sentence.pressed) context.edits.ask(&Commands::look_at_undercuts);
   draw_icon(list, verdict.free ? Icon::check : Icon::alert, at + glm::vec2(ui.px(12), ui.px(11)), ui.px(14),
             faded(verdict.free ? ui.colours->text : ui.colours->warning, alpha));
   draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
             at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size)),
             fitted(ui.fonts.strong, verdict.sentence, width - ui.px(26)));
-  ui.memory->controls["verdict"] = {at, from_im(ImGui::GetItemRectMax())};
   if (!verdict.best.empty()) {
     ImGui::Indent(ui.px(26));
     const float button_width = verdict.better ? ui.px(72) : 0.0F;
