@@ -28,6 +28,10 @@ class MeasureTool : public WindowWithPart {
 };
 
 TEST_F(MeasureTool, TakesTwoPlacesAndEndsByEscape) {
+  click("measure");
+  ASSERT_TRUE(state().measuring);
+  click("measure");
+  ASSERT_FALSE(state().measuring);
   key({.key = 'R'});
   ASSERT_TRUE(state().measuring);
   click_at({10, 10, 10});

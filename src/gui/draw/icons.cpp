@@ -97,6 +97,11 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
                true);
       pen.circle({0, 0.1F}, 0.34F);
       break;
+    case Icon::ruler:
+      pen.line({{-0.85F, 0.35F}, {0.35F, -0.85F}, {0.85F, -0.35F}, {-0.35F, 0.85F}}, true);
+      for (const float along : {-0.3F, 0.0F, 0.3F})
+        pen.line({{along - 0.25F, -along - 0.25F}, {along - 0.02F, -along - 0.02F}});
+      break;
     case Icon::undo:
       draw_turn(pen, 1.0F);
       break;

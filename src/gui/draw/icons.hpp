@@ -12,6 +12,7 @@ enum class Icon : std::uint8_t {
   open,
   export_file,
   picture,
+  ruler,
   undo,
   redo,
   help,

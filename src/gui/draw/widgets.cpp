@@ -243,8 +243,13 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     list.AddRectFilled(ImVec2(x - ui.px(1), row.min.y + ui.px(6)), ImVec2(x + ui.px(1), row.max.y - ui.px(6)),
                        ui.colours->accent, ui.px(1));
   }
-  draw_label(ui, row, label);
-  draw_value(ui, row, spec.text(value));
+  // Where both have no room, the value is what one wants to read.
+  const std::string shown = spec.text(value);
+  const float room =
+      row.max.x - row.min.x - text_size(ui.fonts.body, shown).x - ui.px(label.modified ? 33 : 24);
+  const std::string name = fitted(ui.fonts.body, label.text.substr(0, label.text.find("##")), room);
+  draw_label(ui, row, {name, label.modified});
+  draw_value(ui, row, shown);
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   return value != before;
 }

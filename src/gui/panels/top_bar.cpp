@@ -68,7 +68,7 @@ void draw_right(const PanelContext& context) {
   Edits& edits = context.edits;
   const bool part = context.state.model != nullptr;
   const float step = ui.px(4);
-  const int count = part ? 7 : 3;
+  const int count = part ? 8 : 3;
   ImGui::SameLine(0.0F, 0.0F);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
                        static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
@@ -83,6 +83,8 @@ void draw_right(const PanelContext& context) {
       edits.dialogs.exporting = true;
     if (item("picture", Icon::picture, "Save a picture with the legend (F12)"))
       edits.ask(&Commands::take_picture);
+    if (item("measure", Icon::ruler, "Measure between two places (R)", edits.measuring.has_value()))
+      edits.measuring = edits.measuring ? std::nullopt : std::optional(Measuring{});
     gap = step + ui.px(16);
     ImGui::BeginDisabled(!context.state.can_undo);
     if (item("undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(&Commands::undo);
