@@ -17,9 +17,10 @@ namespace {
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_resolved = 1e-7;  // of a length
 constexpr double k_resolved_deg = 1e-4;
-constexpr double k_step_deg = 2.5;  // beyond it a turn goes on in equal steps
-constexpr double k_past = 1e-6;     // behind a facet that is not in the way
-constexpr int k_most_passed = 256;  // such facets along one ray
+constexpr double k_step_deg = 2.5;   // beyond it a turn goes on in equal steps
+constexpr double k_past = 1e-6;      // behind a facet that is not in the way
+constexpr int k_most_passed = 1024;  // such facets along one ray
+constexpr int k_most_glides = 512;   // of them, along a way across the part at a draft of tau
 /// A part lies in a ball of diameter 1 in the unit frame.
 constexpr double k_across = 1.0;
 
@@ -35,13 +36,18 @@ glm::vec3 Release::start(const UndercutSample& sample, const glm::dvec3& pull) c
 
 double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull) const {
   if (glm::dot(sample.normal, pull) <= -sine_) return 0.0;
-  const glm::dvec3 from(start(sample, pull));
+  const double aside = std::max(query_.lateral, sine_ * k_across / k_most_glides);
+  glm::dvec3 from(start(sample, pull));
   double gone = 0.0;
   for (int passed = 0; passed < k_most_passed; ++passed) {
     const auto hit = model_.rays().first_hit(glm::vec3(from + gone * pull), glm::vec3(pull), true);
     if (!hit) return k_never;
     gone += static_cast<double>(hit->distance);
-    if (glm::dot(model_.geometry.normals[hit->facet], pull) <= -sine_) return gone;
+    const glm::dvec3& normal = model_.geometry.normals[hit->facet];
+    const double facing = glm::dot(normal, pull);
+    if (facing <= -sine_) return gone;
+    // The point glides along it: below it, it would meet nothing of what stands on it.
+    if (facing < 0.0) from += aside * glm::normalize(normal - facing * pull);
     gone += k_past;
   }
   return gone;

@@ -22,7 +22,9 @@ struct TurnInterval {
 
 /// Answers for one part and one parting direction by exact rays. Lengths are shares of the part's diagonal.
 /// Surface whose draft to a pull is less than tau neither needs to face it nor is in its way: within that
-/// tolerance it is parallel to it. Such a point is tested from beside it, by the lateral tolerance.
+/// tolerance it is parallel to it. Such a point is tested from beside it, by the lateral tolerance; one that
+/// meets such surface on its way goes on from beside that, so that it never goes deeper into the part than
+/// the lateral tolerance and the sine of tau times its way.
 class Release {
  public:
   Release(const PartModel& model, const ExactQuery& query);
