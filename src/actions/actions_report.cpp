@@ -144,7 +144,7 @@ std::string actions_table(const ActionsReport& report) {
                    areas.text(plan.unreleased_area), area_unit, plan.unreleased.size(),
                    patches_text(plan.unreleased));
   if (plan.dropped > 0)
-    fmt::format_to(out, "{} specks within the lateral tolerance are left out, {} {}.\n", plan.dropped,
+    fmt::format_to(out, "{} patches within the lateral tolerance are left out, {} {}.\n", plan.dropped,
                    figure(plan.dropped_area), area_unit);
   text += plan.optimal ? "No cheaper set of the actions that were tried releases as much.\n"
                        : "A cheaper set may exist: the search for the least was given up.\n";

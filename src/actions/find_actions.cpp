@@ -77,6 +77,7 @@ class Finder {
     find_pulls();
     find_revolved();
     split_the_rest();
+    drop_within_tolerance();
     const std::vector<Column> columns = find_columns();
     std::vector<CoverColumn> priced;
     for (const Column& column : columns) priced.push_back({column.atoms, cost(column.pull)});
@@ -134,6 +135,39 @@ class Finder {
     progress_.report("looking for side actions", 0.0);
     for_each_atom(
         [&](std::size_t k) { atoms_[k].pulls = pulls_.find(atoms_[k].samples, candidates(atoms_[k])); });
+  }
+
+  /// What pulls clear within the lateral tolerance is no undercut that a mold maker would see.
+  void drop_within_tolerance() {
+    std::vector<char> kept(undercuts_.patches.size(), 0);
+    for (const Atom& atom : atoms_) {
+      const bool within =
+          std::ranges::any_of(atom.pulls, [&](const Pull& pull) { return pull.travel <= query_.lateral; });
+      if (!within) kept[atom.patch] = 1;
+    }
+    std::vector<std::size_t> number(kept.size(), 0), place(atoms_.size(), 0);
+    std::vector<Undercut> patches;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      number[k] = patches.size();
+      if (kept[k] != 0) {
+        patches.push_back(std::move(undercuts_.patches[k]));
+      } else {
+        ++undercuts_.dropped;
+        undercuts_.dropped_area += undercuts_.patches[k].area;
+      }
+    }
+    undercuts_.patches = std::move(patches);
+    std::vector<Atom> atoms;
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      place[k] = atoms.size();
+      if (kept[atoms_[k].patch] == 0) continue;
+      atoms_[k].patch = number[atoms_[k].patch];
+      atoms.push_back(std::move(atoms_[k]));
+    }
+    atoms_ = std::move(atoms);
+    for (Column& column : revolved_) {
+      for (std::size_t& atom : column.atoms) atom = place[atom];
+    }
   }
 
   /// Threads and rings among what no pull releases: all of it together, as the turns of a thread are patches

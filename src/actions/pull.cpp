@@ -129,6 +129,35 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
   return pulls;
 }
 
+std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> samples,
+                                              std::span<const PullCandidate> tried, double least) const {
+  constexpr double k_first = 1.0 / 512.0, k_growth = 1.2;
+  constexpr std::size_t k_every = 3;  // of the fan
+  std::optional<Pull> best;
+  const auto few = few_of(samples);
+  double most = least * area_of(few) / area_of(samples);
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    const PullCandidate& candidate = tried[k];
+    if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
+    if (candidate.source == PullSource::even && k % k_every != 0) continue;
+    for (const bool core_side : {true, false}) {
+      const glm::dvec3 side = core_side ? direction_ : -direction_;
+      for (double length = k_first; length < 1.0; length *= k_growth) {
+        if (release_.free_area(few, candidate.direction, length) <= most * (1.0 + 1e-9)) break;
+        const double cleared = release_.cleared_area(few, candidate.direction, side, length);
+        if (cleared <= most * (1.0 + 1e-9)) continue;
+        most = cleared;
+        best = Pull{.kind = ActionKind::lifter,
+                    .direction = candidate.direction,
+                    .source = candidate.source,
+                    .travel = length,
+                    .core_side = core_side};
+      }
+    }
+  }
+  return best;
+}
+
 std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples,
                                          std::span<const PullCandidate> tried) const {
   std::vector<FreedPart> parts;
@@ -148,15 +177,28 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
               .direction = candidate.direction,
               .source = PullSource::exact};
     }
-    if (most < k_least_part * whole) break;
+    if (const auto lifter = most_clearing(rest, tried, most)) best = *lifter;
+    const bool lifts = best.kind == ActionKind::lifter;
+    const glm::dvec3 side = best.core_side ? direction_ : -direction_;
     FreedPart part;
     std::erase_if(rest, [&](const UndercutSample& sample) {
-      if (release_.free_length(sample, best.direction) < k_never) return false;
-      part.samples.push_back(sample);
-      return true;
+      const bool freed = lifts ? release_.free_length(sample, best.direction) >= best.travel &&
+                                     release_.clear(sample, best.direction, best.travel, side)
+                               : release_.free_length(sample, best.direction) == k_never;
+      if (freed) part.samples.push_back(sample);
+      return freed;
     });
-    best.interval = release_.free_turn(part.samples, best.direction, direction_);
-    estimate_travel(part.samples, best);
+    if (area_of(part.samples) < k_least_part * whole) {
+      rest.insert(rest.end(), part.samples.begin(), part.samples.end());
+      break;
+    }
+    if (lifts) {
+      best.travel =
+          release_.first_clear(part.samples, best.direction, side, best.travel).value_or(best.travel);
+    } else {
+      best.interval = release_.free_turn(part.samples, best.direction, direction_);
+      estimate_travel(part.samples, best);
+    }
     part.pulls = {best};
     parts.push_back(std::move(part));
   }

@@ -56,6 +56,10 @@ class PullFinder {
  private:
   [[nodiscard]] std::vector<Pull> find_lifters(std::span<const UndercutSample> samples,
                                                std::span<const PullCandidate> tried) const;
+  /// The lifter that clears most of the samples, more than `least` of their area; none where there is none.
+  /// Its travel is one at which it does.
+  [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
+                                                  std::span<const PullCandidate> tried, double least) const;
   [[nodiscard]] bool is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const;
 
   glm::dvec3 direction_;

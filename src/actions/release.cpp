@@ -99,6 +99,15 @@ bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double
   return !model_.rays().first_hit(at, glm::vec3(side), true).has_value();
 }
 
+double Release::cleared_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                             const glm::dvec3& side, double length) const {
+  double area = 0.0;
+  for (const UndercutSample& sample : samples) {
+    if (clear(sample, pull, length, side) && free_length(sample, pull) >= length) area += sample.area;
+  }
+  return area;
+}
+
 double Release::clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                              const glm::dvec3& side, double step) const {
   double beyond = 0.0;

@@ -47,6 +47,9 @@ class Release {
   /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;
+  /// Area of the samples that move so far, and are clear there.
+  [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                                    const glm::dvec3& side, double length) const;
   /// The least length beyond which all samples are clear, whatever lies beyond; looked for in steps of `step`
   /// and then halved to 1e-7.
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,

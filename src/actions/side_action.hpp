@@ -64,7 +64,7 @@ struct UndercutReport {
 
 struct ActionPlan {
   std::vector<UndercutReport> patches;  // the largest first
-  std::size_t dropped = 0;              // specks
+  std::size_t dropped = 0;              // specks, and what is clear within the lateral tolerance
   double dropped_area = 0.0;
   std::vector<SideAction> actions;      // the largest area first
   std::vector<std::size_t> unreleased;  // patches that nothing releases

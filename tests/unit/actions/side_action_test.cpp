@@ -214,6 +214,32 @@ TEST(SideAction, UnderAHookInABoxIsALifter) {
   }
 }
 
+/// A sill on the floor keeps what lies behind it from following: the lifter forms the rest, and what is left
+/// is told.
+TEST(SideAction, UnderAHookBehindASillIsALifterForTheRest) {
+  const TriangleMesh mesh = block_with_cavity({{2, 20},
+                                               {2, 16},
+                                               {5, 16},
+                                               {5, 14},
+                                               {2, 14},
+                                               {2, 2},
+                                               {4, 2},
+                                               {4, 3},
+                                               {4.5, 3},
+                                               {4.5, 2},
+                                               {38, 2},
+                                               {38, 20}},
+                                              {40, 20}, 30.0);
+  const Planned planned = plan_of(mesh);
+  ASSERT_EQ(planned.plan.actions.size(), 1U);
+  const SideAction& action = planned.plan.actions.front();
+  EXPECT_EQ(action.kind, ActionKind::lifter);
+  EXPECT_NEAR(action.travel, 3.0, 0.1);
+  EXPECT_GT(action.direction.x, 1.0 - 1e-6);
+  // Behind the sill: the floor, the wall up to its height, and the sill's back.
+  EXPECT_NEAR(planned.plan.unreleased_area, 30.0 * (2.0 + 1.0 + 1.0), 10.0);
+}
+
 /// The slot's two undercut wings lie across from each other: each is a lifter that moves in by its overhang,
 /// or where the slot's ends are open both are one slide along it.
 TEST(SideAction, InATSlotIsALifterForEachWing) {
