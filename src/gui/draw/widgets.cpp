@@ -246,7 +246,7 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
   // Where both have no room, the value is what one wants to read.
   const std::string shown = spec.text(value);
   const float room =
-      row.max.x - row.min.x - text_size(ui.fonts.body, shown).x - ui.px(label.modified ? 33 : 24);
+      row.max.x - row.min.x - text_size(ui.fonts.body, shown).x - ui.px(label.modified ? 28 : 19);
   const std::string name = fitted(ui.fonts.body, label.text.substr(0, label.text.find("##")), room);
   draw_label(ui, row, {name, label.modified});
   draw_value(ui, row, shown);
