@@ -92,6 +92,15 @@ template <typename S>
   return json;
 }
 
+namespace detail {
+
+/// A key in quotes, as JSON has it: on one line whatever is in it.
+inline std::string key_text(const std::string& key) {
+  return Json(key).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace detail
+
 /// Sets every option that the object holds; keys that no option has are refused. Throws UsageError.
 template <typename S>
 void set_options(std::span<const Option<S>> options, S& settings, const nlohmann::ordered_json& json) {
@@ -100,7 +109,7 @@ void set_options(std::span<const Option<S>> options, S& settings, const nlohmann
     const auto option =
         std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.key == item.key(); });
     if (option == options.end())
-      throw UsageError(fmt::format("settings: there is no setting '{}'", item.key()));
+      throw UsageError(fmt::format("settings: there is no setting {}", detail::key_text(item.key())));
     set_option(*option, settings, detail::json_text(item.value()));
   }
 }

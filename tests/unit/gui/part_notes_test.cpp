@@ -68,6 +68,18 @@ TEST(PartNotes, RefuseAUnitThatIsNone) {
   }
 }
 
+TEST(PartNotes, RefuseInOneLineWhateverIsInThem) {
+  for (const char* bad :
+       {R"({"back\nd": 1})", R"({"kernel_shape": "one\nsided"})", R"({"tau_deg": "1\n2"})"}) {
+    try {
+      static_cast<void>(parse_part_notes(bad, {}));
+      ADD_FAILURE() << bad;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos) << error.what();
+    }
+  }
+}
+
 /// Whose squared length is no double.
 TEST(PartNotes, BookmarksOfAnyLengthAreDirections) {
   const PartNotes notes = parse_part_notes(
