@@ -17,17 +17,18 @@ namespace {
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_resolved = 1e-7;  // of a length
 constexpr double k_resolved_deg = 1e-4;
-constexpr double k_step_deg = 2.5;   // beyond it a turn goes on in equal steps
-constexpr double k_past = 1e-6;      // behind a facet that is not in the way
-constexpr int k_most_passed = 1024;  // such facets along one ray
-constexpr int k_most_glides = 512;   // of them, along a way across the part at a draft of tau
+constexpr double k_step_deg = 2.5;     // beyond it a turn goes on in equal steps
+constexpr double k_past = 1e-6;        // behind a facet that is not in the way
+constexpr int k_most_passed = 1024;    // such facets along one ray
+constexpr int k_most_glides = 512;     // of them, along a way across the part at a draft of tau
+constexpr double k_least_sine = 1e-7;  // of tau: walls of a file in single precision lean by so much
 /// A part lies in a ball of diameter 1 in the unit frame.
 constexpr double k_across = 1.0;
 
 }  // namespace
 
 Release::Release(const PartModel& model, const ExactQuery& query)
-    : model_(model), query_(query), sine_(std::sin(glm::radians(query.tau_deg))) {}
+    : model_(model), query_(query), sine_(std::max(std::sin(glm::radians(query.tau_deg)), k_least_sine)) {}
 
 glm::vec3 Release::start(const UndercutSample& sample, const glm::dvec3& pull) const {
   if (std::abs(glm::dot(sample.normal, pull)) >= sine_) return sample.position;

@@ -121,6 +121,19 @@ TEST(SideHole, InOneDirectionOnlyIfBlind) {
   EXPECT_NEAR(planned.plan.patches[0].formed_area, planned.plan.patches[0].undercut.area, 1e-6);
 }
 
+TEST(SideHole, StraightIsASlideWithoutAnyTolerance) {
+  Part part;
+  part.mesh = laid(block_with_hole({}), 30.0);
+  part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
+  const auto model = prepare_part(std::move(part), Progress());
+  Query query;
+  query.method.tau_deg = 0.0;
+  const Classification result = classify_exact(*model, query, Progress(), true);
+  const ActionPlan plan = find_actions(*model, result, {}, Progress());
+  EXPECT_EQ(actions_text(plan), "1 slide");
+  EXPECT_TRUE(plan.unreleased.empty());
+}
+
 /// Within 5 degrees of the plane it is a slide, up to 30 an inclined one, beyond nothing.
 TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
   for (const auto& [lean_deg, kind] :
