@@ -271,6 +271,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
 
   notes_to_set_.reset();
   saved_notes_ = notes;
+  noted_unit_ = notes.unit;
   state_.notes_beside = options_.persistent && notes_path(part.path) == notes_path_beside(part.path);
   state_.settings = notes.settings;
   state_.bookmarks = notes.bookmarks;
@@ -307,8 +308,10 @@ void App::pick() {
 void App::apply(const Edits& edits) {
   const Editable former = state_;
   static_cast<Editable&>(state_) = edits;
-  if (const ReadOptions wanted = std::exchange(state_.reading, former.reading); wanted != former.reading)
+  if (const ReadOptions wanted = std::exchange(state_.reading, former.reading); wanted != former.reading) {
+    if (wanted.unit != former.reading.unit) noted_unit_ = wanted.unit;
     load(state_.path, wanted, {});
+  }
   if (!(state_.camera == former.camera)) flight_.stop();
   if (!(state_.window == former.window)) settle_frames_ = k_settle_frames;
   SweepChoices& choices = state_.sweep_choices;
@@ -506,7 +509,7 @@ void App::save() {
     options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
-    const PartNotes notes{state_.settings, state_.bookmarks, state_.reading.unit};
+    const PartNotes notes{state_.settings, state_.bookmarks, noted_unit_};
     if (!state_.model || notes == saved_notes_) return;
     const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
     if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));

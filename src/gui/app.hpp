@@ -160,6 +160,7 @@ class App {
   UndercutGlow glow_;
   std::optional<PartNotes> notes_to_set_;
   PartNotes saved_notes_;
+  std::string noted_unit_;     // of the notes, or chosen in the window; not that of the command line
   WindowSettings begun_with_;  // what differs from it was changed in the window
   std::optional<std::string> picture_request_;
   int picture_wait_ = 0;  // frames until no dialog is in it
