@@ -453,12 +453,11 @@ class Finder {
 };
 
 constexpr std::array<ActionFacts, k_action_kinds> k_facts = {{
-    {"slide", "slide", "slides", "Pulled out sideways before the part leaves.", 1.0},
-    {"inclined", "inclined slide", "inclined slides",
-     "A slide that moves at an angle to the plane across the parting direction.", 1.3},
-    {"lifter", "lifter", "lifters", "Moves sideways relative to the part while both rise.", 1.2},
-    {"unscrew", "unscrewing core", "unscrewing cores", "Leaves the part along its thread.", 2.5},
-    {"strip", "stripped ring", "stripped rings", "The part is stretched over it.", 0.1},
+    {"slide", "slide", "slides", 1.0},
+    {"inclined", "inclined slide", "inclined slides", 1.3},
+    {"lifter", "lifter", "lifters", 1.2},
+    {"unscrew", "unscrewing core", "unscrewing cores", 2.5},
+    {"strip", "stripped ring", "stripped rings", 0.1},
 }};
 
 }  // namespace

@@ -173,8 +173,7 @@ std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const
   if (ratio > k_most_ratio || std::abs(motion[0]) < k_least_rotation) return std::nullopt;
   const double cu = motion[2] / motion[0], cv = motion[1] / motion[0];
   const HelixFit fit{.point = middle + size * (cu * frame.x + cv * frame.y),
-                     .advance = size * motion[3] / motion[0],
-                     .ratio = ratio};
+                     .advance = size * motion[3] / motion[0]};
   // A body of few sides is turned by no motion either, but is told from others as well.
   double squares = 0.0, total = 0.0;
   for (const UndercutSample& sample : samples) {
@@ -211,7 +210,7 @@ std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface&
                                                 k_most_turns * 2.0 * std::numbers::pi),
                                .off = std::max(query.lateral, k_play * pitch)};
       if (met_share(model, samples, motion) > k_may_meet) continue;
-      return Thread{.helix = {fit->point, advance, fit->ratio},
+      return Thread{.helix = {fit->point, advance},
                     .pitch = pitch,
                     .right_handed = advance > 0.0,
                     .core_side = core_side};

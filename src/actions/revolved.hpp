@@ -15,7 +15,6 @@ namespace moldlight {
 struct HelixFit {
   glm::dvec3 point{0.0};  // of the axis, unit frame
   double advance = 0.0;  // along +d for a turn about it by one radian, unit frame; 0: a surface of revolution
-  double ratio = 0.0;    // least to second least eigenvalue: how well it is told from other motions
 };
 
 /// The rotation about an axis along `direction` (unit), with an advance along it, under which the samples'

@@ -18,7 +18,7 @@ namespace moldlight {
 
 /// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
 /// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
-/// it. Insert: leaves the mold with the part and is pulled out by hand.
+/// it.
 enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip };
 inline constexpr std::size_t k_action_kinds = 5;
 
@@ -26,7 +26,6 @@ inline constexpr std::size_t k_action_kinds = 5;
 struct ActionFacts {
   std::string_view name;              // in reports
   std::string_view singular, plural;  // in sentences
-  std::string_view meaning;           // a sentence
   double weight;                      // in the choice of the least set: what a mold maker minds, no money
 };
 [[nodiscard]] const ActionFacts& facts(ActionKind kind);
