@@ -164,6 +164,24 @@ TEST(SideAction, FormsTheWholeFacesOfItsUndercut) {
   EXPECT_NEAR(patch.formed_area, back_and_lid + 20.0 * 12.0, 0.1) << "with the whole floor, to x = 30";
 }
 
+/// A notch under a roof that reaches far beyond it: a slide need not pass the roof if it belongs to the other
+/// half.
+TEST(SideAction, BelongsToTheHalfThatItMustTravelLessFor) {
+  SolidBuilder solid;
+  solid.extrude(
+      {{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 10}, {20, 10}, {20, 15}, {40, 15}, {40, 20}, {0, 20}}, {},
+      60.0);
+  const Planned planned = plan_of(solid.mesh());
+  ASSERT_EQ(planned.plan.actions.size(), 1U);
+  const SideAction& action = planned.plan.actions.front();
+  EXPECT_GT(action.direction.x, 1.0 - 1e-6);
+  EXPECT_NEAR(action.travel, 10.0 + 3.0, 1e-3 * planned.model->frame.diagonal) << "not 30, as from above";
+  EXPECT_FALSE(action.core_side);
+  const Planned turned = plan_of(solid.mesh(), {}, {0, 0, -1});
+  ASSERT_EQ(turned.plan.actions.size(), 1U);
+  EXPECT_TRUE(turned.plan.actions.front().core_side) << "d reversed swaps the sides";
+}
+
 TEST(SideAction, OfAPartWithoutUndercutsIsNone) {
   SolidBuilder solid;
   solid.box({0, 0, 0}, {10, 10, 10});
