@@ -452,17 +452,7 @@ class Finder {
   std::vector<Column> revolved_;  // threads and rings
 };
 
-constexpr std::array<ActionFacts, k_action_kinds> k_facts = {{
-    {"slide", "slide", "slides", 1.0},
-    {"inclined", "inclined slide", "inclined slides", 1.3},
-    {"lifter", "lifter", "lifters", 1.2},
-    {"unscrew", "unscrewing core", "unscrewing cores", 2.5},
-    {"strip", "stripped ring", "stripped rings", 0.1},
-}};
-
 }  // namespace
-
-const ActionFacts& facts(ActionKind kind) { return k_facts[static_cast<std::size_t>(kind)]; }
 
 ActionPlan find_actions(const PartModel& model, const Classification& result, const ActionSettings& settings,
                         const Progress& progress) {
@@ -475,8 +465,9 @@ std::string actions_text(const ActionPlan& plan) {
   std::string text;
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
     if (counts[kind] == 0) continue;
+    const ActionFacts& each = facts(static_cast<ActionKind>(kind));
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind],
-                        counts[kind] == 1 ? k_facts[kind].singular : k_facts[kind].plural);
+                        counts[kind] == 1 ? each.singular : each.plural);
   }
   return text.empty() ? "none" : text;
 }

@@ -1,34 +1,20 @@
 // The side actions that release a part's undercuts.
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "actions/action_kind.hpp"
 #include "actions/action_settings.hpp"
 #include "actions/release.hpp"
 #include "actions/undercut.hpp"
 #include "classify/classification.hpp"
 
 namespace moldlight {
-
-/// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
-/// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
-/// it.
-enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip };
-inline constexpr std::size_t k_action_kinds = 5;
-
-/// What else is said of a kind: the one place for it.
-struct ActionFacts {
-  std::string_view name;              // in reports
-  std::string_view singular, plural;  // in sentences
-  double weight;                      // in the choice of the least set: what a mold maker minds, no money
-};
-[[nodiscard]] const ActionFacts& facts(ActionKind kind);
 
 /// Of a thread or a ring. Lengths are in the part's unit.
 struct Revolution {

@@ -1,0 +1,24 @@
+// What kinds of side action there are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace moldlight {
+
+/// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
+/// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
+/// it.
+enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip };
+inline constexpr std::size_t k_action_kinds = 5;
+
+/// What else is said of a kind: the one place for it.
+struct ActionFacts {
+  std::string_view name;              // in reports
+  std::string_view singular, plural;  // in sentences
+  double weight;                      // in the choice of the least set: what a mold maker minds, no money
+};
+[[nodiscard]] const ActionFacts& facts(ActionKind kind);
+
+}  // namespace moldlight
