@@ -28,6 +28,12 @@ std::span<const Option<ActionSettings>> action_options() {
       {"side_directions", "--side-direction", "Side directions", "",
        "A direction that a side action may take, tried beside those of the part; may be given several times.",
        DirectionsKind<S>{&S::side_directions}},
+      {"pins", "--pins", "Pins", "",
+       "Undercuts that one kind of action alone may release, or none: a point on each, its area and the "
+       "kind.",
+       TextKind<S>{.name = "X,Y,Z,AREA,KIND;...",
+                   .get = [](const S& s) { return pins_text(s.pins); },
+                   .set = [](S& s, std::string_view text) { s.pins = parse_pins(text); }}},
   };
   return k_options;
 }

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "actions/pins.hpp"
 #include "classify/option.hpp"
 
 namespace moldlight {
@@ -20,7 +21,8 @@ struct ActionSettings {
   double bundle_across_mm =
       50.8;                       // undercuts that one slide forms are no farther apart across its direction,
   double bundle_along_mm = 25.4;  // and along it (published by a vendor of cost estimation), [0, 10000]
-  std::vector<glm::dvec3> side_directions = {};  // always tried, of any length but zero
+  std::vector<glm::dvec3> side_directions = {};  // always tried, and taken as they are; not zero
+  std::vector<ActionPin> pins = {};
 
   bool operator==(const ActionSettings&) const = default;
 };

@@ -47,7 +47,9 @@ Json patch_json(const Part& part, const UndercutReport& patch, std::size_t numbe
           {"size_along", patch.undercut.size_along},
           {"depth", finite(patch.depth)},
           {"side", side_name(patch.core_side)},
-          {"blocked_by", facets_json(part, patch.blocked_by)}};
+          {"blocked_by", facets_json(part, patch.blocked_by)},
+          {"point", vector_json(patch.point)},
+          {"pinned", patch.pin ? Json(pin_name(*patch.pin)) : Json()}};
 }
 
 Json action_json(const SideAction& action) {
@@ -68,13 +70,6 @@ Json action_json(const SideAction& action) {
           {"area", action.area},
           {"side", side_name(action.core_side)},
           {"clear_to", finite(action.clear_to)}};
-}
-
-const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
-  const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
-    return std::ranges::find(action.patches, patch) != action.patches.end();
-  });
-  return found == plan.actions.end() ? nullptr : &*found;
 }
 
 std::string patches_text(const std::vector<std::size_t>& patches) {
@@ -143,6 +138,10 @@ std::string actions_table(const ActionsReport& report) {
     fmt::format_to(out, "\nNothing that was tried releases {} {} in {} undercuts: {}\n",
                    areas.text(plan.unreleased_area), area_unit, plan.unreleased.size(),
                    patches_text(plan.unreleased));
+  for (const std::size_t patch : plan.unreleased) {
+    if (plan.patches[patch].pin)
+      fmt::format_to(out, "undercut {}: {}\n", patch + 1, unreleased_text(plan, patch));
+  }
   if (plan.dropped > 0)
     fmt::format_to(out, "{} patches within the lateral tolerance are left out, {} {}.\n", plan.dropped,
                    figure(plan.dropped_area), area_unit);

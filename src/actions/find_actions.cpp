@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
@@ -30,6 +29,8 @@ constexpr double k_fine_step = 1.0 / 512.0;                       // of travels,
 constexpr double k_least_revolved = 1e-4;  // of the part's area: a smaller patch is neither thread nor ring
 constexpr double k_narrow_cost = 2e-4;     // of a pull that may not turn at all, beside the weights
 constexpr double k_travel_cost = 1e-3;     // of the diagonal, beside the weights
+constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, off the weights
+constexpr double k_pin_reach = 0.02;       // of the diagonal, from a pin to its undercut
 
 /// An undercut, or a part of one that nothing releases whole, while actions are looked for.
 struct Atom {
@@ -37,6 +38,13 @@ struct Atom {
   std::vector<UndercutSample> samples;
   std::vector<Pull> pulls = {};
   bool whole = true;
+  const ActionPin* pin = nullptr;  // of its undercut
+
+  [[nodiscard]] bool allows(ActionKind kind) const { return pin == nullptr || pin->allows(kind); }
+  /// False where it is to be left as it is.
+  [[nodiscard]] bool wanted() const { return pin == nullptr || pin->kind; }
+  /// The kind that alone may release it.
+  [[nodiscard]] std::optional<ActionKind> only() const { return pin == nullptr ? std::nullopt : pin->kind; }
 
   [[nodiscard]] double area() const {
     return std::accumulate(samples.begin(), samples.end(), 0.0,
@@ -53,7 +61,8 @@ struct Column {
 /// The weight of its kind; of equal ones the shorter is better, then the one that leaves more room.
 double cost(const Pull& pull) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
-  return facts(pull.kind).weight + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
+  const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
+  return facts(pull.kind).weight - gain + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
 }
 
 class Finder {
@@ -112,6 +121,8 @@ class Finder {
       const double wanted = std::clamp(k_samples * patch.area / total, k_least_samples, k_most_samples);
       atoms_.push_back(
           {atoms_.size(), sample_undercut(model_, split_, patch, static_cast<std::size_t>(wanted))});
+      atoms_.back().pin = pin_of(settings_.pins, {atoms_.back().samples, patch.area}, model_.frame,
+                                 k_pin_reach * model_.frame.diagonal);
     }
   }
 
@@ -133,8 +144,10 @@ class Finder {
 
   void find_pulls() {
     progress_.report("looking for side actions", 0.0);
-    for_each_atom(
-        [&](std::size_t k) { atoms_[k].pulls = pulls_.find(atoms_[k].samples, candidates(atoms_[k])); });
+    for_each_atom([&](std::size_t k) {
+      Atom& atom = atoms_[k];
+      if (atom.wanted()) atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
+    });
   }
 
   /// What pulls clear within the lateral tolerance is no undercut that a mold maker would see.
@@ -179,9 +192,14 @@ class Finder {
       if (atoms_[k].pulls.empty() && atoms_[k].area() >= k_least_revolved * model_.geometry.total_area)
         stuck.push_back(k);
     }
-    if (stuck.size() > 1 && add_thread(stuck)) return;
+    std::vector<std::size_t> threads;
     for (const std::size_t k : stuck) {
-      if (!add_thread({k})) add_ring(k);
+      if (atoms_[k].allows(ActionKind::unscrew)) threads.push_back(k);
+    }
+    if (threads.size() > 1 && add_thread(threads)) return;
+    for (const std::size_t k : stuck) {
+      const bool turns = atoms_[k].allows(ActionKind::unscrew) && add_thread({k});
+      if (!turns && atoms_[k].allows(ActionKind::strip)) add_ring(k);
     }
   }
 
@@ -249,12 +267,14 @@ class Finder {
     }
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {
-      if (revolved[k] == 0 && atoms_[k].pulls.empty())
-        parts[k] = pulls_.split(atoms_[k].samples, candidates(atoms_[k]));
+      const Atom& atom = atoms_[k];
+      if (revolved[k] == 0 && atom.pulls.empty() && atom.wanted())
+        parts[k] = pulls_.split(atom.samples, candidates(atom), atom.only());
     });
     for (std::size_t k = 0; k < parts.size(); ++k) {
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
-        Atom atom{atoms_[k].patch, std::move(parts[k][part].samples), std::move(parts[k][part].pulls), false};
+        Atom atom{atoms_[k].patch, std::move(parts[k][part].samples), std::move(parts[k][part].pulls), false,
+                  atoms_[k].pin};
         if (part == 0) {
           atoms_[k] = std::move(atom);
         } else {
@@ -283,8 +303,8 @@ class Finder {
     Pull pull = alone.pull;
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (std::size_t k = 0; k < atoms_.size(); ++k) {
-        if (std::ranges::find(group, k) != group.end() || !are_near(group[next], k, pull.direction) ||
-            !may_share(alone.atoms.front(), k) ||
+        if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
+            !are_near(group[next], k, pull.direction) || !may_share(alone.atoms.front(), k) ||
             !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))
           continue;
         group.push_back(k);
@@ -410,16 +430,31 @@ class Finder {
       UndercutReport told;
       told.undercut = undercuts_.patches[k];
       told.blocked_by = blockers(told.undercut);
-      const auto action = std::ranges::find_if(plan.actions, [&](const SideAction& each) {
-        return std::ranges::find(each.patches, k) != each.patches.end();
-      });
-      if (action != plan.actions.end()) {
+      place(k, told);
+      const SideAction* action = action_of(plan, k);
+      if (action != nullptr) {
         const bool slides = action->kind == ActionKind::slide || action->kind == ActionKind::inclined;
         told.depth = action->travel - (slides ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         told.core_side = action->core_side;
       }
-      told.formed_area = formed_area(told.undercut, action == plan.actions.end() ? nullptr : &*action);
+      told.formed_area = formed_area(told.undercut, action);
       plan.patches.push_back(std::move(told));
+    }
+  }
+
+  /// Where a pin finds it, and the pin that did.
+  void place(std::size_t patch, UndercutReport& told) const {
+    const glm::vec3 centre = model_.frame.to_unit(told.undercut.centre);
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const Atom& atom : atoms_) {
+      if (atom.patch != patch) continue;
+      if (atom.pin != nullptr) told.pin = *atom.pin;
+      for (const UndercutSample& sample : atom.samples) {
+        const float distance = glm::distance(sample.position, centre);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        told.point = model_.frame.center + model_.frame.diagonal * glm::dvec3(sample.position);
+      }
     }
   }
 
@@ -457,19 +492,6 @@ class Finder {
 ActionPlan find_actions(const PartModel& model, const Classification& result, const ActionSettings& settings,
                         const Progress& progress) {
   return Finder(model, result, settings, progress).run();
-}
-
-std::string actions_text(const ActionPlan& plan) {
-  std::array<std::size_t, k_action_kinds> counts{};
-  for (const SideAction& action : plan.actions) ++counts[static_cast<std::size_t>(action.kind)];
-  std::string text;
-  for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
-    if (counts[kind] == 0) continue;
-    const ActionFacts& each = facts(static_cast<ActionKind>(kind));
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind],
-                        counts[kind] == 1 ? each.singular : each.plural);
-  }
-  return text.empty() ? "none" : text;
 }
 
 }  // namespace moldlight

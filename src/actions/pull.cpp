@@ -39,7 +39,8 @@ double turn_between(const glm::dvec3& from, const glm::dvec3& to, const glm::dve
 }  // namespace
 
 std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
-                                   std::span<const PullCandidate> tried) const {
+                                   std::span<const PullCandidate> tried,
+                                   std::optional<ActionKind> only) const {
   struct Band {
     ActionKind kind;
     double above_deg, up_to_deg;
@@ -49,6 +50,7 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
        {Band{ActionKind::slide, -1.0, std::min(k_same_elevation_deg, settings_.slide_angle_deg)},
         Band{ActionKind::slide, k_same_elevation_deg, settings_.slide_angle_deg},
         Band{ActionKind::inclined, settings_.slide_angle_deg, settings_.incline_deg}}) {
+    if (only && only != kind) continue;
     for (const PullCandidate& candidate : tried) {
       const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
       if (angle_deg <= above_deg || angle_deg > up_to_deg || is_known(pulls, candidate.direction)) continue;
@@ -58,7 +60,7 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
     }
     if (!pulls.empty()) return pulls;
   }
-  return find_lifters(samples, tried);
+  return !only || only == ActionKind::lifter ? find_lifters(samples, tried) : std::vector<Pull>();
 }
 
 /// Whether a pull that was found reaches it by turning about the parting direction.
@@ -78,6 +80,7 @@ Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const Pu
   pull.interval = release_.free_turn(samples, pull.direction, direction_);
   const auto [from_deg, to_deg] = pull.interval;
   const double middle = pull.interval.middle_deg(), half = 0.5 * (to_deg - from_deg);
+  if (pull.source == PullSource::wish) return pull;
   const bool central = std::abs(middle) < 0.5 * half;
   const bool roomy = 2.0 * half > k_wide_deg && std::min(to_deg, -from_deg) >= k_least_margin_deg;
   if ((pull.source == PullSource::exact && central) || (pull.source != PullSource::even && roomy))
@@ -117,7 +120,8 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
                        .core_side = core_side});
     }
   }
-  std::ranges::stable_sort(found, {}, &Pull::travel);
+  std::ranges::stable_sort(
+      found, {}, [](const Pull& pull) { return std::pair(pull.source != PullSource::wish, pull.travel); });
   std::vector<Pull> pulls;
   for (Pull& pull : found) {
     if (pulls.size() == k_lifters) break;
@@ -159,25 +163,29 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
 }
 
 std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples,
-                                         std::span<const PullCandidate> tried) const {
+                                         std::span<const PullCandidate> tried,
+                                         std::optional<ActionKind> only) const {
+  const bool lifters = !only || only == ActionKind::lifter;
   std::vector<FreedPart> parts;
   std::vector<UndercutSample> rest(samples.begin(), samples.end());
   const double whole = area_of(samples);
   for (int round = 0; round < k_most_parts; ++round) {
     double most = 0.0;
-    Pull best;
+    std::optional<Pull> found;
     for (const PullCandidate& candidate : tried) {
       const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
-      if (angle_deg > settings_.incline_deg) continue;
+      const ActionKind kind =
+          angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
+      if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
       // Of equal ones that which comes first: it is better meant.
       const double freed = release_.free_area(rest, candidate.direction, k_never);
       if (freed <= most * (1.0 + 1e-9)) continue;
       most = freed;
-      best = {.kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined,
-              .direction = candidate.direction,
-              .source = PullSource::exact};
+      found = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
     }
-    if (const auto lifter = most_clearing(rest, tried, most)) best = *lifter;
+    if (const auto lifter = lifters ? most_clearing(rest, tried, most) : std::nullopt) found = lifter;
+    if (!found) break;
+    Pull& best = *found;
     const bool lifts = best.kind == ActionKind::lifter;
     const glm::dvec3 side = best.core_side ? direction_ : -direction_;
     FreedPart part;
@@ -203,7 +211,7 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
     parts.push_back(std::move(part));
   }
   if (!parts.empty() && area_of(rest) > k_blocked_share * whole)
-    parts.push_back({.samples = rest, .pulls = find_lifters(rest, tried)});
+    parts.push_back({.samples = rest, .pulls = lifters ? find_lifters(rest, tried) : std::vector<Pull>()});
   return parts;
 }
 

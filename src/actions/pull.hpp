@@ -37,15 +37,18 @@ class PullFinder {
   [[nodiscard]] const Release& release() const { return release_; }
 
   /// Slides; where there is none, such as lean; where there is none either, inclined ones; at last lifters.
+  /// Or those of a kind alone.
   [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
-                                       std::span<const PullCandidate> tried) const;
-  /// One pull after another, each of which frees most of the rest.
+                                       std::span<const PullCandidate> tried,
+                                       std::optional<ActionKind> only = {}) const;
+  /// One pull after another, each of which frees most of the rest; all of them of a kind where one is given.
   [[nodiscard]] std::vector<FreedPart> split(std::span<const UndercutSample> samples,
-                                             std::span<const PullCandidate> tried) const;
+                                             std::span<const PullCandidate> tried,
+                                             std::optional<ActionKind> only = {}) const;
 
   /// A direction that releases the samples, moved to the middle of what is free, unless the part says better:
   /// an axis is kept unless it lies near an end, and where much is free, so is a direction of the part's own
-  /// shape.
+  /// shape; a wish is kept as it is.
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                    ActionKind kind) const;
   /// The travel beyond which the part passes, on the side on which it is shorter; to a step of so much.

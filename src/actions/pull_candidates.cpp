@@ -101,8 +101,7 @@ double elevation_deg(const glm::dvec3& pull, const glm::dvec3& direction) {
 std::vector<PullCandidate> own_pulls(const PartModel& model, const SplitMesh& split, const Undercut& undercut,
                                      const glm::dvec3& direction, const ActionSettings& settings) {
   Collector found(direction, settings.incline_deg);
-  for (const glm::dvec3& given : settings.side_directions)
-    found.add(glm::normalize(given), PullSource::exact);
+  for (const glm::dvec3& given : settings.side_directions) found.add(glm::normalize(given), PullSource::wish);
   std::vector<Plane> planes = planes_of(model, split, undercut);
   std::size_t walls = 0;
   for (const Plane& plane : planes) {

@@ -12,9 +12,9 @@
 
 namespace moldlight {
 
-/// Where a direction comes from: what it says about how well it is meant, the best first. Exact: an axis of
-/// the part or a wish of the user. Shape: normals and edges of planes. Even: one of many.
-enum class PullSource : std::uint8_t { exact, shape, even };
+/// Where a direction comes from: what it says about how well it is meant, the best first. Wish: the user's
+/// own. Exact: an axis of the part. Shape: normals and edges of planes. Even: one of many.
+enum class PullSource : std::uint8_t { wish, exact, shape, even };
 
 struct PullCandidate {
   glm::dvec3 direction{1, 0, 0};  // unit

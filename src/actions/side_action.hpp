@@ -45,6 +45,8 @@ struct UndercutReport {
   double depth = 0.0;        // least distance across d to where the part is not in the way along d
   bool core_side = true;     // from which it is nearer
   std::vector<FacetIndex> blocked_by;  // facets that hide it, the most frequent first
+  glm::dvec3 point{0.0};               // on it, by which a pin finds it again
+  std::optional<ActionPin> pin;
 };
 
 struct ActionPlan {
@@ -63,5 +65,11 @@ struct ActionPlan {
 
 /// "2 slides, 1 lifter"; "none" where nothing is needed.
 [[nodiscard]] std::string actions_text(const ActionPlan& plan);
+
+/// The action that releases an undercut, or the largest part of it; null for none.
+[[nodiscard]] const SideAction* action_of(const ActionPlan& plan, std::size_t patch);
+/// Why an undercut among the unreleased is left, or the rest of it: "no slide releases it", "left as it is",
+/// …
+[[nodiscard]] std::string unreleased_text(const ActionPlan& plan, std::size_t patch);
 
 }  // namespace moldlight

@@ -1,0 +1,38 @@
+#include "actions/side_action.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace moldlight {
+
+const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
+  const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
+    return std::ranges::find(action.patches, patch) != action.patches.end();
+  });
+  return found == plan.actions.end() ? nullptr : &*found;
+}
+
+std::string unreleased_text(const ActionPlan& plan, std::size_t patch) {
+  const std::optional<ActionPin>& pin = plan.patches[patch].pin;
+  if (pin && !pin->kind) return "left as it is";
+  return fmt::format("{} releases {}",
+                     pin ? fmt::format("no {}", facts(*pin->kind).singular) : "nothing that was tried",
+                     action_of(plan, patch) == nullptr ? "it" : "the rest of it");
+}
+
+std::string actions_text(const ActionPlan& plan) {
+  std::array<std::size_t, k_action_kinds> counts{};
+  for (const SideAction& action : plan.actions) ++counts[static_cast<std::size_t>(action.kind)];
+  std::string text;
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
+    if (counts[kind] == 0) continue;
+    const ActionFacts& each = facts(static_cast<ActionKind>(kind));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind],
+                        counts[kind] == 1 ? each.singular : each.plural);
+  }
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace moldlight
