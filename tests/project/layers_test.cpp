@@ -27,8 +27,9 @@ const std::map<std::string, Layers>& allowed_layers() {
     layers.insert(one);
     return layers;
   };
-  static const Layers k_actions = with(k_classify, "classify"), k_sweep = with(k_actions, "actions"),
-                      k_entry = with(k_sweep, "sweep"), k_program = with(k_entry, "gui");
+  static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
+                      k_sweep = with(k_parting, "parting"), k_entry = with(k_sweep, "sweep"),
+                      k_program = with(k_entry, "gui");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -38,6 +39,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"render", {"base", "mesh", "mold", "gl"}},
       {"classify", k_classify},
       {"actions", k_actions},
+      {"parting", k_parting},
       {"sweep", k_sweep},
       {"step", {"io", "mesh"}},
       {"gui", k_entry},
@@ -64,7 +66,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"OpenCASCADE", std::regex("[A-Z][A-Za-z]+(_[A-Za-z]+)?\\.hxx"), {"step"}},
       {"Cairo", std::regex("cairo.*"), {"picture"}},
       {"CLI11", std::regex("CLI/.*"), {"cli"}},
-      {"JSON", std::regex("nlohmann/.*"), {"actions", "classify", "sweep", "gui", "cli"}},
+      {"JSON", std::regex("nlohmann/.*"), {"actions", "classify", "parting", "sweep", "gui", "cli"}},
   };
   return k_rules;
 }

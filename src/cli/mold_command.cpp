@@ -1,0 +1,80 @@
+// moldlight mold: the parting line of one direction, and the two mold halves.
+#include <memory>
+
+#include "classify/figures.hpp"
+#include "cli/flags.hpp"
+#include "parting/line_files.hpp"
+#include "parting/mold_report.hpp"
+#include "sweep/sweep.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+struct MoldFlags {
+  PartFlags part;
+  Query query;
+  bool best_direction = false;
+  MoldSettings settings;
+  std::vector<std::string> lines;
+};
+
+WrittenLines written_lines(const PartModel& model, const Assignment& assignment, const PartingLine& line) {
+  WrittenLines lines{
+      .loops = {}, .direction = assignment.direction, .unit = model.part.unit, .name = part_name(model.part)};
+  for (const PartingLoop& loop : line.loops) {
+    WrittenLoop written{.kind = loop_name(loop.kind), .points = {}};
+    for (const VertexIndex vertex : loop.vertices) written.points.push_back(assignment.mesh.vertices[vertex]);
+    lines.loops.push_back(std::move(written));
+  }
+  return lines;
+}
+
+int run(const MoldFlags& flags, Console& console, const Progress& progress) {
+  Query query = flags.query;
+  validate(query.method);
+  std::vector<NamedPath> files = {{"--json", flags.part.json_file()}};
+  for (const std::string& path : flags.lines) {
+    check_line_extension(path);
+    files.push_back({"--lines", path});
+  }
+  check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files});
+  const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  validate(query.method, model->frame.diagonal);
+  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  for (const std::string& warning : model->warnings) console.warning(warning);
+  const Assignment assignment = assign_sides(*model, query, flags.settings, progress);
+  for (const std::string& warning : assignment.warnings) console.warning(warning);
+  const PartingLine line = parting_line(assignment);
+  progress.report("writing", 0.0);
+  for (const std::string& path : flags.lines) write_lines(path, written_lines(*model, assignment, line));
+  const MoldReport report{*model, query, flags.settings, assignment, line};
+  put_report(
+      console, flags.part.json, [&] { return mold_json(report); }, [&] { return mold_table(report); });
+  return 0;
+}
+
+}  // namespace
+
+void add_mold_command(CLI::App& program, Request& request) {
+  CLI::App* command = program.add_subcommand(
+      "mold",
+      "Find the parting line of a direction: where the mold's halves meet, and what closes its holes");
+  const auto flags = std::make_shared<MoldFlags>();
+  add_part_flags(*command, flags->part, request);
+  CLI::Option* direction =
+      add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
+  direction->description(direction->get_description() + " [required]");
+  add_option_flags(*command, mold_options(), flags->settings);
+  command
+      ->add_option("--lines", flags->lines,
+                   "Write the parting line; may be given several times. DXF and STEP for CAD, SVG seen along "
+                   "the direction in millimetres")
+      ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
+      ->check(named())
+      ->allow_extra_args(false);
+  add_method_flags(*command, flags->query.method);
+  set_work(*command, request, flags, run);
+}
+
+}  // namespace moldlight::cli

@@ -1,0 +1,325 @@
+#include "parting/assignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <tbb/parallel_for.h>
+
+#include "base/error.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/faces.hpp"
+#include "mesh/union_find.hpp"
+#include "parting/height_cut.hpp"
+#include "parting/min_cut.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_climb_weight = 3.0;  // what a climb costs beside its length
+constexpr double k_crease_weight = 0.5;
+/// A wall with 1 degree of reverse draft, a 20th of the diagonal wide, costs as much as two climbs along it.
+constexpr double k_draft_weight = 9200.0;
+/// What a wall a diagonal away from the wished height costs, as a share of the diagonal and its area in
+/// diagonals.
+constexpr double k_height_weight = 4.0;
+/// What a user asks for outweighs lengths of line: a height that is given, and faces that are.
+constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
+/// Undercuts of less than this share of the part's area are left to either half.
+constexpr double k_patch_floor = 1e-5;
+constexpr std::size_t k_most_heights = 10;
+constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
+/// Reverse draft below this is rounding.
+constexpr double k_least_sine = 1e-5;
+
+/// The costs of one part's pieces.
+struct Costs {
+  std::vector<double> line;                  // of each edge, where its pieces differ
+  std::vector<std::array<double, 2>> draft;  // of each piece at core and cavity
+  std::vector<double> area, middle;          // of each piece; height of its centre
+  double per_height = 0.0;                   // cost of an area a length away from the wished height
+  double per_side = 0.0;                     // and of any area on its wrong side
+
+  [[nodiscard]] double at_height(PieceIndex piece, int side, double height) const {
+    const double above = middle[piece] - height;
+    const double wrong = side == 0 ? -above : above;  // the core's side is above
+    return wrong > 0.0 ? area[piece] * (per_side + wrong * per_height) : 0.0;
+  }
+};
+
+std::vector<std::uint8_t> creases(const SplitMesh& mesh, const PieceEdges& edges,
+                                  const FacetGeometry& geometry) {
+  const double cosine = std::cos(glm::radians(k_crease_deg));
+  std::vector<std::uint8_t> crease;
+  crease.reserve(edges.edges.size());
+  for (const PieceEdge& edge : edges.edges) {
+    const bool open = edge.right == k_no_piece;
+    crease.push_back(open || glm::dot(geometry.normals[mesh.pieces[edge.left].facet],
+                                      geometry.normals[mesh.pieces[edge.right].facet]) < cosine
+                         ? 1
+                         : 0);
+  }
+  return crease;
+}
+
+Costs costs_of(const PartModel& model, const Assignment& assignment) {
+  const SplitMesh& mesh = assignment.mesh;
+  const glm::dvec3& d = assignment.direction;
+  Costs costs;
+  costs.per_height = k_height_weight / (model.frame.diagonal * model.frame.diagonal);
+  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
+    const PieceEdge& edge = assignment.edges.edges[k];
+    const glm::dvec3 along = mesh.vertices[edge.to] - mesh.vertices[edge.from];
+    const double line = glm::length(along) + k_climb_weight * std::abs(glm::dot(along, d));
+    costs.line.push_back(line * (assignment.crease[k] != 0 ? k_crease_weight : 1.0));
+  }
+  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
+    const auto& corners = mesh.pieces[piece].corners;
+    const double area = 0.5 * glm::length(twice_piece_area(mesh, piece));
+    const double sine = glm::dot(model.geometry.normals[mesh.pieces[piece].facet], d);
+    const double draft =
+        std::abs(sine) < k_least_sine ? 0.0 : k_draft_weight * area * std::abs(sine) / model.frame.diagonal;
+    costs.draft.push_back({sine < 0.0 ? draft : 0.0, sine > 0.0 ? draft : 0.0});
+    costs.area.push_back(area);
+    costs.middle.push_back(
+        glm::dot(mesh.vertices[corners[0]] + mesh.vertices[corners[1]] + mesh.vertices[corners[2]], d) / 3.0);
+  }
+  return costs;
+}
+
+/// Heights of the longest level creases at free pieces, the longest first.
+std::vector<double> level_heights(const PartModel& model, const Assignment& assignment) {
+  std::map<std::int64_t, double> length_at;
+  const double step = 1e-4 * model.frame.diagonal;
+  const glm::dvec3& d = assignment.direction;
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
+    const PieceEdge& edge = assignment.edges.edges[k];
+    const glm::dvec3 &a = assignment.mesh.vertices[edge.from], &b = assignment.mesh.vertices[edge.to];
+    low = std::min({low, glm::dot(a, d), glm::dot(b, d)});
+    high = std::max({high, glm::dot(a, d), glm::dot(b, d)});
+    const bool may_change =
+        assignment.free[edge.left] != 0 || (edge.right != k_no_piece && assignment.free[edge.right] != 0);
+    const double length = glm::distance(a, b);
+    if (!may_change || assignment.crease[k] == 0 || std::abs(glm::dot(b - a, d)) > k_level_sine * length)
+      continue;
+    length_at[static_cast<std::int64_t>(std::llround(0.5 * glm::dot(a + b, d) / step))] += length;
+  }
+  std::vector<std::pair<double, double>> found;
+  for (const auto& [place, length] : length_at) found.emplace_back(length, static_cast<double>(place) * step);
+  std::ranges::stable_sort(found, std::greater(), &std::pair<double, double>::first);
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < std::min(found.size(), k_most_heights); ++k) heights.push_back(found[k].second);
+  if (heights.empty()) heights.push_back(0.5 * (low + high));
+  return heights;
+}
+
+double energy_of(const Assignment& assignment, const Costs& costs, double height,
+                 const std::vector<MoldSide>& sides) {
+  double energy = 0.0;
+  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
+    const PieceEdge& edge = assignment.edges.edges[k];
+    if (edge.right == k_no_piece) continue;
+    const MoldSide left = sides[edge.left], right = sides[edge.right];
+    if (left != right && left != MoldSide::action && right != MoldSide::action) energy += costs.line[k];
+  }
+  for (PieceIndex piece = 0; piece < sides.size(); ++piece) {
+    if (assignment.free[piece] == 0) continue;
+    const int side = static_cast<int>(sides[piece]);
+    energy += costs.draft[piece][static_cast<std::size_t>(side)] + costs.at_height(piece, side, height);
+  }
+  return energy;
+}
+
+/// The sides at one height, and the energy with what moving faces against a wish would cost.
+std::vector<MoldSide> cut_sides(const Assignment& assignment, const Costs& costs, double height,
+                                const Progress& progress) {
+  constexpr std::uint32_t k_fixed = ~0U;
+  std::vector<std::uint32_t> node(assignment.sides.size(), k_fixed);
+  std::uint32_t nodes = 0;
+  for (PieceIndex piece = 0; piece < node.size(); ++piece) {
+    if (assignment.free[piece] != 0) node[piece] = nodes++;
+  }
+  MinCut cut(nodes);
+  for (PieceIndex piece = 0; piece < node.size(); ++piece) {
+    if (node[piece] == k_fixed) continue;
+    for (int side = 0; side < 2; ++side) {
+      cut.add_cost(node[piece], side,
+                   costs.draft[piece][static_cast<std::size_t>(side)] + costs.at_height(piece, side, height));
+    }
+  }
+  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
+    const PieceEdge& edge = assignment.edges.edges[k];
+    if (edge.right == k_no_piece) continue;
+    const std::uint32_t left = node[edge.left], right = node[edge.right];
+    if (left != k_fixed && right != k_fixed) {
+      cut.add_link(left, right, costs.line[k]);
+    } else if (left != k_fixed || right != k_fixed) {
+      const MoldSide fixed = assignment.sides[left == k_fixed ? edge.left : edge.right];
+      if (fixed == MoldSide::action) continue;
+      cut.add_cost(left == k_fixed ? right : left, fixed == MoldSide::core ? 1 : 0, costs.line[k]);
+    }
+  }
+  const std::vector<std::uint8_t> found = cut.solve(progress);
+  std::vector<MoldSide> sides = assignment.sides;
+  for (PieceIndex piece = 0; piece < node.size(); ++piece) {
+    if (node[piece] != k_fixed) sides[piece] = found[node[piece]] == 0 ? MoldSide::core : MoldSide::cavity;
+  }
+  return sides;
+}
+
+/// Costs of the faces that a half is to form at the other; a warning for those that it cannot.
+void add_wishes(const PartModel& model, const MoldSettings& settings, std::span<const SideWish> wishes,
+                Assignment& assignment, Costs& costs) {
+  std::vector<std::uint8_t> wished(model.part.mesh.facets.size(), 0);  // 1: core, 2: cavity
+  if (const auto cosmetic = parse_cosmetic(settings.cosmetic)) {
+    const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
+    for (const std::uint32_t face : cosmetic->faces) {
+      if (face >= faces.count())
+        throw UsageError(
+            fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
+      for (const FacetIndex facet : faces.facets(face)) wished[facet] = cosmetic->core ? 1 : 2;
+    }
+  }
+  for (const SideWish& wish : wishes) {
+    for (const FacetIndex facet : wish.facets) wished[facet] = wish.core ? 1 : 2;
+  }
+  double refused = 0.0;
+  for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
+    const std::uint8_t wish = wished[assignment.mesh.pieces[piece].facet];
+    if (wish == 0) continue;
+    if (assignment.free[piece] != 0) {
+      costs.draft[piece][wish == 1 ? 1 : 0] += k_wish_weight * costs.area[piece] / model.frame.diagonal;
+    } else if (assignment.sides[piece] != (wish == 1 ? MoldSide::core : MoldSide::cavity)) {
+      refused += costs.area[piece];
+    }
+  }
+  if (refused > 1e-6 * model.geometry.total_area)
+    assignment.warnings.push_back(fmt::format(
+        "{:.4g} of the area that a half was to form cannot be released by it and stays where it was.",
+        refused));
+}
+
+/// 1 for a piece of an undercut that is connected across edges and more than a speck.
+std::vector<std::uint8_t> action_pieces(const PartModel& model, const Assignment& assignment,
+                                        const ExactQuery& query) {
+  const SplitMesh& mesh = assignment.mesh;
+  const auto hidden = [&](PieceIndex piece) { return mesh.pieces[piece].region == Region::undercut; };
+  UnionFind joined(mesh.pieces.size());
+  for (const PieceEdge& edge : assignment.edges.edges) {
+    if (edge.right != k_no_piece && hidden(edge.left) && hidden(edge.right))
+      joined.join(edge.left, edge.right);
+  }
+  std::vector<double> areas(mesh.pieces.size(), 0.0);
+  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
+    if (hidden(piece)) areas[joined.find(piece)] += 0.5 * glm::length(twice_piece_area(mesh, piece));
+  }
+  const double lateral = query.lateral * model.frame.diagonal;
+  const double floor =
+      std::max(k_patch_floor * model.geometry.total_area, std::numbers::pi * lateral * lateral);
+  std::vector<std::uint8_t> found(mesh.pieces.size(), 0);
+  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece)
+    found[piece] = hidden(piece) && areas[joined.find(piece)] > floor ? 1 : 0;
+  return found;
+}
+
+void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignment) {
+  for (PieceIndex piece = 0; piece < assignment.sides.size(); ++piece) {
+    const double area = costs.area[piece];
+    assignment.total_area += area;
+    assignment.areas[static_cast<std::size_t>(assignment.sides[piece])] += area;
+    if (assignment.free[piece] == 0) continue;
+    assignment.free_area += area;
+    const double sine =
+        glm::dot(model.geometry.normals[assignment.mesh.pieces[piece].facet], assignment.direction);
+    if (assignment.sides[piece] == MoldSide::core ? sine < -k_least_sine : sine > k_least_sine)
+      assignment.reverse_draft_area += area;
+  }
+}
+
+}  // namespace
+
+std::string_view side_name(MoldSide side) {
+  switch (side) {
+    case MoldSide::core:
+      return "core";
+    case MoldSide::cavity:
+      return "cavity";
+    case MoldSide::action:
+      break;
+  }
+  return "action";
+}
+
+Assignment assign_sides(const PartModel& model, const Query& query, const MoldSettings& settings,
+                        const Progress& progress, std::span<const SideWish> wishes) {
+  Query soft = query;
+  soft.method.tau_deg = std::max(query.method.tau_deg, settings.soft_deg);
+  const ExactQuery exact = exact_query(model, soft);
+  Assignment result;
+  result.direction = exact.direction;
+  result.mesh = exact_split(model.exact(progress), exact, progress).mesh;
+  progress.report("assigning", 0.0);
+
+  result.edges = piece_edges(result.mesh);
+  const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
+  result.free.assign(result.mesh.pieces.size(), 0);
+  for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
+    const Region region = result.mesh.pieces[piece].region;
+    // Undercuts too small for an action go to either half.
+    result.free[piece] = region == Region::both || (region == Region::undercut && is_action[piece] == 0);
+  }
+  if (settings.parting_height) {
+    cut_at_height(result.mesh, result.free,
+                  {.direction = result.direction,
+                   .height = *settings.parting_height,
+                   .tolerance = 1e-6 * model.frame.diagonal});
+    result.edges = piece_edges(result.mesh);
+  }
+  result.crease = creases(result.mesh, result.edges, model.geometry);
+  for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
+    const Region region = result.mesh.pieces[piece].region;
+    result.sides.push_back(region == Region::core || region == Region::both ? MoldSide::core
+                           : region == Region::cavity                       ? MoldSide::cavity
+                           : result.free[piece] != 0                        ? MoldSide::core
+                                                                            : MoldSide::action);
+  }
+  Costs costs = costs_of(model, result);
+  if (settings.parting_height) costs.per_side = k_given_weight / model.frame.diagonal;
+  add_wishes(model, settings, wishes, result, costs);
+
+  const std::vector<double> heights =
+      settings.parting_height ? std::vector<double>{*settings.parting_height} : level_heights(model, result);
+  struct Trial {
+    std::vector<MoldSide> sides;
+    double energy = 0.0;
+  };
+  std::vector<Trial> trials(heights.size());
+  tbb::parallel_for(std::size_t{0}, heights.size(), [&](std::size_t k) {
+    trials[k].sides = cut_sides(result, costs, heights[k], progress);
+    trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
+  });
+  const auto best = std::ranges::min_element(trials, {}, &Trial::energy);
+  result.height = heights[static_cast<std::size_t>(best - trials.begin())];
+  result.height_given = settings.parting_height.has_value();
+  const auto all_to = [&](MoldSide side) {
+    std::vector<MoldSide> sides = result.sides;
+    for (PieceIndex piece = 0; piece < sides.size(); ++piece) {
+      if (result.free[piece] != 0) sides[piece] = side;
+    }
+    return energy_of(result, costs, result.height, sides);
+  };
+  result.energy_to_core = all_to(MoldSide::core);
+  result.energy_to_cavity = all_to(MoldSide::cavity);
+  result.energy = best->energy;
+  result.sides = std::move(best->sides);
+  sum_areas(model, costs, result);
+  return result;
+}
+
+}  // namespace moldlight

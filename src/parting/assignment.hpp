@@ -1,0 +1,59 @@
+// Which half forms what: every piece of a part's surface goes to core, cavity or side action, so that the
+// line between the halves is short and level, by a minimum cut.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
+#include "parting/mold_settings.hpp"
+#include "parting/piece_edges.hpp"
+
+namespace moldlight {
+
+enum class MoldSide : std::uint8_t { core = 0, cavity = 1, action = 2 };
+inline constexpr std::size_t k_side_count = 3;
+inline constexpr std::array<MoldSide, k_side_count> k_mold_sides = {MoldSide::core, MoldSide::cavity,
+                                                                    MoldSide::action};
+/// "core", "cavity", "action".
+[[nodiscard]] std::string_view side_name(MoldSide side);
+
+/// Lengths and areas are in the part's unit, heights along the direction in its coordinates. Energies are
+/// lengths: that of the line, climbs counting four times and creases half, and what reverse draft and
+/// distance from the height cost.
+struct Assignment {
+  SplitMesh mesh;  // of the regions at the soft draft, cut at the height that the user gave
+  PieceEdges edges;
+  std::vector<MoldSide> sides;       // one a piece
+  std::vector<std::uint8_t> free;    // 1 for a piece that may go to either half
+  std::vector<std::uint8_t> crease;  // 1 for an edge that bends by more than 30 degrees
+  glm::dvec3 direction{0, 0, 1};     // unit
+  double height = 0.0;               // at which the halves were wished to meet
+  bool height_given = false;
+  double energy = 0.0, energy_to_core = 0.0, energy_to_cavity = 0.0;  // of it, and of all that is free to one
+  std::array<double, k_side_count> areas{};
+  double free_area = 0.0;
+  double reverse_draft_area = 0.0;  // of what a half forms although it leans the other way
+  double total_area = 0.0;
+  std::vector<std::string> warnings;
+
+  [[nodiscard]] double area(MoldSide side) const { return areas[static_cast<std::size_t>(side)]; }
+};
+
+/// Faces moved by hand to a half: a piece of a facet listed here goes there if it may.
+struct SideWish {
+  std::vector<FacetIndex> facets;
+  bool core = false;
+};
+
+/// Throws UsageError for faces that the part has not, Cancelled.
+[[nodiscard]] Assignment assign_sides(const PartModel& model, const Query& query,
+                                      const MoldSettings& settings, const Progress& progress,
+                                      std::span<const SideWish> wishes = {});
+
+}  // namespace moldlight

@@ -1,0 +1,202 @@
+#include "parting/line_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/part_formats.hpp"
+#include "mesh/length_unit.hpp"
+#include "parting/mold_frame.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+/// Text that cannot end a line of the formats.
+std::string plain(std::string_view text) {
+  std::string result;
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    result += code < 0x20 || code > 0x7e || letter == '\'' || letter == '\\' ? '_' : letter;
+  }
+  return result;
+}
+
+/// 1 for a part without a unit.
+double mm_per_unit(const std::string& unit) {
+  const auto known = find_length_unit(unit);
+  return known ? known->mm : 1.0;
+}
+
+std::string layer_of(std::string_view kind) {
+  return kind == "outer" ? "OUTER" : kind == "shut-off" ? "SHUT_OFF" : "UNDERCUT_RIM";
+}
+
+void write_dxf(const std::string& path, const WrittenLines& lines) {
+  std::string text;
+  const Out out(text);
+  fmt::format_to(out, "999\nmoldlight parting line of {}\n", plain(lines.name));
+  fmt::format_to(out, "999\nunit: {}\n", lines.unit.empty() ? "that of the part's file" : plain(lines.unit));
+  text += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n";
+  text += "0\nTABLE\n2\nLAYER\n70\n3\n";
+  constexpr std::pair<std::string_view, int> k_layers[] = {{"outer", 1}, {"shut-off", 5}, {"action", 6}};
+  for (const auto& [kind, colour] : k_layers)
+    fmt::format_to(out, "0\nLAYER\n2\n{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", layer_of(kind), colour);
+  text += "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+  for (const WrittenLoop& loop : lines.loops) {
+    const std::string layer = layer_of(loop.kind);
+    fmt::format_to(out, "0\nPOLYLINE\n8\n{}\n66\n1\n10\n0\n20\n0\n30\n0\n70\n9\n", layer);
+    for (const glm::dvec3& p : loop.points)
+      fmt::format_to(out, "0\nVERTEX\n8\n{}\n10\n{}\n20\n{}\n30\n{}\n70\n32\n", layer, p.x, p.y, p.z);
+    fmt::format_to(out, "0\nSEQEND\n8\n{}\n", layer);
+  }
+  write_file(path, text += "0\nENDSEC\n0\nEOF\n");
+}
+
+void write_svg(const std::string& path, const WrittenLines& lines) {
+  const MoldFrame frame = mold_frame(lines.direction);
+  const double scale = mm_per_unit(lines.unit);
+  glm::dvec3 low(INFINITY), high(-INFINITY);
+  for (const WrittenLoop& loop : lines.loops) {
+    for (const glm::dvec3& point : loop.points) {
+      const glm::dvec3 p = scale * frame.to_mold(point);
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  if (lines.loops.empty()) low = high = glm::dvec3(0.0);
+  const glm::dvec3 size = high - low;
+  const double border = 0.03 * std::max({size.x, size.y, 1e-9}), width = size.x + 2 * border,
+               height = size.y + 2 * border, stroke = 0.003 * std::max({size.x, size.y, 1e-9});
+  std::string text;
+  const Out out(text);
+  fmt::format_to(
+      out,
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n<title>Parting line seen along the "
+      "direction; blue is low, red is high</title>\n",
+      width, height);
+  for (const WrittenLoop& loop : lines.loops) {
+    fmt::format_to(
+        out, "<g id=\"loop{}\" class=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" fill=\"none\">\n",
+        &loop - lines.loops.data() + 1, loop.kind, stroke);
+    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+      const glm::dvec3 a = scale * frame.to_mold(loop.points[k]),
+                       b = scale * frame.to_mold(loop.points[(k + 1) % loop.points.size()]);
+      const double share = size.z > 1e-9 * glm::length(size) ? (0.5 * (a.z + b.z) - low.z) / size.z : 0.5;
+      const auto red = static_cast<int>(220.0 * share), blue = static_cast<int>(220.0 * (1.0 - share));
+      fmt::format_to(out, "<path d=\"M{} {}L{} {}\" stroke=\"#{:02x}30{:02x}\"/>\n", a.x - low.x + border,
+                     high.y - a.y + border, b.x - low.x + border, high.y - b.y + border, red, blue);
+    }
+    text += "</g>\n";
+  }
+  write_file(path, text += "</svg>\n");
+}
+
+void write_obj(const std::string& path, const WrittenLines& lines) {
+  std::string text = "# moldlight parting line\n";
+  const Out out(text);
+  std::size_t number = 0;
+  std::string_view group;
+  for (const WrittenLoop& loop : lines.loops) {
+    for (const glm::dvec3& p : loop.points) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
+    if (loop.kind != group) fmt::format_to(out, "g {}\n", loop.kind);
+    group = loop.kind;
+    text += "l";
+    for (std::size_t k = 0; k < loop.points.size(); ++k) fmt::format_to(out, " {}", number + k + 1);
+    fmt::format_to(out, " {}\n", number + 1);
+    number += loop.points.size();
+  }
+  write_file(path, text);
+}
+
+void write_csv(const std::string& path, const WrittenLines& lines) {
+  std::string text = "loop,kind,x,y,z\n";
+  const Out out(text);
+  for (std::size_t k = 0; k < lines.loops.size(); ++k) {
+    for (const glm::dvec3& p : lines.loops[k].points)
+      fmt::format_to(out, "{},{},{},{},{}\n", k + 1, lines.loops[k].kind, p.x, p.y, p.z);
+  }
+  write_file(path, text);
+}
+
+/// A real of ISO 10303-21, which has a point.
+std::string step_real(double value) {
+  std::string text = fmt::format("{}", value);
+  const std::size_t power = text.find('e');
+  if (text.find('.') == std::string::npos) text.insert(std::min(power, text.size()), ".");
+  std::ranges::transform(text, text.begin(), [](char c) { return c == 'e' ? 'E' : c; });
+  return text;
+}
+
+void write_step(const std::string& path, const WrittenLines& lines) {
+  std::string text = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('parting line'),'2;1');\nFILE_NAME('";
+  const Out out(text);
+  fmt::format_to(out, "{}','',(''),(''),'moldlight','moldlight','');\n", plain(lines.name));
+  text += "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
+  const double mm = mm_per_unit(lines.unit);  // every file is in millimetres
+  text +=
+      "#1=APPLICATION_CONTEXT('core data for automotive mechanical design processes');\n"
+      "#2=APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#1);\n"
+      "#3=PRODUCT_CONTEXT('',#1,'mechanical');\n#4=PRODUCT('parting line','parting line','',(#3));\n"
+      "#5=PRODUCT_DEFINITION_FORMATION('','',#4);\n#6=PRODUCT_DEFINITION_CONTEXT('part "
+      "definition',#1,'design');\n"
+      "#7=PRODUCT_DEFINITION('design','',#5,#6);\n#8=PRODUCT_DEFINITION_SHAPE('','',#7);\n"
+      "#9=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
+      "#10=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
+      "#11=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
+      "#12=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#9,'distance_accuracy_value','');\n"
+      "#13=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#12))"
+      "GLOBAL_UNIT_ASSIGNED_CONTEXT((#9,#10,#11))REPRESENTATION_CONTEXT('',''));\n"
+      "#14=CARTESIAN_POINT('',(0.,0.,0.));\n#15=DIRECTION('',(0.,0.,1.));\n#16=DIRECTION('',(1.,0.,0.));\n"
+      "#17=AXIS2_PLACEMENT_3D('',#14,#15,#16);\n";
+  std::size_t number = 18;
+  std::string curves;
+  for (const WrittenLoop& loop : lines.loops) {
+    const std::size_t first = number;
+    std::string points;
+    for (const glm::dvec3& p : loop.points) {
+      fmt::format_to(out, "#{}=CARTESIAN_POINT('',({},{},{}));\n", number, step_real(mm * p.x),
+                     step_real(mm * p.y), step_real(mm * p.z));
+      points += fmt::format("#{},", number++);
+    }
+    fmt::format_to(out, "#{}=POLYLINE('{}',({}#{}));\n", number, loop.kind, points, first);
+    curves += fmt::format("{}#{}", curves.empty() ? "" : ",", number++);
+  }
+  fmt::format_to(out, "#{}=GEOMETRIC_CURVE_SET('parting line',({}));\n", number, curves);
+  fmt::format_to(out, "#{}=GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(#17,#{}),#13);\n",
+                 number + 1, number);
+  fmt::format_to(out, "#{}=SHAPE_DEFINITION_REPRESENTATION(#8,#{});\n", number + 2, number + 1);
+  write_file(path, text += "ENDSEC;\nEND-ISO-10303-21;\n");
+}
+
+const WrittenFormat<WrittenLines>& format_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  for (const auto& format : line_formats()) {
+    if (format.extension == extension) return format;
+  }
+  throw UsageError(path + ": lines are written as ." + extensions_text(line_formats()) +
+                   "; change the extension");
+}
+
+}  // namespace
+
+std::span<const WrittenFormat<WrittenLines>> line_formats() {
+  static constexpr WrittenFormat<WrittenLines> k_formats[] = {
+      {"dxf", write_dxf}, {"svg", write_svg}, {"obj", write_obj}, {"csv", write_csv}, {"step", write_step}};
+  return k_formats;
+}
+
+void check_line_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+
+void write_lines(const std::string& path, const WrittenLines& lines) { format_of(path).write(path, lines); }
+
+}  // namespace moldlight

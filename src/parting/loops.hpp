@@ -1,0 +1,63 @@
+// The parting line: the loops in which the surfaces of core, cavity and side actions meet, their figures, and
+// the whole-number checks on them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "parting/assignment.hpp"
+
+namespace moldlight {
+
+enum class LoopKind : std::uint8_t { outer, shut_off, action };
+/// "outer", "shut-off", "action".
+[[nodiscard]] std::string_view loop_name(LoopKind kind);
+
+/// Lengths in the part's unit.
+struct PartingLoop {
+  LoopKind kind = LoopKind::outer;
+  std::uint32_t body = 0;             // connected component of the surface
+  std::vector<VertexIndex> vertices;  // of the assignment's mesh; closed, the first is not repeated
+  double length = 0.0;
+  double low = 0.0, high = 0.0;  // along the direction, in the part's coordinates
+  double flatness = 0.0;         // greatest distance from its best plane
+  double steep_length = 0.0;     // of the runs that climb by more than 64 degrees
+  double steepest_deg = 0.0;     // slope of its edges, [0, 90]
+  double sharpest_deg = 180.0;   // the least angle between neighbouring edges
+  double on_crease = 0.0;        // share of its length
+  double area = 0.0;             // of its projection, positive where the core lies inside of it
+  std::size_t breaks = 0;        // runs where a side action takes the place of the other half
+  double break_length = 0.0;
+
+  [[nodiscard]] double climb() const { return high - low; }
+};
+
+/// Euler characteristics, exact. A side's surface counts with its border; where the surface of a side touches
+/// itself in a vertex, it counts as apart there.
+struct EulerCheck {
+  std::int64_t part = 0, core = 0, cavity = 0, action = 0;
+  std::int64_t touching = 0;  // how often more lines than two meet in a vertex
+  std::size_t bodies = 0, core_pieces = 0, cavity_pieces = 0;  // connected
+  std::int64_t genus = 0;                                      // summed over the bodies
+  std::size_t loops = 0;                                       // of core against cavity
+  std::size_t expected_loops = 0;                              // genus + 1 of every body
+
+  /// What holds for every division of a closed surface.
+  [[nodiscard]] bool sums() const { return core + cavity + action == part + touching; }
+};
+
+struct PartingLine {
+  std::vector<PartingLoop> loops;  // outer, shut-offs, actions; the longest of each first
+  EulerCheck euler;
+  double length = 0.0;           // of core against cavity, and against actions where they break the line
+  double low = 0.0, high = 0.0;  // of outer loops and shut-offs
+  double outer_low = 0.0, outer_high = 0.0;
+};
+
+[[nodiscard]] PartingLine parting_line(const Assignment& assignment);
+
+/// "planar parting line at z = 12.4, 9 shut-offs, no step steeper than 85°".
+[[nodiscard]] std::string parting_verdict(const Assignment& assignment, const PartingLine& line,
+                                          double diagonal);
+
+}  // namespace moldlight

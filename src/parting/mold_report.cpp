@@ -1,0 +1,126 @@
+#include "parting/mold_report.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "classify/classify_report.hpp"
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+Json loop_json(const Assignment& assignment, const PartingLoop& loop) {
+  Json points = Json::array();
+  for (const VertexIndex vertex : loop.vertices)
+    points.push_back(point_json(assignment.mesh.vertices[vertex]));
+  return {{"kind", loop_name(loop.kind)},
+          {"length", loop.length},
+          {"climb", loop.climb()},
+          {"low", loop.low},
+          {"high", loop.high},
+          {"flatness", loop.flatness},
+          {"steep_length", loop.steep_length},
+          {"steepest_deg", loop.steepest_deg},
+          {"sharpest_deg", loop.sharpest_deg},
+          {"on_crease", loop.on_crease},
+          {"projected_area", loop.area},
+          {"breaks", loop.breaks},
+          {"break_length", loop.break_length},
+          {"points", points}};
+}
+
+Json euler_json(const EulerCheck& euler) {
+  return {{"part", euler.part},
+          {"core", euler.core},
+          {"cavity", euler.cavity},
+          {"action", euler.action},
+          {"touching", euler.touching},
+          {"sums", euler.sums()},
+          {"bodies", euler.bodies},
+          {"core_pieces", euler.core_pieces},
+          {"cavity_pieces", euler.cavity_pieces},
+          {"loops", euler.loops},
+          {"expected_loops", euler.expected_loops},
+          {"genus", euler.genus}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json mold_json(const MoldReport& report) {
+  const auto& [model, query, settings, assignment, line] = report;
+  Json json;
+  json["schema"] = "moldlight.mold/1";
+  std::vector<std::string> warnings = model.warnings;
+  warnings.insert(warnings.end(), assignment.warnings.begin(), assignment.warnings.end());
+  json["part"] = part_json(model, warnings);
+  json["direction"] = point_json(assignment.direction);
+  json["settings"] = options_json(method_options(), query.method);
+  json["settings"].update(options_json(mold_options(), settings));
+  json["assignment"] = {{"core", assignment.area(MoldSide::core)},
+                        {"cavity", assignment.area(MoldSide::cavity)},
+                        {"action", assignment.area(MoldSide::action)},
+                        {"free", assignment.free_area},
+                        {"reverse_draft", assignment.reverse_draft_area},
+                        {"height", assignment.height},
+                        {"energy", assignment.energy},
+                        {"energy_all_to_core", assignment.energy_to_core},
+                        {"energy_all_to_cavity", assignment.energy_to_cavity}};
+  json["euler"] = euler_json(line.euler);
+  json["loops"] = Json::array();
+  for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(assignment, loop));
+  json["verdict"] = parting_verdict(assignment, line, model.frame.diagonal);
+  return json;
+}
+
+std::string mold_table(const MoldReport& report) {
+  const auto& [model, query, settings, assignment, line] = report;
+  constexpr std::size_t k_most_rows = 20;
+  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
+  const FigureColumn areas(assignment.total_area), lengths(10.0 * model.frame.diagonal);
+  std::string text =
+      fmt::format("{} along {}: {}\n\n", part_name(model.part), figures(assignment.direction, 1.0),
+                  parting_verdict(assignment, line, model.frame.diagonal));
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{:<9}{:>17}{:>10}\n", "formed by", "area " + area_unit, "share");
+  for (const MoldSide side : k_mold_sides) {
+    fmt::format_to(out, "{:<9}{:>16}{:>10}\n", side_name(side), areas.text(assignment.area(side)),
+                   share_text(assignment.area(side), assignment.total_area));
+  }
+  fmt::format_to(out, "either could form {} {}", areas.text(assignment.free_area), area_unit);
+  if (assignment.reverse_draft_area > 0.0)
+    fmt::format_to(out, "; {} {} leans against its half, by less than the soft draft",
+                   areas.text(assignment.reverse_draft_area), area_unit);
+  text += "\n\n";
+  if (!line.loops.empty()) {
+    fmt::format_to(out, "{:>4}  {:<9}{:>12}{:>12}{:>12}{:>12}{:>10}{:>10}{:>8}\n", "#", "loop",
+                   "length " + unit, "climb " + unit, "flat to " + unit, "steep " + unit, "sharpest",
+                   "on crease", "breaks");
+  }
+  for (std::size_t k = 0; k < std::min(line.loops.size(), k_most_rows); ++k) {
+    const PartingLoop& loop = line.loops[k];
+    fmt::format_to(out, "{:>4}  {:<9}{:>12}{:>12}{:>12}{:>12}{:>9.1f}°{:>9.1f}%{:>8}\n", k + 1,
+                   loop_name(loop.kind), lengths.text(loop.length), lengths.text(loop.climb()),
+                   lengths.text(loop.flatness), lengths.text(loop.steep_length), loop.sharpest_deg,
+                   100.0 * loop.on_crease, loop.breaks);
+  }
+  if (line.loops.size() > k_most_rows) fmt::format_to(out, "      … {} in all\n", line.loops.size());
+  const EulerCheck& e = line.euler;
+  fmt::format_to(out,
+                 "\ncheck {}  Euler characteristics: core {} + cavity {} + actions {} = part {}{}\n"
+                 "check {}  {} loops of core and cavity; genus {} asks for {}\n",
+                 e.sums() ? "✓" : "✗", e.core, e.cavity, e.action, e.part,
+                 e.touching == 0 ? "" : fmt::format(" + {} where lines touch", e.touching),
+                 e.loops == e.expected_loops ? "✓" : "✗", e.loops, e.genus, e.expected_loops);
+  return text;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,27 @@
+// The report on a mold: a table for people, JSON for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "parting/loops.hpp"
+
+namespace moldlight {
+
+/// What a report is about.
+struct MoldReport {
+  const PartModel& model;
+  const Query& query;
+  const MoldSettings& settings;
+  const Assignment& assignment;
+  const PartingLine& line;
+};
+
+/// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.
+[[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
+
+/// The verdict, who forms what, the loops, the checks.
+[[nodiscard]] std::string mold_table(const MoldReport& report);
+
+}  // namespace moldlight

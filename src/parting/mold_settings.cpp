@@ -1,0 +1,83 @@
+#include "parting/mold_settings.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_margin_share = 0.15;  // of the part's diagonal
+
+}  // namespace
+
+std::span<const Option<MoldSettings>> mold_options() {
+  using S = MoldSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"soft_deg", "--soft-draft", "Soft draft", "deg",
+       "Walls with less draft than this may be formed by either half, at a cost that grows with their "
+       "reverse "
+       "draft.",
+       RealKind<S>{&S::soft_deg, 0.0, 10.0, 0.5}},
+      {"parting_height", "--parting-height", "Parting height", "part's unit",
+       "Height along the direction at which the halves are to meet, in the part's coordinates; found from "
+       "the "
+       "part's horizontal creases unless given.",
+       TextKind<S>{
+           .name = "H",
+           .get = [](const S& s) { return s.parting_height ? real_text(*s.parting_height) : std::string(); },
+           .set =
+               [](S& s, std::string_view text) {
+                 s.parting_height =
+                     text.empty() ? std::nullopt : std::optional(parse_real({text, "--parting-height"}));
+               }}},
+      {"cosmetic", "--cosmetic", "Cosmetic faces", "",
+       "Faces that the core or the cavity is to form, as --faces of classify numbers them.",
+       TextKind<S>{.name = "core|cavity:FACES",
+                   .get = [](const S& s) { return s.cosmetic; },
+                   .set =
+                       [](S& s, std::string_view text) {
+                         static_cast<void>(parse_cosmetic(text));
+                         s.cosmetic = text;
+                       }}},
+      {"margin", "--margin", "Margin", "part's unit",
+       "Steel around the part, on all sides; 15 % of the part's diagonal unless given.",
+       PositiveKind<S>{[](S& s) -> double& { return s.margin; }}},
+      {"shrink_pct", "--shrink", "Shrinkage", "%",
+       "Shrinkage of the molded part against the mold: the mold is larger by 1 / (1 - shrinkage).",
+       RealKind<S>{&S::shrink_pct, 0.0, 20.0, 0.1}},
+      {"slope_deg", "--slope", "Slope", "deg", "The parting surface is at most so steep.",
+       RealKind<S>{&S::slope_deg, 15.0, 85.0, 5.0}},
+      {"fill_undercut", "--fill-undercut", "Fill undercuts", "",
+       "Leave what the halves cannot form to loose inserts.", SwitchKind<S>{&S::fill_undercut}},
+      {"registration", "--registration", "Registration", "",
+       "Cones in the block's corners that keep the halves in register.", SwitchKind<S>{&S::registration}},
+  };
+  return k_options;
+}
+
+std::optional<CosmeticFaces> parse_cosmetic(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  const std::size_t colon = text.find(':');
+  const std::string_view half = text.substr(0, colon);
+  if (colon == std::string_view::npos || (half != "core" && half != "cavity"))
+    throw UsageError(fmt::format("--cosmetic: '{}' is not core:FACES or cavity:FACES", text));
+  CosmeticFaces cosmetic{.core = half == "core", .faces = {}};
+  for (std::string_view rest = text.substr(colon + 1);;) {
+    const std::size_t comma = rest.find(',');
+    const auto face = number_from<std::uint32_t>(rest.substr(0, comma));
+    if (!face)
+      throw UsageError(fmt::format("--cosmetic: '{}' is not the number of a face", rest.substr(0, comma)));
+    cosmetic.faces.push_back(*face);
+    if (comma == std::string_view::npos) return cosmetic;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+double block_margin(const MoldSettings& settings, double diagonal) {
+  return settings.margin > 0.0 ? settings.margin : k_margin_share * diagonal;
+}
+
+}  // namespace moldlight

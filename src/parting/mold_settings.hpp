@@ -1,0 +1,42 @@
+// What a mold maker asks of the parting line and of the two halves, with the table of its options.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "classify/option.hpp"
+
+namespace moldlight {
+
+/// Lengths are in the part's unit; 0 stands for unset where a default follows from the part.
+struct MoldSettings {
+  double soft_deg = 2.0;                 // walls with less draft may go to either half, [0, 10]
+  std::optional<double> parting_height;  // along d, of the part's coordinates; none: found
+  std::string cosmetic;                  // "core:1,2" or "cavity:1,2": faces that this half must form
+  double margin = 0.0;                   // of the block around the part; unset: 15 % of the part's diagonal
+  double shrink_pct = 0.0;               // of the molded part against the mold, [0, 20]
+  double slope_deg = 60.0;               // the parting surface is at most so steep, [15, 85]
+  bool fill_undercut = false;
+  bool registration = false;
+
+  bool operator==(const MoldSettings&) const = default;
+};
+
+[[nodiscard]] std::span<const Option<MoldSettings>> mold_options();
+
+/// What `cosmetic` asks for.
+struct CosmeticFaces {
+  bool core = false;  // the half that forms them
+  std::vector<std::uint32_t> faces;
+};
+/// None for an empty text; throws UsageError.
+[[nodiscard]] std::optional<CosmeticFaces> parse_cosmetic(std::string_view text);
+
+/// Margin of a block around a part of this diagonal, both in the same unit.
+[[nodiscard]] double block_margin(const MoldSettings& settings, double diagonal);
+
+}  // namespace moldlight

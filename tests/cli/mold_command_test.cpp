@@ -1,0 +1,80 @@
+// moldlight mold, as a user runs it.
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::json_of;
+using test::run_moldlight;
+
+class Mold : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::vector<std::string> mold(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"mold", part.file(), "--direction", "z", "--unit", "mm"});
+    return more;
+  }
+  test::SmallPart part;
+};
+
+TEST_F(Mold, TellsThePartingLineInATable) {
+  const auto run = run_moldlight(mold({}));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("planar parting line at z = "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("length mm"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("check ✓  Euler"), std::string::npos) << run.out;
+}
+
+TEST_F(Mold, TellsThePartingLineInJson) {
+  const auto run = run_moldlight(mold({"--json", "-", "--soft-draft", "3"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(run.out);
+  EXPECT_EQ(json["schema"], "moldlight.mold/1");
+  EXPECT_EQ(json["settings"]["soft_deg"], 3.0);
+  EXPECT_EQ(json["settings"]["tau_deg"], 1.0);
+  for (const char* key : {"part", "direction", "settings", "assignment", "euler", "loops", "verdict"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"core", "cavity", "action", "free"})
+    EXPECT_TRUE(json["assignment"].contains(key)) << key;
+  for (const char* key : {"part", "core", "cavity", "loops", "genus"})
+    EXPECT_TRUE(json["euler"].contains(key)) << key;
+  ASSERT_GE(json["loops"].size(), 1U);
+  for (const char* key :
+       {"kind", "length", "climb", "flatness", "steep_length", "sharpest_deg", "on_crease", "points"})
+    EXPECT_TRUE(json["loops"][0].contains(key)) << key;
+  EXPECT_EQ(json["loops"][0]["kind"], "outer");
+  EXPECT_TRUE(json["euler"]["sums"].get<bool>());
+  EXPECT_EQ(run_moldlight(mold({"--json", "-", "--soft-draft", "3"})).out, run.out) << "the same every time";
+}
+
+TEST_F(Mold, WritesTheLineInEveryFormat) {
+  std::vector<std::string> arguments = mold({});
+  for (const char* extension : {"dxf", "svg", "obj", "csv", "step"})
+    arguments.insert(arguments.end(), {"--lines", part.output(std::string("line.") + extension)});
+  const auto run = run_moldlight(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* extension : {"dxf", "svg", "obj", "csv", "step"})
+    EXPECT_GT(test::file_bytes(part.output(std::string("line.") + extension)).size(), 200U) << extension;
+}
+
+TEST_F(Mold, RefusesWhatMakesNoSense) {
+  const auto code = [&](const std::string& flag, const std::string& value) {
+    return run_moldlight(mold({flag, value})).exit_code;
+  };
+  EXPECT_EQ(code("--lines", part.output("line.png")), 2);
+  EXPECT_EQ(code("--parting-height", "high"), 2);
+  EXPECT_EQ(code("--cosmetic", "lid:3"), 2);
+  EXPECT_EQ(code("--cosmetic", "core:100000"), 2);
+  EXPECT_EQ(code("--margin", "-1"), 2);
+  EXPECT_EQ(code("--shrink", "50"), 2);
+  EXPECT_EQ(code("--parting-height", "1.5"), 0);
+  EXPECT_EQ(run_moldlight({"mold", part.file()}).exit_code, 2) << "a direction is needed";
+  const auto same = run_moldlight(mold({"--lines", part.file()}));
+  EXPECT_EQ(same.exit_code, 2) << "the part is not overwritten";
+}
+
+}  // namespace
+}  // namespace moldlight
