@@ -183,7 +183,7 @@ InputQueue::Played InputQueue::play(ImGuiIO& io, double now_s) {
     act(*former, io, played);
     played.any = true;
   }
-  if (!events_.empty()) time_s = former->time_s;
+  if (former && (former->kind == Kind::button || !events_.empty())) time_s = former->time_s;
 #if IMGUI_VERSION_NUM >= 18700
   io.ConfigInputTrickleEventQueue = false;  // that has been done here
   io.AddMousePosEvent(mouse_.x, mouse_.y);

@@ -58,7 +58,6 @@ ScreenBox OffscreenWindow::control(std::string_view name) const {
 
 void OffscreenWindow::make_frame() {
   context_->make_current();
-  now_s_ += k_frame_s;
   FrameInput input{.size = target_->size(),
                    .content_scale = content_scale_,
                    .now_s = now_s_,
@@ -73,11 +72,17 @@ void OffscreenWindow::make_frame() {
 }
 
 bool OffscreenWindow::frame() {
+  pass_time(k_frame_s);
+  return frame_at_once();
+}
+
+bool OffscreenWindow::frame_at_once() {
   make_frame();
   return app_->draw({.framebuffer = target_->framebuffer(), .size = target_->size()});
 }
 
 void OffscreenWindow::lay_out() {
+  pass_time(k_frame_s);
   make_frame();
   ImGui::EndFrame();
 }

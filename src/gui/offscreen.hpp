@@ -49,6 +49,8 @@ class OffscreenWindow {
 
   /// One frame of 1/60 s; returns true while the picture is being refined.
   bool frame();
+  /// The same without time of its own.
+  bool frame_at_once();
   /// A frame whose panels are laid out, but not drawn.
   void lay_out();
   /// Lets time go by without a frame, as a slow one does.
