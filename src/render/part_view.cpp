@@ -59,7 +59,10 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
     draw_sample(subject);
   } else if (samples_ < settings.samples) {
     tools_.targets.make_sum(tools_.gl);
-    if (samples_ == 1) accumulate(tools_, true);
+    if (samples_ == 1) {
+      tools_.targets.keep_first(tools_.gl);
+      accumulate(tools_, true);
+    }
     draw_sample(subject);
     accumulate(tools_, false);
   }
@@ -87,7 +90,7 @@ void PartView::draw_sample(const ViewSubject& subject) {
   }
   draw_lines(tools_, frame);
   draw_arrows(tools_, frame);
-  unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
+  if (samples_ == 0) unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++samples_;
 }
 
@@ -115,8 +118,10 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   const glm::ivec2& size = tools_.targets.size;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
   const int row = size.y - 1 - pixel.y;
+  const bool kept = samples_ > 1;
   std::array<std::uint32_t, 2> surface{};
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_surface.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER,
+                     (kept ? tools_.targets.to_first_surface : tools_.targets.to_surface).name());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, surface.data());
   const std::uint32_t number = surface[0] & k_surface_number_mask;
@@ -125,7 +130,8 @@ std::optional<PickedPoint> PartView::pick(const glm::ivec2& pixel) const {
   float depth = 0.0F;
   gl.ReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   std::array<std::uint8_t, 4> bits{};
-  gl.BindFramebuffer(GL_FRAMEBUFFER, tools_.targets.to_accessible.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER,
+                     (kept ? tools_.targets.to_first_accessible : tools_.targets.to_accessible).name());
   gl.ReadPixels(pixel.x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, bits.data());
   gl::check_errors(gl, "reading what is under the cursor");
 

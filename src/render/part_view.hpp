@@ -77,7 +77,7 @@ class PartView {
   // What the targets show, to tell whether the next picture is the same.
   ViewInputs shown_;
   int samples_ = 0;                 // drawn so far
-  glm::dmat4 unit_from_clip_{1.0};  // of the last of them
+  glm::dmat4 unit_from_clip_{1.0};  // of the first of them
 };
 
 }  // namespace moldlight

@@ -29,4 +29,21 @@ void ViewTargets::make_winding(const gl::Functions& gl) {
   to_winding = gl::make_framebuffer(gl, winding);
 }
 
+void ViewTargets::keep_first(const gl::Functions& gl) {
+  if (!first_surface) {
+    first_surface = gl::make_texture_2d(gl, GL_RG32UI, size.x, size.y);
+    first_depth = gl::make_texture_2d(gl, GL_DEPTH_COMPONENT32F, size.x, size.y);
+    first_accessible = gl::make_texture_2d(gl, GL_R8UI, size.x, size.y);
+    to_first_surface = gl::make_framebuffer(gl, first_surface, &first_depth);
+    to_first_accessible = gl::make_framebuffer(gl, first_accessible);
+  }
+  const auto copy = [&](const gl::Framebuffer& from, const gl::Framebuffer& to, GLbitfield what) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
+    gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, what, GL_NEAREST);
+  };
+  copy(to_surface, to_first_surface, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  copy(to_accessible, to_first_accessible, GL_COLOR_BUFFER_BIT);
+}
+
 }  // namespace moldlight

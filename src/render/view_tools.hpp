@@ -22,6 +22,8 @@ struct ViewTargets {
   /// Each makes what pictures at rest, or sections, alone need, unless it is there already.
   void make_sum(const gl::Functions& gl);
   void make_winding(const gl::Functions& gl);
+  /// Copies what the first sample shows of the surface.
+  void keep_first(const gl::Functions& gl);
 
   glm::ivec2 size{0};
   gl::Texture surface;                                   // RG32UI, see shaders/view/surface_bits.glsl
@@ -34,6 +36,10 @@ struct ViewTargets {
   gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
   gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
   gl::Framebuffer to_openness, to_winding, to_sum;
+
+  /// Surface and accessibility bits of the first sample, whose lines of sight go through the pixels' middles.
+  gl::Texture first_surface, first_depth, first_accessible;
+  gl::Framebuffer to_first_surface, to_first_accessible;  // surface with depth
 };
 
 /// Valid for one context.
