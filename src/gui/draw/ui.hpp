@@ -70,6 +70,13 @@ struct Ui {
 #endif
 }
 
+/// For a table's row that is one control, with others on it.
+#if IMGUI_VERSION_NUM >= 18970
+inline constexpr ImGuiSelectableFlags k_row_below_controls = ImGuiSelectableFlags_AllowOverlap;
+#else
+inline constexpr ImGuiSelectableFlags k_row_below_controls = ImGuiSelectableFlags_AllowItemOverlap;
+#endif
+
 /// Pictures of the shadow maps from +d and -d: GL textures, 0 for none.
 struct MapTextures {
   unsigned plus = 0, minus = 0;

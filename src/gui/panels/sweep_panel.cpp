@@ -330,8 +330,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
   const bool clicked = ImGui::Selectable(
-      "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
-      ImVec2(0.0F, ui.px(k_row)));
+      "##row", here, ImGuiSelectableFlags_SpanAllColumns | k_row_below_controls, ImVec2(0.0F, ui.px(k_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   if (chosen_row_ && rows_[static_cast<std::size_t>(*chosen_row_)] == index)
     ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
