@@ -17,7 +17,7 @@ TEST(ScaleChange, LeavesTheRendererInOrder) {
   const std::vector<Region> regions(mesh.facets.size(), Region::both);
   write_coloured_mesh(folder.file("box.stl"), {.mesh = mesh, .regions = regions});
   OffscreenWindow window(
-      {.size = {640, 480}, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}});
+      {.size = {1600, 1000}, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}});
   window.app().open(folder.file("box.stl"));
   window.wait_until_loaded();
   const std::vector<std::uint8_t> coarse = window.pixels();

@@ -79,7 +79,7 @@ TEST_F(Verdicts, ShowTheUndercuts) {
 
 class LongVerdicts : public Verdicts {
  protected:
-  LongVerdicts() : Verdicts(20'000) {}
+  LongVerdicts() : Verdicts(100'000) {}
 };
 
 TEST_F(LongVerdicts, AChangeOfTheSettingsEndsTheSweepThatNobodyAskedFor) {
