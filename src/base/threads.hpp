@@ -1,13 +1,29 @@
-// Threads where the system allows few.
+// Threads where the system allows few, or whoever started the program does.
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
+#include <cstdlib>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "base/numbers.hpp"
+
 namespace moldlight {
+
+/// The environment variable by which a program that starts many of ours tells each how many threads it may
+/// compute with.
+inline constexpr const char* k_threads_variable = "MOLDLIGHT_THREADS";
+
+/// Cores that this process may compute with, at least 1.
+[[nodiscard]] inline int usable_cores() {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const char* given = std::getenv(k_threads_variable);
+  const auto allowed = number_from<int>(given != nullptr ? given : "");
+  return allowed && *allowed > 0 ? std::min(cores, *allowed) : cores;
+}
 
 /// How many of the wanted threads could be started at once, beside those that run; tries it.
 [[nodiscard]] inline int startable_threads(int wanted) {

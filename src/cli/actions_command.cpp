@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "actions/actions_report.hpp"
+#include "classify/option_table.hpp"
 #include "cli/flags.hpp"
 #include "io/atomic_file.hpp"
 #include "sweep/sweep.hpp"
@@ -36,6 +37,13 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   return 0;
 }
 
+nlohmann::ordered_json settings(const ActionsFlags& flags) {
+  nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
+  json.update(options_json(reading_options(), flags.part.reading));
+  json.update(options_json(action_options(), flags.settings));
+  return json;
+}
+
 }  // namespace
 
 void add_actions_command(CLI::App& program, Request& request) {
@@ -49,7 +57,7 @@ void add_actions_command(CLI::App& program, Request& request) {
   add_option_flags(*command, action_options(), flags->settings);
   add_method_flags(*command, flags->query.method);
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
-  set_work(*command, request, flags, run);
+  set_work(*command, request, flags, run, settings);
 }
 
 }  // namespace moldlight::cli

@@ -4,6 +4,7 @@
 #include "classify/classifier.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/headless.hpp"
+#include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
 #include "classify/write_outputs.hpp"
 #include "cli/flags.hpp"
@@ -79,6 +80,13 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   return 0;
 }
 
+nlohmann::ordered_json settings(const ClassifyFlags& flags) {
+  nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
+  json.update(options_json(reading_options(), flags.part.reading));
+  json["compare_maps"] = flags.compare_maps;
+  return json;
+}
+
 }  // namespace
 
 void add_classify_command(CLI::App& program, Request& request) {
@@ -120,7 +128,7 @@ void add_classify_command(CLI::App& program, Request& request) {
   // The palette is the meshes', too.
   for (CLI::Option* flag : add_still_flags(*command, flags->still))
     if (flag->get_name() != "--palette") flag->needs(image);
-  set_work(*command, request, flags, run);
+  set_work(*command, request, flags, run, settings);
 }
 
 }  // namespace moldlight::cli

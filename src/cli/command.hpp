@@ -22,6 +22,8 @@ inline constexpr int k_failure = 1, k_usage = 2, k_criterion_failed = 3, k_inter
 /// What the command line comes to.
 struct Request {
   std::function<int(Console&, const Progress&)> body;  // the command's work; returns the exit code
+  /// Every setting that the result depends on with its value, of a command that can be the work of a batch.
+  std::function<nlohmann::ordered_json()> settings;
   bool quiet = false, verbose = false;
 };
 
@@ -33,9 +35,10 @@ void add_sweep_command(CLI::App& program, Request& request);
 void add_view_command(CLI::App& program, Request& request);
 void add_doctor_command(CLI::App& program, Request& request);
 void add_manual_command(CLI::App& program, Request& request);
-inline constexpr std::array k_add_commands = {add_info_command,   add_classify_command, add_actions_command,
-                                              add_mold_command,   add_sweep_command,    add_view_command,
-                                              add_doctor_command, add_manual_command};
+void add_batch_command(CLI::App& program, Request& request);
+inline constexpr std::array k_add_commands = {add_info_command,  add_classify_command, add_actions_command,
+                                              add_mold_command,  add_sweep_command,    add_view_command,
+                                              add_batch_command, add_doctor_command,   add_manual_command};
 
 /// Where the command line asks for `command`, its work is `run` with these flags.
 template <typename Flags>
@@ -43,6 +46,17 @@ void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>&
               int (*run)(const Flags&, Console&, const Progress&)) {
   command.callback([=, &request] {
     request.body = [=](Console& console, const Progress& progress) { return run(*flags, console, progress); };
+  });
+}
+
+/// The same for a command that can be the work of a batch: `settings` gives what Request::settings does.
+template <typename Flags>
+void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>& flags,
+              int (*run)(const Flags&, Console&, const Progress&),
+              nlohmann::ordered_json (*settings)(const Flags&)) {
+  command.callback([=, &request] {
+    request.body = [=](Console& console, const Progress& progress) { return run(*flags, console, progress); };
+    request.settings = [=] { return settings(*flags); };
   });
 }
 

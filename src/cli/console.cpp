@@ -19,7 +19,6 @@ namespace {
 
 /// A stage that is over sooner is not shown at all.
 constexpr std::chrono::milliseconds k_redraw_interval(100);
-constexpr std::chrono::seconds k_plain_interval(2);  // between lines where nothing can be redrawn
 constexpr int k_usual_columns = 80;
 
 int terminal_columns() {
@@ -78,8 +77,9 @@ void Console::log(std::string_view text) {
 
 void Console::failure(std::string_view sentence) { line(fmt::format("moldlight: {}", one_line(sentence))); }
 
-void Console::set_progress_text(ProgressText text) {
+void Console::set_progress_text(ProgressText text, std::chrono::seconds plain_interval) {
   const std::lock_guard lock(mutex_);
+  plain_interval_ = plain_interval;
   progress_text_ = std::move(text);
 }
 
@@ -107,7 +107,7 @@ void Console::plain_progress(std::string_view stage, double fraction) {
     const bool new_stage = stage != stage_;
     stage_ = stage;
     const auto now = std::chrono::steady_clock::now();
-    if (progress_text_ && now - drawn_ >= k_plain_interval) {
+    if (progress_text_ && now - drawn_ >= plain_interval_) {
       drawn_ = now;
       text = progress_text_(stage, fraction, 0);
     } else if (new_stage && verbosity_ == Verbosity::verbose) {

@@ -34,9 +34,9 @@ class Console {
   void progress(std::string_view stage, double fraction);
   /// What a line of progress says, for a terminal of so many columns; 0 elsewhere.
   using ProgressText = std::function<std::string(std::string_view stage, double fraction, int columns)>;
-  /// From now on progress() says this, also where stderr is no terminal: there a line every other second at
-  /// most, for work that takes long. Called from whichever thread reports.
-  void set_progress_text(ProgressText text);
+  /// From now on progress() says this, also where stderr is no terminal: there a line every so many seconds
+  /// at most, for work that takes long. Called from whichever thread reports.
+  void set_progress_text(ProgressText text, std::chrono::seconds plain_interval = std::chrono::seconds(2));
 
   /// stdout is a terminal and NO_COLOR is not set.
   [[nodiscard]] bool colour() const { return colour_; }
@@ -53,6 +53,7 @@ class Console {
   bool progress_shown_ = false;
   std::string stage_;
   ProgressText progress_text_;
+  std::chrono::seconds plain_interval_{0};  // between lines where nothing can be redrawn
   std::chrono::steady_clock::time_point drawn_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
 #include "io/part_formats.hpp"
 
@@ -56,6 +57,13 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
                          flag.best = text == "best";
                          if (!flag.best) flag.given = parse_direction({text, "--direction"});
                        });
+}
+
+nlohmann::ordered_json query_json(const Query& query, bool best_direction) {
+  const glm::dvec3& d = query.direction.unit();
+  nlohmann::ordered_json json = options_json(method_options(), query.method);
+  json["direction"] = best_direction ? nlohmann::ordered_json("best") : nlohmann::ordered_json{d.x, d.y, d.z};
+  return json;
 }
 
 void add_method_flags(CLI::App& command, MethodSettings& settings) {

@@ -125,6 +125,9 @@ struct DirectionFlag {
 /// --direction.
 CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag);
 
+/// Direction and method as Request::settings gives them.
+[[nodiscard]] nlohmann::ordered_json query_json(const Query& query, bool best_direction);
+
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.
 void add_method_flags(CLI::App& command, MethodSettings& settings);

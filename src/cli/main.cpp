@@ -116,11 +116,11 @@ int run_program(std::vector<std::string> arguments, Console& console) {
       [&console](std::string_view stage, double fraction) { console.progress(stage, fraction); });
   const InterruptGuard guard(progress);
   // TBB counts on a thread a core, and fails where it cannot have them beside those of a sweep.
-  const int wanted = 2 * static_cast<int>(std::max(1U, std::thread::hardware_concurrency())) + 1;
+  const int cores = usable_cores(), wanted = 2 * cores + 1;
+  const bool alone = cores == 1 || startable_threads(wanted) < wanted;
   // Never taken back: TBB would start its threads then.
-  [[maybe_unused]] static tbb::global_control* one_thread = nullptr;
-  if (startable_threads(wanted) < wanted)
-    one_thread = new tbb::global_control(tbb::global_control::max_allowed_parallelism, 1);
+  [[maybe_unused]] static const auto* k_limit = new tbb::global_control(
+      tbb::global_control::max_allowed_parallelism, alone ? 1 : static_cast<std::size_t>(cores));
   return request.body(console, progress);
 }
 

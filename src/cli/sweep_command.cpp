@@ -8,8 +8,10 @@
 #include "base/error.hpp"
 #include "classify/figures.hpp"
 #include "classify/headless.hpp"
+#include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/flags.hpp"
+#include "cli/meter.hpp"
 #include "io/direction_list.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_pictures.hpp"
@@ -19,22 +21,6 @@
 namespace moldlight::cli {
 
 namespace {
-
-constexpr int k_least_columns_for_bar = 70;
-constexpr std::size_t k_bar_cells = 24;
-
-std::string time_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
-std::string bar(double share) {
-  const auto full = static_cast<std::size_t>(share * static_cast<double>(k_bar_cells));
-  std::string cells;
-  for (std::size_t i = 0; i < k_bar_cells; ++i) cells += i < full ? "█" : "░";
-  return cells;
-}
 
 /// How far a sweep is: share done, directions, rate, time left.
 class SweepMeter {
@@ -170,6 +156,14 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   return 0;
 }
 
+nlohmann::ordered_json settings(const SweepFlags& flags) {
+  nlohmann::ordered_json json = options_json(method_options(), flags.sweep.method);
+  json.update(options_json(sweep_options(), flags.sweep));
+  json.update(options_json(reading_options(), flags.part.reading));
+  if (flags.limit) json["fail_if_undercut"] = {flags.limit->value, flags.limit->per_cent ? "%" : "area"};
+  return json;
+}
+
 }  // namespace
 
 void add_sweep_command(CLI::App& program, Request& request) {
@@ -202,7 +196,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->needs(pictures);
   for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
   add_method_flags(*command, sweep.method);
-  set_work(*command, request, flags, run);
+  set_work(*command, request, flags, run, settings);
 }
 
 }  // namespace moldlight::cli

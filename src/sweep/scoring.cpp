@@ -9,6 +9,8 @@
 #include <system_error>
 #include <thread>
 
+#include "base/threads.hpp"
+
 namespace moldlight {
 
 /// Threads that live as long as the pool, so that each keeps its scorer (and its GL context).
@@ -77,9 +79,7 @@ struct ScoringPool::Workers {
   }
 };
 
-int ScoringPool::threads(int jobs) {
-  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
+int ScoringPool::threads(int jobs) { return jobs > 0 ? jobs : usable_cores(); }
 
 ScoringPool::ScoringPool(MakeScorer make_scorer, int jobs)
     : jobs_(threads(jobs)), workers_(std::make_unique<Workers>()) {

@@ -28,7 +28,7 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(k_parting, "parting"), k_entry = with(k_sweep, "sweep"),
+                      k_sweep = with(k_parting, "parting"), k_entry = with(with(k_sweep, "sweep"), "batch"),
                       k_program = with(k_entry, "gui");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
@@ -41,6 +41,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"actions", k_actions},
       {"parting", k_parting},
       {"sweep", k_sweep},
+      {"batch", {"base", "io", "classify"}},
       {"step", {"io", "mesh"}},
       {"gui", k_entry},
       {"cli", k_program},
@@ -66,7 +67,9 @@ const std::vector<LibraryRule>& library_rules() {
       {"OpenCASCADE", std::regex("[A-Z][A-Za-z]+(_[A-Za-z]+)?\\.hxx"), {"step"}},
       {"Cairo", std::regex("cairo.*"), {"picture"}},
       {"CLI11", std::regex("CLI/.*"), {"cli"}},
-      {"JSON", std::regex("nlohmann/.*"), {"actions", "classify", "parting", "sweep", "gui", "cli"}},
+      {"OpenSSL", std::regex("openssl/.*"), {"batch"}},
+      {"SQLite", std::regex("sqlite3.h"), {"batch"}},
+      {"JSON", std::regex("nlohmann/.*"), {"actions", "batch", "classify", "parting", "sweep", "gui", "cli"}},
   };
   return k_rules;
 }

@@ -1,0 +1,39 @@
+// All results of a batch in one file: a table, a database, a page for a browser. Each is replaced whole or
+// not at all.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "batch/part_result.hpp"
+
+namespace moldlight::batch {
+
+struct MergeFiles {
+  std::string csv, sqlite, html;  // empty: not wanted
+};
+
+/// What takes the rows one by one; without finish() nothing is left behind.
+class MergeSink {
+ public:
+  MergeSink() = default;
+  MergeSink(const MergeSink&) = delete;
+  MergeSink& operator=(const MergeSink&) = delete;
+  virtual ~MergeSink() = default;
+  virtual void add(const PartResult& result) = 0;
+  virtual void finish() = 0;
+};
+
+/// A line a row.
+[[nodiscard]] std::unique_ptr<MergeSink> csv_sink(const std::string& path);
+/// Tables `batch` and `parts`, `previous` with the parts of the last merge of another plan into this file,
+/// and the views worst, changed, more_than_two_actions and failed. Throws FileError for a file that is there
+/// and no such database.
+[[nodiscard]] std::unique_ptr<MergeSink> sqlite_sink(const std::string& path, const Manifest& manifest);
+/// A page that sorts and filters, with the pictures where they lie.
+[[nodiscard]] std::unique_ptr<MergeSink> html_sink(const std::string& path, const Manifest& manifest);
+
+/// Throws FileError, Cancelled; files that were wanted are then as they were.
+ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress);
+
+}  // namespace moldlight::batch

@@ -1,0 +1,133 @@
+#include "batch/part_result.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "base/error.hpp"
+
+namespace moldlight::batch {
+
+namespace {
+
+constexpr std::size_t k_rows_at_a_time = 512;
+
+template <typename T>
+std::optional<T> member(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) return std::nullopt;
+  if constexpr (std::is_same_v<T, bool>) {
+    if (!found->is_boolean()) return std::nullopt;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    if (!found->is_string()) return std::nullopt;
+  } else if (!found->is_number()) {
+    return std::nullopt;
+  }
+  return found->get<T>();
+}
+
+void take_report(const Json& report, const Work& work, PartResult& result) {
+  for (std::size_t k = 0; k < k_figure_count; ++k) result.figures[k] = number_at(report, work.figures[k]);
+  result.direction = direction_in(report, work);
+  const auto part = report.find("part");
+  if (part == report.end() || !part->is_object()) return;
+  result.unit = member<std::string>(*part, "unit").value_or("");
+  result.facets = member<double>(*part, "facets");
+  result.closed = member<bool>(*part, "closed");
+}
+
+/// Sets everything but what the row itself says; false for a damaged result, which is set aside.
+bool read_result(const ResultStore& store, const Work& work, PartResult& result) {
+  if (result.state == ResultState::missing) return true;
+  std::optional<Json> stored;
+  try {
+    stored = store.read(result.key, result.state);
+  } catch (const FileError&) {
+    store.set_aside(result.key, result.state);
+    result.state = ResultState::missing;
+    return false;
+  }
+  if (!stored) {  // it went since the folder was read
+    result.state = ResultState::missing;
+    return true;
+  }
+  result.reason = member<std::string>(*stored, "reason").value_or("");
+  result.elapsed_s = member<double>(*stored, "elapsed_s");
+  result.tries = member<int>(*stored, "tries");
+  const auto report = stored->find("report");
+  if (report != stored->end() && report->is_object()) take_report(*report, work, result);
+  return true;
+}
+
+}  // namespace
+
+std::optional<double> PartResult::undercut_share() const {
+  const auto whole = figure(Figure::area), undercut = figure(Figure::undercut_area);
+  if (!whole || !undercut || !(*whole > 0.0)) return std::nullopt;
+  return *undercut / *whole;
+}
+
+std::string_view state_name(ResultState state) {
+  return state == ResultState::done ? "done" : state == ResultState::failed ? "failed" : "missing";
+}
+
+std::string settings_text(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) {
+    const bool plain = argument.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "-_=.,:+/%@") == std::string::npos;
+    std::string word = argument;
+    for (std::size_t k = word.find('\''); k != std::string::npos; k = word.find('\'', k + 4))
+      word.replace(k, 1, "'\\''");
+    text += (text.empty() ? "" : " ") + (plain ? argument : "'" + word + "'");
+  }
+  return text;
+}
+
+ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress,
+                              const std::function<void(const PartResult&)>& visit) {
+  const ResultStore store(manifest.folder);
+  const ResultIndex there = store.index(progress), pictures = store.pictures(progress);
+  const KeyMaker key_of(manifest);
+  std::vector<std::string> settings;
+  for (const RowSettings& one : manifest.settings) settings.push_back(settings_text(one.arguments));
+  ReadingCounts counts;
+  std::atomic<std::size_t> damaged = 0;
+  RowReader reader(manifest);
+  std::vector<PartResult> results;
+  for (bool more = true; more;) {
+    results.clear();
+    Row row;
+    while (results.size() < k_rows_at_a_time && (more = reader.next(row))) {
+      PartResult result;
+      result.row = row.number;
+      result.path = row.path;
+      result.settings = settings[row.settings];
+      result.key = key_of(row);
+      if (row.fault.empty()) result.content = hex_of(row.content);
+      const auto found = there.find(result.key);
+      if (found != there.end()) result.state = found->second;
+      result.picture = pictures.contains(result.key);
+      results.push_back(std::move(result));
+    }
+    tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t k) {
+      if (!read_result(store, manifest.work(), results[k])) ++damaged;
+    });
+    for (const PartResult& result : results) {
+      ++(result.state == ResultState::done     ? counts.done
+         : result.state == ResultState::failed ? counts.failed
+                                               : counts.missing);
+      visit(result);
+    }
+    if (manifest.rows > 0 && !results.empty()) {
+      const double read = static_cast<double>(results.back().row + 1);
+      progress.report("reading results", read / static_cast<double>(manifest.rows));
+    }
+  }
+  counts.damaged = damaged;
+  return counts;
+}
+
+}  // namespace moldlight::batch

@@ -1,0 +1,54 @@
+// A row of a batch with what has become of it: what status, merged tables and the window show.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batch/manifest.hpp"
+#include "batch/store.hpp"
+#include "classify/option.hpp"
+
+namespace moldlight::batch {
+
+struct PartResult {
+  std::size_t row = 0;
+  std::string path, settings;  // settings as the command line has them, in one line
+  Digest key{};
+  std::string content;  // digest of the file; empty where it could not be read
+  ResultState state = ResultState::missing;
+  std::string reason;  // of a failure
+  std::string unit;    // empty where unknown
+  std::optional<double> facets;
+  std::optional<bool> closed;
+  std::optional<std::array<double, 3>> direction;
+  std::array<std::optional<double>, k_figure_count> figures;
+  std::optional<double> elapsed_s;
+  std::optional<int> tries;
+  bool picture = false;
+
+  [[nodiscard]] std::optional<double> figure(Figure which) const {
+    return figures[static_cast<std::size_t>(which)];
+  }
+  /// Undercut area over area; nothing where either is not known.
+  [[nodiscard]] std::optional<double> undercut_share() const;
+};
+
+[[nodiscard]] std::string_view state_name(ResultState state);
+/// The arguments in one line, as a shell takes them.
+[[nodiscard]] std::string settings_text(const std::vector<std::string>& arguments);
+
+struct ReadingCounts {
+  std::size_t done = 0, failed = 0, missing = 0;
+  std::size_t damaged = 0;  // results among the missing ones that were set aside
+};
+
+/// Calls `visit` with every row of the batch in order; reads results on all cores, a few at a time, so that
+/// memory does not grow with the batch but for the names of its results. A damaged result counts as missing
+/// and is set aside, so that the next run makes it anew. Throws FileError, Cancelled.
+ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress,
+                              const std::function<void(const PartResult&)>& visit);
+
+}  // namespace moldlight::batch

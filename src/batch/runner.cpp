@@ -1,0 +1,227 @@
+#include "batch/runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "batch/part_work.hpp"
+#include "batch/store.hpp"
+
+namespace moldlight::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A row that has something to be done.
+struct Job {
+  Row row;
+  Digest key{};
+  bool picture_only = false;
+};
+
+/// What the slots of a run share.
+class Slots {
+ public:
+  Slots(const Manifest& manifest, const RunSettings& settings, const std::string& parts, RunCounts& counts,
+        const RunListener& listener, const Progress& progress)
+      : manifest_(manifest),
+        settings_(settings),
+        parts_(parts),
+        counts_(counts),
+        listener_(listener),
+        progress_(progress),
+        stop_(&progress),
+        store_(manifest.folder) {
+    const int cores = usable_cores();
+    processes_ = settings.processes > 0 ? settings.processes : cores;
+    work_.limits = {.time_s = settings.part_time_s,
+                    .memory_bytes = static_cast<std::size_t>(settings.part_memory_mb) << 20,
+                    .threads = std::max(1, cores / processes_)};
+    work_.retries = settings.retries;
+  }
+
+  /// Works through the jobs; ends early where told so or where nothing can be stored.
+  void work_through(std::vector<Job> jobs) {
+    jobs_ = std::move(jobs);
+    // Runs that begin together are not to do the same parts at the same time.
+    std::random_device random;
+    first_ = jobs_.empty() ? 0 : random() % jobs_.size();
+    const std::size_t wanted = std::min(static_cast<std::size_t>(processes_), jobs_.size());
+    std::vector<std::jthread> threads;
+    for (std::size_t k = 0; k < wanted; ++k) threads.emplace_back([this] { work(); });
+    // Whoever waits is told how far it is.
+    while (ended_ < wanted) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (progress_.cancelled()) continue;
+      const double share = static_cast<double>(next_) / static_cast<double>(jobs_.size());
+      try {
+        progress_.report("working", std::min(share, 1.0));
+      } catch (const Cancelled&) {  // the slots see it, too
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t unreachable() const { return unreachable_; }
+  [[nodiscard]] std::size_t ended_from_outside() const { return ended_from_outside_; }
+  [[nodiscard]] const std::string& error() const { return error_; }
+  [[nodiscard]] const std::string& unreachable_example() const { return unreachable_example_; }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t k = next_++; k < jobs_.size() && !stop_.cancelled(); k = next_++)
+        do_job(jobs_[(first_ + k) % jobs_.size()]);
+    } catch (const Cancelled&) {  // the part in flight stays undone
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex_);
+      if (error_.empty()) error_ = error.what();
+      stop_.cancel();
+    }
+    ++ended_;
+  }
+
+  void do_job(const Job& job) {
+    const std::string file = (fs::path(parts_) / job.row.path).string();
+    if (job.picture_only) {
+      const auto result = store_.read(job.key, ResultState::done);
+      if (result) draw(job, file, *result);
+      return;
+    }
+    const ResultState now = store_.state(job.key);
+    if (now == ResultState::done || (now == ResultState::failed && !settings_.retry_failed)) {
+      ++counts_.elsewhere;
+      return;
+    }
+    const WorkOutcome outcome = work_on(manifest_, job.row, file, work_, stop_);
+    switch (outcome.end) {
+      case WorkEnd::done:
+        store_.put(job.key, ResultState::done, outcome.result);
+        ++counts_.done;
+        draw(job, file, outcome.result);
+        break;
+      case WorkEnd::failed: {
+        store_.put(job.key, ResultState::failed, outcome.result);
+        ++counts_.failed;
+        const std::lock_guard lock(mutex_);
+        if (listener_.failed) listener_.failed(job.row.path, outcome.reason);
+        break;
+      }
+      case WorkEnd::unreachable: {
+        const std::lock_guard lock(mutex_);
+        if (unreachable_++ == 0) unreachable_example_ = fmt::format("{}: {}", file, outcome.reason);
+        break;
+      }
+      case WorkEnd::ended:
+        ++ended_from_outside_;
+        break;
+    }
+  }
+
+  void draw(const Job& job, const std::string& file, const Json& result) {
+    if (!settings_.thumbnails || store_.has_picture(job.key)) return;
+    const auto report = result.find("report");
+    if (report == result.end()) return;
+    const std::string why =
+        draw_picture(manifest_, job.row, file, *report, store_.picture(job.key), work_.limits, stop_);
+    const std::lock_guard lock(mutex_);
+    if (!why.empty() && listener_.warning)
+      listener_.warning(fmt::format("{}: no picture: {}", job.row.path, why));
+  }
+
+  const Manifest& manifest_;
+  const RunSettings& settings_;
+  const std::string& parts_;
+  RunCounts& counts_;
+  const RunListener& listener_;
+  const Progress& progress_;
+  Progress stop_;
+  ResultStore store_;
+  int processes_ = 1;
+  WorkSettings work_;
+  std::vector<Job> jobs_;
+  std::size_t first_ = 0;
+  std::atomic<std::size_t> next_ = 0, ended_ = 0, ended_from_outside_ = 0;
+  std::size_t unreachable_ = 0;
+  std::string unreachable_example_, error_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+std::span<const Option<RunSettings>> run_options() {
+  using S = RunSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"processes", "--processes", "Processes", "", "Parts at a time; 0: one a core.",
+       IntegerKind<S>{&S::processes, 0, 4096}},
+      {"part_time_s", "--part-time", "Time limit of a part", "s",
+       "A part that takes longer has failed; 0 for no limit.", RealKind<S>{&S::part_time_s, 0.0, 1e7, 1.0}},
+      {"part_memory_mb", "--part-memory", "Memory limit of a part", "MB",
+       "A part that takes more memory (resident MiB) has failed; 0 for no limit.",
+       IntegerKind<S>{&S::part_memory_mb, 0, 1 << 30}},
+      {"retries", "--retries", "Retries", "",
+       "How often a part that failed is tried again at once, unless it came to a limit.",
+       IntegerKind<S>{&S::retries, 0, 100}},
+      {"retry_failed", "--retry-failed", "Retry failures", "",
+       "Try parts again whose failure is recorded; otherwise they are passed over.",
+       SwitchKind<S>{&S::retry_failed}},
+      {"thumbnails", "--thumbnails", "Pictures", "",
+       "Draw a small picture of every part along its direction, also of those that are done.",
+       SwitchKind<S>{&S::thumbnails}},
+  };
+  return k_options;
+}
+
+Run::Run(const Manifest& manifest, const RunSettings& settings, Shard shard, std::string parts)
+    : manifest_(manifest), settings_(settings), shard_(shard), parts_(std::move(parts)) {}
+
+RunEnd Run::carry_out(const RunListener& listener, const Progress& progress) {
+  const ResultStore store(manifest_.folder);
+  store.remove_leftovers(progress);
+  progress.report("looking for results", 0.0);
+  const ResultIndex there = store.index(progress);
+  const ResultIndex pictures = settings_.thumbnails ? store.pictures(progress) : ResultIndex();
+  const KeyMaker key_of(manifest_);
+  std::vector<Job> jobs;
+  RowReader reader(manifest_);
+  for (Row row; reader.next(row);) {
+    if (row.number % 4096 == 0) progress.report("reading the plan", 0.0);
+    if (!shard_.has(row.number) || row.same_as) continue;
+    ++counts_.rows;
+    const Digest key = key_of(row);
+    const auto found = there.find(key);
+    const ResultState state = found == there.end() ? ResultState::missing : found->second;
+    const bool settled =
+        state == ResultState::done || (state == ResultState::failed && !settings_.retry_failed);
+    if (settled) ++counts_.before;
+    const bool wants_picture = settings_.thumbnails && state == ResultState::done && !pictures.contains(key);
+    if (!settled || wants_picture) jobs.push_back({row, key, settled});
+  }
+
+  RunEnd end;
+  Slots slots(manifest_, settings_, parts_, counts_, listener, progress);
+  slots.work_through(std::move(jobs));
+  const std::size_t handled = counts_.before + counts_.done + counts_.failed + counts_.elsewhere;
+  end.undone = counts_.rows - std::min<std::size_t>(handled, counts_.rows);
+  end.interrupted = progress.cancelled();
+  if (!slots.error().empty()) {
+    end.try_again = slots.error();
+  } else if (slots.unreachable() > 0) {
+    end.try_again = fmt::format("{} part{} could not be reached: {}", slots.unreachable(),
+                                slots.unreachable() == 1 ? "" : "s", slots.unreachable_example());
+  } else if (slots.ended_from_outside() > 0) {
+    end.try_again =
+        fmt::format("the processes of {} parts were ended from outside", slots.ended_from_outside());
+  }
+  return end;
+}
+
+}  // namespace moldlight::batch

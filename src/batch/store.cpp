@@ -1,0 +1,153 @@
+#include "batch/store.hpp"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+
+namespace moldlight::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view k_done = ".json", k_failed = ".failed.json", k_picture = ".png",
+                           k_damaged = ".damaged";
+constexpr int k_folders = 256;  // a result's is the first two digits of its key
+constexpr std::size_t k_key_digits = 64;
+/// A temporary file that is older was left behind: one that is being written lives for milliseconds.
+constexpr std::chrono::minutes k_leftover_age(10);
+
+std::string_view ending_of(ResultState state) {
+  CHECK(state != ResultState::missing);
+  return state == ResultState::done ? k_done : k_failed;
+}
+
+/// Calls `visit` with the folder and the name of every entry of the folders of results.
+void for_each_entry(const std::string& folder, const Progress& progress,
+                    const std::function<void(const std::string&, const char*)>& visit) {
+  for (int k = 0; k < k_folders; ++k) {
+    if (progress.cancelled()) throw Cancelled();
+    const std::string one = fmt::format("{}/{:02x}", folder, k);
+    DIR* entries = ::opendir(one.c_str());
+    if (entries == nullptr) {
+      if (errno == ENOENT) continue;
+      throw FileError(one, "", fmt::format("cannot be read: {}", std::strerror(errno)));
+    }
+    while (const dirent* entry = ::readdir(entries)) visit(one, entry->d_name);
+    ::closedir(entries);
+  }
+}
+
+/// A renamed file survives a power cut only once its folder is on the disk, too.
+void sync_folder(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
+
+}  // namespace
+
+ResultStore::ResultStore(const std::string& batch_folder)
+    : folder_((fs::path(batch_folder) / "results").string()) {}
+
+std::string ResultStore::path(const Digest& key, std::string_view ending) const {
+  const std::string name = hex_of(key);
+  return fmt::format("{}/{}/{}{}", folder_, name.substr(0, 2), name, ending);
+}
+
+ResultState ResultStore::state(const Digest& key) const {
+  if (::access(path(key, k_done).c_str(), F_OK) == 0) return ResultState::done;
+  return ::access(path(key, k_failed).c_str(), F_OK) == 0 ? ResultState::failed : ResultState::missing;
+}
+
+ResultIndex ResultStore::index(const Progress& progress) const {
+  ResultIndex found;
+  for_each_entry(folder_, progress, [&](const std::string&, const char* entry) {
+    const std::string_view name(entry);
+    if (name.size() <= k_key_digits) return;
+    const std::string_view ending = name.substr(k_key_digits);
+    const auto key = digest_from(name.substr(0, k_key_digits));
+    if (!key) return;
+    if (ending == k_done) found[*key] = ResultState::done;
+    if (ending == k_failed) found.emplace(*key, ResultState::failed);
+  });
+  return found;
+}
+
+ResultIndex ResultStore::pictures(const Progress& progress) const {
+  ResultIndex found;
+  for_each_entry(folder_, progress, [&](const std::string&, const char* entry) {
+    const std::string_view name(entry);
+    const auto key = digest_from(name.substr(0, k_key_digits));
+    if (key && name.substr(k_key_digits) == k_picture) found[*key] = ResultState::done;
+  });
+  return found;
+}
+
+void ResultStore::make_folder(const Digest& key) const {
+  const std::string folder = fs::path(path(key, k_done)).parent_path().string();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(folder, "", "cannot be made: " + error.message());
+}
+
+void ResultStore::put(const Digest& key, ResultState state, const Json& result) const {
+  make_folder(key);
+  const std::string file = path(key, ending_of(state));
+  write_file(file, result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (state == ResultState::done) ::unlink(path(key, k_failed).c_str());
+  sync_folder(fs::path(file).parent_path().string());
+}
+
+std::optional<Json> ResultStore::read(const Digest& key, ResultState state) const {
+  const std::string file = path(key, ending_of(state));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    if (errno == ENOENT) return std::nullopt;
+    throw FileError(file, "", fmt::format("cannot be read: {}", std::strerror(errno)));
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  Json result = Json::parse(text.str(), nullptr, false);
+  if (!result.is_object()) throw FileError(file, "", "is damaged");
+  return result;
+}
+
+void ResultStore::set_aside(const Digest& key, ResultState state) const {
+  const std::string file = path(key, ending_of(state));
+  if (::rename(file.c_str(), (file + std::string(k_damaged)).c_str()) != 0)
+    throw FileError(file, "", fmt::format("cannot be renamed: {}", std::strerror(errno)));
+}
+
+std::string ResultStore::picture(const Digest& key) const { return path(key, k_picture); }
+
+bool ResultStore::has_picture(const Digest& key) const { return ::access(picture(key).c_str(), F_OK) == 0; }
+
+void ResultStore::remove_leftovers(const Progress& progress) const {
+  const auto now = fs::file_time_type::clock::now();
+  for_each_entry(folder_, progress, [&](const std::string& folder, const char* entry) {
+    const std::string_view name(entry);
+    if (!name.starts_with(".moldlight-")) return;
+    const fs::path file = fs::path(folder) / name;
+    std::error_code error;
+    const auto written = fs::last_write_time(file, error);
+    if (!error && now - written > k_leftover_age) fs::remove(file, error);
+  });
+}
+
+}  // namespace moldlight::batch

@@ -1,0 +1,345 @@
+// moldlight batch: one subcommand for many parts, on one machine or on many.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "base/stopwatch.hpp"
+#include "batch/csv.hpp"
+#include "batch/merge.hpp"
+#include "batch/runner.hpp"
+#include "batch/status.hpp"
+#include "classify/classify_report.hpp"
+#include "cli/batch_work.hpp"
+#include "cli/flags.hpp"
+#include "cli/meter.hpp"
+
+namespace moldlight::cli {
+
+namespace fs = std::filesystem;
+using namespace batch;
+
+namespace {
+
+/// Trying the same again may help: a full disk, parts that are out of reach, results that are still missing.
+constexpr int k_try_again = 75;
+/// More failures than these are told by `status`.
+constexpr std::size_t k_failures_told = 20;
+constexpr std::chrono::seconds k_plain_interval(30);
+
+struct PlanFlags {
+  std::string source, out, anew;
+  std::vector<std::string> work;
+};
+
+struct RunFlags {
+  std::string folder, parts;
+  RunSettings settings;
+  Shard shard;
+  bool fail_on_error = false;
+};
+
+struct StatusFlags {
+  std::string folder, json;
+  Shard shard;
+  bool missing = false;
+};
+
+struct MergeFlags {
+  std::string folder;
+  MergeFiles files;
+};
+
+std::string count_text(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+Shard parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const std::string_view whole(text);
+  const auto index = number_from<std::size_t>(whole.substr(0, std::min(slash, text.size())));
+  const auto count =
+      slash == std::string::npos ? std::nullopt : number_from<std::size_t>(whole.substr(slash + 1));
+  if (!index || !count || *count == 0 || *index >= *count) {
+    throw UsageError(
+        fmt::format("--shard: '{}' is not I/N with I from 0 to N - 1, such as 0/8", one_line(text)));
+  }
+  return {*index, *count};
+}
+
+void set_parts_progress(Console& console, const char* what) {
+  console.set_progress_text(
+      [what](std::string_view stage, double fraction, int columns) {
+        const std::string begin = columns >= k_least_columns_for_bar ? bar(fraction) + " " : "";
+        return fmt::format("{}{:3.0f} %  {}: {}", begin, 100.0 * fraction, what, stage);
+      },
+      k_plain_interval);
+}
+
+// --- plan
+
+int write(Manifest& manifest, const BatchWork& work, Console& console, const Progress& progress) {
+  set_parts_progress(console, "plan");
+  const PlanSource source = read_plan_source(manifest.source, progress);
+  manifest.version = MOLDLIGHT_VERSION;
+  const std::vector<Row> rows = plan_rows(
+      manifest, source, [&](const std::vector<NamedValue>& row) { return work.settings(row); }, progress);
+  std::error_code error;
+  fs::create_directories(manifest.folder, error);
+  if (error) throw FileError(manifest.folder, "", "cannot be made: " + error.message());
+  write_plan(manifest, rows);
+  console.set_progress_text({});
+  const auto faulty = static_cast<std::size_t>(
+      std::ranges::count_if(rows, [](const Row& row) { return !row.fault.empty(); }));
+  const auto shared = static_cast<std::size_t>(
+      std::ranges::count_if(rows, [](const Row& row) { return row.same_as && row.fault.empty(); }));
+  if (faulty > 0) {
+    const Row& first = *std::ranges::find_if(rows, [](const Row& row) { return !row.fault.empty(); });
+    console.warning(fmt::format("{} cannot be read, and will be recorded as failed; the first is {}: {}",
+                                count_text(faulty, "part"), first.path, first.fault));
+  }
+  if (shared > 0) {
+    console.warning(fmt::format("{} what another with the same settings holds, and share{} its result",
+                                shared == 1 ? "1 part holds" : fmt::format("{} parts hold", shared),
+                                shared == 1 ? "s" : ""));
+  }
+  console.result(fmt::format("{}: {} planned; moldlight batch run {} begins\n", manifest.folder,
+                             count_text(rows.size(), "part"), settings_text({manifest.folder})));
+  return 0;
+}
+
+int run_plan(const PlanFlags& flags, Console& console, const Progress& progress) {
+  if (!flags.anew.empty()) {
+    if (!flags.source.empty())
+      throw UsageError("--anew plans what the batch was planned from; name nothing else");
+    Manifest manifest = read_manifest(flags.anew);
+    return write(manifest, BatchWork(manifest.command, manifest.given), console, progress);
+  }
+  if (flags.source.empty() || flags.out.empty() || flags.work.empty()) {
+    throw UsageError(
+        "batch plan wants SOURCE --out DIR -- WORK, such as moldlight batch plan parts --out night "
+        "-- classify --direction z");
+  }
+  if (is_batch(flags.out)) {
+    throw UsageError(
+        fmt::format("--out: {0} is a batch already; plan it anew with moldlight batch plan --anew {1}, "
+                    "which keeps its results, or name another folder",
+                    flags.out, settings_text({flags.out})));
+  }
+  std::error_code error;
+  if (fs::exists(flags.out, error) &&
+      (!fs::is_directory(flags.out, error) || !fs::is_empty(flags.out, error)))
+    throw UsageError(fmt::format("--out: {} is there and no empty folder; name a new one", flags.out));
+  Manifest manifest;
+  manifest.folder = flags.out;
+  manifest.command = flags.work.front();
+  manifest.given.assign(flags.work.begin() + 1, flags.work.end());
+  const BatchWork work(manifest.command, manifest.given);
+  // A pattern is kept as it is, but begins at the root.
+  manifest.source = fs::absolute(flags.source).lexically_normal().string();
+  return write(manifest, work, console, progress);
+}
+
+// --- run
+
+/// What a run says of itself while it goes on.
+std::string progress_text(const RunCounts& counts, const Stopwatch& watch, int columns) {
+  const std::size_t mine = counts.done + counts.failed, settled = counts.before + counts.elsewhere + mine;
+  const std::size_t rows = counts.rows;
+  const double share = rows > 0 ? static_cast<double>(settled) / static_cast<double>(rows) : 1.0;
+  std::string text = columns >= k_least_columns_for_bar ? bar(share) + " " : "";
+  text += fmt::format("{:3.0f} %  {} of {}", 100.0 * share, settled, count_text(rows, "part"));
+  if (counts.failed > 0) text += fmt::format(", {} failed", counts.failed.load());
+  const double elapsed_s = watch.elapsed_ms() / 1000.0;
+  if (mine > 0 && elapsed_s > 1.0) {
+    const double rate = static_cast<double>(mine) / elapsed_s;
+    text +=
+        fmt::format(", {:.3g}/s, about {} left", rate, time_text(static_cast<double>(rows - settled) / rate));
+  }
+  return text;
+}
+
+void check_version(const Manifest& manifest) {
+  if (manifest.version == MOLDLIGHT_VERSION) return;
+  throw Error(fmt::format(
+      "{}: was planned by moldlight {}, and this is {}: plan it anew with moldlight batch plan "
+      "--anew {}, which keeps what is there, or run it by that version",
+      manifest.folder, one_line(manifest.version), MOLDLIGHT_VERSION, settings_text({manifest.folder})));
+}
+
+int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
+  const Manifest manifest = read_manifest(flags.folder);
+  check_version(manifest);
+  Run run(manifest, flags.settings, flags.shard, flags.parts.empty() ? manifest.parts_folder() : flags.parts);
+  const RunCounts& counts = run.counts();
+  const Stopwatch watch;
+  console.set_progress_text(
+      [&](std::string_view stage, double, int columns) {
+        return counts.rows == 0 ? std::string(stage) : progress_text(counts, watch, columns);
+      },
+      k_plain_interval);
+  std::size_t told = 0;
+  const auto tell = [&](const std::string& path, const std::string& reason) {
+    if (++told <= k_failures_told) console.warning(fmt::format("{}: failed: {}", path, reason));
+    if (told == k_failures_told + 1)
+      console.warning("further failures are not told here; moldlight batch status tells the reasons");
+  };
+  const RunEnd end = run.carry_out(
+      {.failed = tell, .warning = [&](const std::string& sentence) { console.warning(sentence); }}, progress);
+  console.set_progress_text({});
+  const BatchStatus status = batch_status(manifest, {.shard = flags.shard}, Progress());
+  console.result(fmt::format("this run: {} done, {} failed, {} passed over, {:.1f} s\n", counts.done.load(),
+                             counts.failed.load(), counts.before + counts.elsewhere,
+                             watch.elapsed_ms() / 1000.0) +
+                 status_text(manifest, status));
+  if (end.interrupted) {
+    console.failure("interrupted; the same command goes on");
+    return k_interrupted;
+  }
+  if (!end.try_again.empty()) {
+    console.failure(fmt::format("{}; {} left, try again", end.try_again, count_text(end.undone, "part")));
+    return k_try_again;
+  }
+  return flags.fail_on_error && status.failed > 0 ? k_criterion_failed : 0;
+}
+
+// --- status and merge
+
+int run_status(const StatusFlags& flags, Console& console, const Progress& progress) {
+  const Manifest manifest = read_manifest(flags.folder);
+  const BatchStatus status = batch_status(
+      manifest, {.shard = flags.shard, .reasons = !flags.missing, .missing_rows = flags.missing}, progress);
+  if (flags.missing) {
+    std::string text = csv_record({"row", "path"});
+    for (const auto& [row, path] : status.missing_rows) text += csv_record({fmt::format("{}", row), path});
+    console.result(text);
+  } else {
+    put_report(
+        console, flags.json, [&] { return status_json(manifest, status); },
+        [&] { return status_text(manifest, status); });
+  }
+  if (manifest.version != MOLDLIGHT_VERSION) {
+    console.warning(fmt::format("it was planned by moldlight {}, and this is {}", one_line(manifest.version),
+                                MOLDLIGHT_VERSION));
+  }
+  return status.missing > 0 ? k_try_again : 0;
+}
+
+int run_merge(const MergeFlags& flags, Console& console, const Progress& progress) {
+  const MergeFiles& files = flags.files;
+  if (files.csv.empty() && files.sqlite.empty() && files.html.empty())
+    throw UsageError("batch merge wants a file: --csv, --sqlite or --html");
+  const Manifest manifest = read_manifest(flags.folder);
+  const NamedPath manifest_file{"the batch's manifest",
+                                (fs::path(manifest.folder) / k_manifest_name).string()};
+  check_outputs({.inputs = {manifest_file},
+                 .files = {{"--csv", files.csv}, {"--sqlite", files.sqlite}, {"--html", files.html}}});
+  set_parts_progress(console, "merge");
+  const ReadingCounts counts = merge(manifest, files, progress);
+  console.set_progress_text({});
+  console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", count_text(manifest.rows, "part"),
+                             counts.done, counts.failed, counts.missing));
+  if (counts.damaged > 0)
+    console.warning(
+        fmt::format("{} damaged and set aside; the next run makes them anew",
+                    counts.damaged == 1 ? "1 result is" : fmt::format("{} results are", counts.damaged)));
+  if (counts.missing == 0) return 0;
+  console.warning(fmt::format(
+      "{} no result yet", counts.missing == 1 ? "1 part has" : fmt::format("{} parts have", counts.missing)));
+  return k_try_again;
+}
+
+// --- the command line
+
+void add_folder(CLI::App& command, std::string& folder) {
+  command.add_option("DIR", folder, "Folder of the batch")->required()->check(named());
+}
+
+void add_shard_flag(CLI::App& command, Shard& shard) {
+  add_text_flag(command, {"--shard", "I/N", "Only every N-th part, from number I on, I from 0 to N - 1"},
+                [&shard](const std::string& text) { shard = parse_shard(text); });
+}
+
+void add_loudness_flags(CLI::App& command, Request& request) {
+  command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
+}
+
+void add_plan(CLI::App& batch, Request& request) {
+  CLI::App* command = batch.add_subcommand(
+      "plan", "Freeze what is to be done: moldlight batch plan SOURCE --out DIR -- classify --direction z");
+  const auto flags = std::make_shared<PlanFlags>();
+  command->add_option("SOURCE", flags->source,
+                      "Folder of parts, pattern in quotes, or CSV list with a column path, and a column a "
+                      "setting where rows differ (unit, direction, …)");
+  add_file_flag(*command, flags->out, {"--out", "DIR", "Folder of the batch, made new"});
+  add_file_flag(
+      *command, flags->anew,
+      {"--anew", "DIR",
+       "Plan a batch anew from what it was planned from, with its settings; results of what has not "
+       "changed hold"});
+  command->add_option(
+      "WORK", flags->work,
+      fmt::format("After --: {}, with its flags but for the part and for files", work_names()));
+  add_loudness_flags(*command, request);
+  set_work(*command, request, flags, run_plan);
+}
+
+void add_run(CLI::App& batch, Request& request) {
+  CLI::App* command = batch.add_subcommand("run",
+                                           "Do what has no result yet, a process a part; can be stopped "
+                                           "at any time and gone on with");
+  const auto flags = std::make_shared<RunFlags>();
+  add_folder(*command, flags->folder);
+  add_shard_flag(*command, flags->shard);
+  add_option_flags(*command, run_options(), flags->settings);
+  add_file_flag(*command, flags->parts,
+                {"--parts", "DIR", "Folder of the parts on this machine, if it is another than planned"});
+  command->add_flag("--fail-on-error", flags->fail_on_error, "End with 3 if a part has failed");
+  add_loudness_flags(*command, request);
+  set_work(*command, request, flags, run_run);
+}
+
+void add_status(CLI::App& batch, Request& request) {
+  CLI::App* command = batch.add_subcommand(
+      "status", "Say how many parts are done, failed and why; ends with 75 while some are missing");
+  const auto flags = std::make_shared<StatusFlags>();
+  add_folder(*command, flags->folder);
+  add_shard_flag(*command, flags->shard);
+  CLI::Option* missing =
+      command->add_flag("--missing", flags->missing, "List the parts without result, as CSV");
+  add_file_flag(*command, flags->json, {"--json", "FILE|-", "Write the counts as JSON; - for stdout"})
+      ->excludes(missing);
+  add_loudness_flags(*command, request);
+  set_work(*command, request, flags, run_status);
+}
+
+void add_merge(CLI::App& batch, Request& request) {
+  CLI::App* command =
+      batch.add_subcommand("merge", "Put all results into one file; ends with 75 while some are missing");
+  const auto flags = std::make_shared<MergeFlags>();
+  add_folder(*command, flags->folder);
+  add_file_flag(*command, flags->files.csv, {"--csv", "FILE.csv", "A table, a line a part"});
+  add_file_flag(*command, flags->files.sqlite,
+                {"--sqlite", "FILE.db",
+                 "An SQLite database with the views worst, changed (since the last plan that was merged into "
+                 "it), more_than_two_actions and failed"});
+  add_file_flag(*command, flags->files.html,
+                {"--html", "FILE.html", "A page to sort and filter, with pictures"});
+  add_loudness_flags(*command, request);
+  set_work(*command, request, flags, run_merge);
+}
+
+}  // namespace
+
+void add_batch_command(CLI::App& program, Request& request) {
+  CLI::App* command =
+      program.add_subcommand("batch", "Do one of the above to many parts, on one machine or on many");
+  command->require_subcommand(1);
+  add_plan(*command, request);
+  add_run(*command, request);
+  add_status(*command, request);
+  add_merge(*command, request);
+}
+
+}  // namespace moldlight::cli

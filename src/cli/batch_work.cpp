@@ -1,0 +1,110 @@
+#include "cli/batch_work.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "cli/flags.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+/// What becomes of a command line of the work.
+struct ParsedWork {
+  std::vector<batch::NamedValue> given;  // a switch has an empty value
+  nlohmann::ordered_json settings;
+};
+
+using AddCommand = void (*)(CLI::App&, Request&);
+
+/// Null where there is no such command.
+AddCommand command_adder(const std::string& name) {
+  for (const AddCommand add : k_add_commands) {
+    CLI::App program;
+    Request request;
+    add(program, request);
+    for (const CLI::App* command : program.get_subcommands(nullptr))
+      if (command->get_name() == name) return add;
+  }
+  return nullptr;
+}
+
+/// Flags that the run sets itself.
+bool is_runs_own(const std::string& flag) { return flag == "quiet" || flag == "verbose"; }
+
+ParsedWork parse(const std::string& command, const std::vector<std::string>& flags) {
+  static const AddCommand k_none = nullptr;
+  static std::pair<std::string, AddCommand> adder = {"", k_none};
+  if (adder.first != command) adder = {command, command_adder(command)};
+  if (adder.second == nullptr || batch::work_named(command) == nullptr) {
+    throw UsageError(
+        fmt::format("{} can be no work of a batch, which is {}; put a pattern of parts in quotes",
+                    one_line(command), batch::work_names()));
+  }
+  CLI::App program("", "moldlight");
+  Request request;
+  adder.second(program, request);
+  std::vector<std::string> words = {command, "part"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  try {
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& error) {
+    const auto more = program.remaining(true);
+    const std::string what = more.empty() ? error.what() : "there is no option " + more.front();
+    throw UsageError(fmt::format("{}; see moldlight {} --help", what, command));
+  }
+  ParsedWork parsed;
+  for (const CLI::Option* option : program.get_subcommands().front()->get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    if (is_runs_own(name)) continue;
+    const std::string value = option->get_option_text();
+    if (value.find("FILE") != std::string::npos || value.find("DIR") != std::string::npos) {
+      throw UsageError(
+          fmt::format("--{} names one file for all parts; leave it out, and take the results by moldlight "
+                      "batch merge",
+                      name));
+    }
+    const bool is_switch = option->get_expected_max() == 0;
+    for (const std::string& text : option->results()) parsed.given.emplace_back(name, is_switch ? "" : text);
+  }
+  parsed.settings = request.settings();
+  for (const std::string_view key : batch::settings_without_effect()) parsed.settings.erase(std::string(key));
+  return parsed;
+}
+
+std::vector<std::string> words_of(const std::vector<batch::NamedValue>& given) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : given) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
+  return words;
+}
+
+/// Flags that `classify` has as well, whatever the work.
+bool is_of_every_work(const std::string& name) {
+  const auto names = [&](const auto& option) { return option.flag == "--" + name; };
+  return std::ranges::any_of(reading_options(), names) || std::ranges::any_of(method_options(), names);
+}
+
+}  // namespace
+
+BatchWork::BatchWork(std::string command, const std::vector<std::string>& flags)
+    : command_(std::move(command)), common_(parse(command_, flags).given) {}
+
+batch::RowSettings BatchWork::settings(const std::vector<batch::NamedValue>& row) const {
+  std::vector<batch::NamedValue> given = common_;
+  for (const auto& [column, value] : row) {
+    std::string name = column;
+    std::ranges::replace(name, '_', '-');
+    std::erase_if(given, [&](const batch::NamedValue& one) { return one.first == name; });
+    given.emplace_back(name, value);
+  }
+  ParsedWork parsed = parse(command_, words_of(given));
+  batch::RowSettings settings;
+  settings.arguments = words_of(parsed.given);
+  std::erase_if(parsed.given, [](const batch::NamedValue& one) { return !is_of_every_work(one.first); });
+  settings.picture = words_of(parsed.given);
+  settings.effective = std::move(parsed.settings);
+  return settings;
+}
+
+}  // namespace moldlight::cli
