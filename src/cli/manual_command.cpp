@@ -17,6 +17,39 @@ struct ManualFlags {
   const CLI::App* program = nullptr;
 };
 
+/// A command that does something, and what is typed for it: "sweep", "batch run".
+struct NamedCommand {
+  std::string name;
+  const CLI::App* command;
+};
+
+std::vector<NamedCommand> commands_of(const CLI::App& program, const std::string& before = "") {
+  std::vector<NamedCommand> all;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    const std::string name = before + command->get_name();
+    const std::vector<NamedCommand> parts = commands_of(*command, name + " ");
+    if (parts.empty()) all.push_back({name, command});
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
+}
+
+/// A command that is only the first word of others, and their second words.
+struct CommandGroup {
+  std::string name;
+  std::vector<std::string> words;
+};
+
+std::vector<CommandGroup> groups_of(const CLI::App& program) {
+  std::vector<CommandGroup> groups;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    CommandGroup group{command->get_name(), {}};
+    for (const CLI::App* part : command->get_subcommands(nullptr)) group.words.push_back(part->get_name());
+    if (!group.words.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 struct FlagText {
   std::string name, value, help;
   std::vector<std::string> words;  // values that it takes, where they are few
@@ -54,11 +87,12 @@ std::string manual(const CLI::App& program) {
       "parting directions of injection\\-molded parts\n.SH SYNOPSIS\n",
       MOLDLIGHT_VERSION);
   std::string commands;
-  for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    const bool takes_part = command->get_option_no_throw("PART") != nullptr;
-    text += fmt::format(".B moldlight {}\n{}[\\fIflags\\fR]\n.br\n", command->get_name(),
-                        takes_part ? "\\fIPART\\fR " : "");
-    commands += fmt::format(".SH MOLDLIGHT {}\n{}.\n", command->get_name(), roff(command->get_description()));
+  for (const auto& [name, command] : commands_of(program)) {
+    std::string places;
+    for (const CLI::Option* option : command->get_options())
+      if (option->get_positional()) places += fmt::format("\\fI{}\\fR ", option->get_name());
+    text += fmt::format(".B moldlight {}\n{}[\\fIflags\\fR]\n.br\n", name, places);
+    commands += fmt::format(".SH MOLDLIGHT {}\n{}.\n", name, roff(command->get_description()));
     for (const FlagText& flag : flag_texts(*command))
       commands += fmt::format(".TP\n\\fB{}\\fR \\fI{}\\fR\n{}.\n", roff(flag.name), roff(flag.value),
                               roff(flag.help));
@@ -67,22 +101,31 @@ std::string manual(const CLI::App& program) {
   return text +
          ".SH EXIT STATUS\n0: done. 1: something could not be read, written or found. 2: the command line "
          "makes no "
-         "sense. 3: the criterion of \\-\\-fail\\-if\\-undercut failed. 130: interrupted.\n";
+         "sense. 3: the criterion of \\-\\-fail\\-if\\-undercut or \\-\\-fail\\-on\\-error failed. 75: parts "
+         "of a "
+         "batch are left, try again. 130: interrupted.\n";
 }
 
 std::string bash_completion(const CLI::App& program) {
   std::vector<std::string> names;
   std::string flags, values;
-  for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    names.push_back(command->get_name());
+  for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+  std::string groups;
+  for (const CommandGroup& group : groups_of(program))
+    groups += fmt::format(
+        "  if [[ $command == {0} ]]; then\n    [[ $COMP_CWORD -ne 2 ]] || {{ COMPREPLY=($(compgen -W \"{1}\" "
+        "-- "
+        "\"$word\")); return; }}\n    command=\"{0} ${{COMP_WORDS[2]}}\"\n  fi\n",
+        group.name, fmt::join(group.words, " "));
+  for (const auto& [name, command] : commands_of(program)) {
     std::vector<std::string> of_command;
     for (const FlagText& flag : flag_texts(*command)) {
       of_command.push_back(flag.name);
       if (!flag.words.empty())
-        values += fmt::format("    {}:{}) COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n",
-                              command->get_name(), flag.name, fmt::join(flag.words, " "));
+        values += fmt::format("    \"{}:{}\") COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n",
+                              name, flag.name, fmt::join(flag.words, " "));
     }
-    flags += fmt::format("    {}) flags=\"{}\" ;;\n", command->get_name(), fmt::join(of_command, " "));
+    flags += fmt::format("    \"{}\") flags=\"{}\" ;;\n", name, fmt::join(of_command, " "));
   }
   return fmt::format(R"(_moldlight() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} command=${{COMP_WORDS[1]}} flags=""
@@ -90,7 +133,7 @@ std::string bash_completion(const CLI::App& program) {
     COMPREPLY=($(compgen -W "{}" -- "$word") $(compgen -f -- "$word"))
     return
   fi
-  case "$command:${{COMP_WORDS[COMP_CWORD-1]}}" in
+{}  case "$command:${{COMP_WORDS[COMP_CWORD-1]}}" in
 {}  esac
   case "$command" in
 {}  esac
@@ -102,7 +145,7 @@ std::string bash_completion(const CLI::App& program) {
 }}
 complete -o filenames -F _moldlight moldlight
 )",
-                     fmt::join(names, " "), values, flags);
+                     fmt::join(names, " "), groups, values, flags);
 }
 
 /// Within brackets and colons of _arguments, in single quotes.
@@ -113,10 +156,16 @@ std::string zsh_text(std::string text) {
 }
 
 std::string zsh_completion(const CLI::App& program) {
-  std::string commands, flags;
-  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+  std::string commands, groups, flags;
+  for (const CLI::App* command : program.get_subcommands(nullptr))
     commands += fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
-    flags += fmt::format("    {}) _arguments \\\n", command->get_name());
+  for (const CommandGroup& group : groups_of(program))
+    groups += fmt::format(
+        "  if [[ $command == {0} ]]; then\n    if (( CURRENT == 2 )); then compadd {1}; return; fi\n"
+        "    command=\"{0} $words[2]\"; shift words; (( CURRENT-- ))\n  fi\n",
+        group.name, fmt::join(group.words, " "));
+  for (const auto& [name, command] : commands_of(program)) {
+    flags += fmt::format("    \"{}\") _arguments \\\n", name);
     for (const FlagText& flag : flag_texts(*command)) {
       const std::string values =
           flag.words.empty() ? "_files" : fmt::format("({})", fmt::join(flag.words, " "));
@@ -137,12 +186,12 @@ _moldlight() {{
   local command=$words[2]
   shift words
   (( CURRENT-- ))
-  case $command in
+{}  case $command in
 {}  esac
 }}
 _moldlight "$@"
 )",
-                     commands, flags);
+                     commands, groups, flags);
 }
 
 int run(const ManualFlags& flags, Console& console, const Progress&) {

@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,11 @@ using test::run_moldlight;
 /// Flags stand two columns in, after their letter where they have one.
 std::set<std::string> flags_of(const std::string& command) {
   std::set<std::string> flags;
-  std::istringstream help(run_moldlight({command, "--help"}).out);
+  std::vector<std::string> words;
+  std::istringstream names(command);
+  for (std::string word; names >> word;) words.push_back(word);
+  words.emplace_back("--help");
+  std::istringstream help(run_moldlight(words).out);
   for (std::string line; std::getline(help, line);) {
     if (!line.starts_with("  -")) continue;
     const std::size_t begin = line.find("--");
@@ -42,7 +47,8 @@ std::string completions(const std::string& words) {
 TEST(Manual, ThePageHoldsEveryFlagOfEveryCommand) {
   const auto page = run_moldlight({"manual"});
   ASSERT_EQ(page.exit_code, 0);
-  for (const std::string command : {"info", "classify", "sweep", "view", "doctor", "manual"}) {
+  for (const std::string command : {"info", "classify", "sweep", "view", "batch plan", "batch run",
+                                    "batch status", "batch merge", "doctor", "manual"}) {
     const std::size_t begin = page.out.find("\n.SH MOLDLIGHT " + command + "\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string section = page.out.substr(begin, page.out.find("\n.SH ", begin + 1) - begin);
@@ -59,6 +65,8 @@ TEST(Manual, BashCompletesCommandsFlagsAndWords) {
   EXPECT_EQ(completions("cl"), "classify\n");
   EXPECT_EQ(completions("classify --readout ''"), "exact samples facet-id\n");
   EXPECT_EQ(completions("classify --kernel-shape s"), "symmetric\n");
+  EXPECT_EQ(completions("batch st"), "status\n");
+  EXPECT_NE(completions("batch run --").find("--part-memory"), std::string::npos);
   std::string all = completions("sweep --");
   for (const std::string& flag : flags_of("sweep")) EXPECT_NE(all.find(flag), std::string::npos) << flag;
 }
