@@ -17,7 +17,26 @@ struct MoldFlags {
   bool best_direction = false;
   MoldSettings settings;
   std::vector<std::string> lines;
+  std::string folder;
+  bool as_3mf = false;
 };
+
+/// Why files that were asked for are not written: what the halves cannot form, or that there are none.
+std::string refusal_text(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
+                         const WrittenMold& written) {
+  if (!written.refusal.empty())
+    return fmt::format("no halves: {}, near {}", written.refusal, figures(halves.refused_at, 1.0));
+  if (halves.inserts.empty() || flags.settings.fill_undercut) return {};
+  std::string places;
+  for (std::size_t k = 0; k < std::min<std::size_t>(halves.inserts.size(), 3); ++k)
+    places += fmt::format("{}{}", k == 0 ? "" : "; ", figures(insert_place(halves, k), model.frame.diagonal));
+  return fmt::format(
+      "no halves are written: undercuts keep {} {} in {} place{} from both, at {}{}; --fill-undercut leaves "
+      "them to "
+      "inserts, moldlight actions finds side actions",
+      figure(halves.insert_volume), powered_unit(model.part, 3), halves.inserts.size(),
+      halves.inserts.size() == 1 ? "" : "s", places, halves.inserts.size() > 3 ? "; …" : "");
+}
 
 WrittenLines written_lines(const PartModel& model, const Assignment& assignment, const PartingLine& line) {
   WrittenLines lines{
@@ -38,7 +57,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     check_line_extension(path);
     files.push_back({"--lines", path});
   }
-  check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files});
+  check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
@@ -48,10 +67,18 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   const PartingLine line = parting_line(assignment);
   progress.report("writing", 0.0);
   for (const std::string& path : flags.lines) write_lines(path, written_lines(*model, assignment, line));
-  const MoldReport report{*model, query, flags.settings, assignment, line};
+  const MoldHalves halves =
+      make_halves(*model, assignment.direction, assignment.height, flags.settings, progress);
+  WrittenMold written = written_mold(halves);
+  const std::string refusal = refusal_text(flags, *model, halves, written);
+  if (!flags.folder.empty() && refusal.empty())
+    write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+  const MoldReport report{*model, query, flags.settings, assignment, line, halves, written};
   put_report(
       console, flags.part.json, [&] { return mold_json(report); }, [&] { return mold_table(report); });
-  return 0;
+  if (flags.folder.empty() || refusal.empty()) return 0;
+  console.failure(refusal);
+  return k_criterion_failed;
 }
 
 }  // namespace
@@ -73,6 +100,12 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
       ->check(named())
       ->allow_extra_args(false);
+  CLI::Option* folder = add_file_flag(*command, flags->folder,
+                                      {"--out", "DIR",
+                                       "Write the halves to this folder: core.stl, cavity.stl, and with "
+                                       "--fill-undercut insert_1.stl and so on"});
+  command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
+      ->needs(folder);
   add_method_flags(*command, flags->query.method);
   set_work(*command, request, flags, run);
 }

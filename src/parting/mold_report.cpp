@@ -1,6 +1,7 @@
 #include "parting/mold_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -53,10 +54,89 @@ Json euler_json(const EulerCheck& euler) {
           {"genus", euler.genus}};
 }
 
+Json body_json(const WrittenBody& body) {
+  return {{"file", body.file.empty() ? Json() : Json(body.file)},
+          {"volume", body.volume},
+          {"closed", body.closed},
+          {"crowded_edges", body.crowded_edges}};
+}
+
+Json half_json(const WrittenBody& body) {
+  Json json = body_json(body);
+  json["undercut"] = body.undercut;
+  return json;
+}
+
+Json contacts_json(const MoldHalves& halves) {
+  Json list = Json::array();
+  for (const ContactWall& wall : halves.contacts)
+    list.push_back({{"place", point_json(wall.place)}, {"height", wall.height}, {"area", wall.area}});
+  return list;
+}
+
+Json refusal_json(const MoldHalves& halves, const WrittenMold& written) {
+  if (written.refusal.empty()) return {};
+  return {{"why", written.refusal}, {"place", point_json(halves.refused_at)}};
+}
+
+/// Halves, surfaces, inserts; null where there are none.
+void add_halves(const MoldHalves& halves, const WrittenMold& written, Json& json) {
+  const bool made = halves.made();
+  json["surfaces"] = made ? Json{{"parting", halves.parting_area},
+                                 {"shut_offs", halves.shut_off_area},
+                                 {"steepest_deg", halves.steepest_deg},
+                                 {"contact", halves.contact_area},
+                                 {"contacts", contacts_json(halves)}}
+                          : Json();
+  json["halves"] = Json();
+  json["inserts"] = Json::array();
+  json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
+  json["refused"] = refusal_json(halves, written);
+  if (!made || written.bodies.size() < 2) return;
+  json["halves"] = {{"core", half_json(written.bodies[0])},          {"cavity", half_json(written.bodies[1])},
+                    {"frame", written.part_frame ? "part" : "mold"}, {"scale", halves.scale},
+                    {"block_volume", halves.block_volume},           {"part_volume", halves.part_volume},
+                    {"insert_volume", halves.insert_volume},         {"specks_volume", halves.specks_volume}};
+  for (std::size_t k = 2; k < written.bodies.size(); ++k)
+    json["inserts"].push_back(body_json(written.bodies[k]));
+}
+
+std::string halves_table(const MoldHalves& halves, const WrittenMold& written, const Part& part) {
+  if (!written.refusal.empty())
+    return fmt::format("\nno halves: {}, near {}\n", written.refusal, figures(halves.refused_at, 1.0));
+  const std::string area_unit = powered_unit(part, 2), volume_unit = powered_unit(part, 3);
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(
+      out,
+      "\nhalves    core {} {}, cavity {}, closed; volumes with part and inserts are {} of the block apart\n",
+      figure(halves.core.volume), volume_unit, figure(halves.cavity.volume),
+      error_text(std::abs(halves.volume_gap)));
+  fmt::format_to(out, "          parting surface {} {}, shut-offs {}; no facet steeper than {:.0f}°\n",
+                 figure(halves.parting_area), area_unit, figure(halves.shut_off_area),
+                 std::ceil(halves.steepest_deg));
+  if (!halves.contacts.empty()) {
+    const ContactWall& most = halves.contacts.front();
+    fmt::format_to(out,
+                   "          steel on steel without draft: {} {} in {} place{}, the most at {}, {} high\n",
+                   figure(halves.contact_area), area_unit, halves.contacts.size(),
+                   halves.contacts.size() == 1 ? "" : "s", figures(most.place, 1.0), figure(most.height));
+  }
+  if (!halves.inserts.empty()) {
+    fmt::format_to(out, "          left to {} insert{}: {} {}, {} of the part's volume\n",
+                   halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),
+                   volume_unit, share_text(halves.insert_volume, halves.part_volume));
+  }
+  for (const WrittenBody& body : written.bodies) {
+    if (!body.file.empty()) fmt::format_to(out, "          {}\n", body.file);
+  }
+  return text;
+}
+
 }  // namespace
 
 nlohmann::ordered_json mold_json(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line] = report;
+  const auto& [model, query, settings, assignment, line, halves, written] = report;
   Json json;
   json["schema"] = "moldlight.mold/1";
   std::vector<std::string> warnings = model.warnings;
@@ -77,12 +157,13 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   json["euler"] = euler_json(line.euler);
   json["loops"] = Json::array();
   for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(assignment, loop));
+  add_halves(halves, written, json);
   json["verdict"] = parting_verdict(assignment, line, model.frame.diagonal);
   return json;
 }
 
 std::string mold_table(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line] = report;
+  const auto& [model, query, settings, assignment, line, halves, written] = report;
   constexpr std::size_t k_most_rows = 20;
   const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
   const FigureColumn areas(assignment.total_area), lengths(10.0 * model.frame.diagonal);
@@ -120,7 +201,7 @@ std::string mold_table(const MoldReport& report) {
                  e.sums() ? "✓" : "✗", e.core, e.cavity, e.action, e.part,
                  e.touching == 0 ? "" : fmt::format(" + {} where lines touch", e.touching),
                  e.loops == e.expected_loops ? "✓" : "✗", e.loops, e.genus, e.expected_loops);
-  return text;
+  return text + halves_table(halves, written, model.part);
 }
 
 }  // namespace moldlight

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parting/loops.hpp"
+#include "parting/mold_files.hpp"
 
 namespace moldlight {
 
@@ -16,6 +17,8 @@ struct MoldReport {
   const MoldSettings& settings;
   const Assignment& assignment;
   const PartingLine& line;
+  const MoldHalves& halves;
+  const WrittenMold& written;  // bodies that were not asked for have no file
 };
 
 /// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.

@@ -1,4 +1,6 @@
 // moldlight mold, as a user runs it.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
@@ -58,6 +60,41 @@ TEST_F(Mold, WritesTheLineInEveryFormat) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   for (const char* extension : {"dxf", "svg", "obj", "csv", "step"})
     EXPECT_GT(test::file_bytes(part.output(std::string("line.") + extension)).size(), 200U) << extension;
+}
+
+TEST_F(Mold, WritesHalvesThatAreClosed) {
+  const std::string folder = part.output("mold");
+  const auto run =
+      run_moldlight(mold({"--out", folder, "--fill-undercut", "--3mf", "--json", part.output("mold.json")}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(test::file_bytes(part.output("mold.json")));
+  EXPECT_LE(std::abs(json["volume_gap"].get<double>()), 1e-9);
+  ASSERT_EQ(json["inserts"].size(), 1U);
+  for (const auto& body : {json["halves"]["core"], json["halves"]["cavity"], json["inserts"][0]}) {
+    EXPECT_TRUE(body["closed"].get<bool>());
+    const auto info = run_moldlight({"info", body["file"].get<std::string>(), "--json", "-"});
+    ASSERT_EQ(info.exit_code, 0) << info.err;
+    const auto solid = json_of(info.out)["part"];
+    EXPECT_TRUE(solid["closed"].get<bool>());
+    EXPECT_NEAR(solid["volume"].get<double>(), body["volume"].get<double>(),
+                1e-4 * body["volume"].get<double>());
+  }
+  EXPECT_LE(json["halves"]["core"]["undercut"].get<double>(), 1e-8);
+  EXPECT_LE(json["halves"]["cavity"]["undercut"].get<double>(), 1e-8);
+  for (const char* key : {"parting", "shut_offs", "steepest_deg"})
+    EXPECT_TRUE(json["surfaces"].contains(key)) << key;
+  const auto all = run_moldlight({"info", folder + "/mold.3mf", "--json", "-"});
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(json_of(all.out)["bodies"].size(), 3U);
+}
+
+TEST_F(Mold, WritesNoHalvesWhereUndercutsAreInTheWay) {
+  const std::string folder = part.output("mold");
+  const auto run = run_moldlight(mold({"--out", folder}));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.err.find("--fill-undercut"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("planar parting line"), std::string::npos) << "the report comes all the same";
+  EXPECT_EQ(run_moldlight({"info", folder + "/core.stl"}).exit_code, 1) << "nothing was written";
 }
 
 TEST_F(Mold, RefusesWhatMakesNoSense) {

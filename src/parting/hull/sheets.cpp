@@ -1,0 +1,224 @@
+#include "parting/hull/sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mesh/union_find.hpp"
+#include "parting/hull/plane_grid.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_most_rounds = 8;
+constexpr unsigned k_part_sheets =
+    Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower) | Sheets::bit(Sheet::hidden);
+
+}  // namespace
+
+glm::dvec2 on_grid(const glm::dvec2& at) {
+  constexpr double k_cells = 35184372088832.0;  // 2^45
+  return glm::round(at * k_cells) / k_cells;
+}
+
+Column Sheets::add_column(const glm::dvec2& at) {
+  columns.push_back(on_grid(at));
+  return static_cast<Column>(columns.size() - 1);
+}
+
+SheetVertex Sheets::add_vertex(Column column, double z) {
+  vertices.emplace_back(columns[column].x, columns[column].y, z);
+  column_of.push_back(column);
+  return static_cast<SheetVertex>(vertices.size() - 1);
+}
+
+std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned) const {
+  struct Use {
+    std::uint64_t key;
+    int count;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * facets.size());
+  for (const SheetFacet& facet : facets) {
+    if ((bit(facet.sheet) & sheets) == 0) continue;
+    const int sign = (bit(facet.sheet) & turned) != 0 ? -1 : 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SheetVertex from = facet.corners[k], to = facet.corners[(k + 1) % 3];
+      uses.push_back({edge_key(from, to), from < to ? sign : -sign});
+    }
+  }
+  std::ranges::sort(uses, {}, &Use::key);
+  std::vector<SheetEdge> found;
+  for (std::size_t k = 0; k < uses.size();) {
+    const std::uint64_t key = uses[k].key;
+    int count = 0;
+    for (; k < uses.size() && uses[k].key == key; ++k) count += uses[k].count;
+    const auto low = static_cast<SheetVertex>(key >> 32U), high = static_cast<SheetVertex>(key);
+    if (count > 0) found.push_back({low, high, count});
+    if (count < 0) found.push_back({high, low, -count});
+  }
+  return found;
+}
+
+std::vector<SegmentEdges> Sheets::by_segment(std::span<const SheetEdge> edges) const {
+  struct Placed {
+    std::uint64_t key;
+    SegmentEdge edge;
+  };
+  std::vector<Placed> placed;
+  placed.reserve(edges.size());
+  for (const SheetEdge& edge : edges) {
+    const Column from = column_of[edge.from], to = column_of[edge.to];
+    if (from == to) continue;
+    placed.push_back(from < to ? Placed{edge_key(from, to), {edge.from, edge.to, edge.count}}
+                               : Placed{edge_key(from, to), {edge.to, edge.from, -edge.count}});
+  }
+  std::ranges::stable_sort(placed, {}, &Placed::key);
+  std::vector<SegmentEdges> segments;
+  for (const Placed& one : placed) {
+    const auto a = static_cast<Column>(one.key >> 32U), b = static_cast<Column>(one.key);
+    if (segments.empty() || segments.back().a != a || segments.back().b != b) segments.push_back({a, b, {}});
+    segments.back().edges.push_back(one.edge);
+  }
+  return segments;
+}
+
+void Sheets::make_columns(double tolerance) {
+  std::vector<SheetVertex> ends_at;
+  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden}) {
+    for (const SheetEdge& edge : ends(bit(sheet))) {
+      ends_at.push_back(edge.from);
+      ends_at.push_back(edge.to);
+    }
+  }
+  std::ranges::sort(ends_at);
+  ends_at.erase(std::unique(ends_at.begin(), ends_at.end()), ends_at.end());
+  UnionFind joined(ends_at.size());
+  PlaneGrid grid(2.0 * tolerance);
+  for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
+    const glm::dvec2 at(vertices[ends_at[k]]);
+    grid.for_each_near(at, [&](std::uint32_t other) {
+      if (glm::distance(glm::dvec2(vertices[ends_at[other]]), at) <= tolerance) joined.join(k, other);
+    });
+    grid.add(at, k);
+  }
+  std::vector<Column> column(ends_at.size(), k_no_column);
+  for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
+    const std::uint32_t root = joined.find(k);
+    const SheetVertex vertex = ends_at[k];
+    if (column[root] == k_no_column) column[root] = add_column(glm::dvec2(vertices[ends_at[root]]));
+    column_of[vertex] = column[root];
+    vertices[vertex].x = columns[column[root]].x;
+    vertices[vertex].y = columns[column[root]].y;
+  }
+}
+
+bool Sheets::insert_columns(double tolerance) {
+  std::vector<SheetEdge> edges;
+  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden}) {
+    const auto more = ends(bit(sheet));
+    edges.insert(edges.end(), more.begin(), more.end());
+  }
+  double length = 0.0;
+  for (const SheetEdge& edge : edges)
+    length += glm::distance(glm::dvec2(vertices[edge.from]), glm::dvec2(vertices[edge.to]));
+  PlaneGrid grid(std::max({length / (1.0 + static_cast<double>(edges.size())), 4.0 * tolerance, 1e-4}));
+  for (Column column = 0; column < columns.size(); ++column) grid.add(columns[column], column);
+
+  OnEdges on_edges;
+  std::vector<std::pair<double, Column>> passed;
+  for (const SheetEdge& edge : edges) {
+    const auto [low, high] = std::minmax(edge.from, edge.to);
+    if (column_of[low] == column_of[high] || on_edges.contains(edge_key(low, high))) continue;
+    const glm::dvec2 a(vertices[low]), b(vertices[high]);
+    const double squared = glm::dot(b - a, b - a);
+    passed.clear();
+    grid.for_each_along(a, b, [&](Column column) {
+      if (column == column_of[low] || column == column_of[high]) return;
+      const double share = glm::dot(columns[column] - a, b - a) / squared;
+      if (share <= 0.0 || share >= 1.0) return;
+      if (glm::distance(a + share * (b - a), columns[column]) <= tolerance)
+        passed.emplace_back(share, column);
+    });
+    if (passed.empty()) continue;
+    std::ranges::sort(passed);
+    std::vector<SheetVertex>& on_edge = on_edges[edge_key(low, high)];
+    for (const auto& [share, column] : passed) {
+      if (!on_edge.empty() && column_of[on_edge.back()] == column) continue;
+      on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
+    }
+  }
+  if (on_edges.empty()) return false;
+  divide_edges(on_edges);
+  return true;
+}
+
+void Sheets::divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SheetVertex a = facet.corners[k], b = facet.corners[(k + 1) % 3], tip = facet.corners[(k + 2) % 3];
+    const auto found = on_edges.find(edge_key(a, b));
+    if (found == on_edges.end()) continue;
+    // Fans from the opposite corner; the first and the last have the facet's other edges.
+    const std::vector<SheetVertex>& between = found->second;
+    SheetVertex before = a;
+    for (std::size_t i = 0; i <= between.size(); ++i) {
+      const std::size_t place = a < b ? i : between.size() - 1 - i;
+      const SheetVertex next = i == between.size() ? b : between[place];
+      divide({{before, next, tip}, facet.sheet}, on_edges, parts);
+      before = next;
+    }
+    return;
+  }
+  parts.push_back(facet);
+}
+
+void Sheets::divide_edges(const OnEdges& on_edges) {
+  std::vector<SheetFacet> divided;
+  divided.reserve(facets.size() + 2 * on_edges.size());
+  for (const SheetFacet& facet : facets) divide(facet, on_edges, divided);
+  facets = std::move(divided);
+}
+
+void Sheets::weld_columns(double tolerance) {
+  std::vector<SheetVertex> standing;
+  for (SheetVertex vertex = 0; vertex < vertices.size(); ++vertex) {
+    if (column_of[vertex] != k_no_column) standing.push_back(vertex);
+  }
+  std::ranges::sort(standing, [&](SheetVertex x, SheetVertex y) {
+    return std::tuple(column_of[x], vertices[x].z, x) < std::tuple(column_of[y], vertices[y].z, y);
+  });
+  std::vector<SheetVertex> becomes(vertices.size());
+  std::iota(becomes.begin(), becomes.end(), 0U);
+  SheetVertex kept = 0;
+  for (std::size_t k = 0; k < standing.size(); ++k) {
+    const SheetVertex vertex = standing[k];
+    if (k > 0 && column_of[kept] == column_of[vertex] && vertices[vertex].z - vertices[kept].z <= tolerance) {
+      becomes[vertex] = kept;
+    } else {
+      kept = vertex;
+    }
+  }
+  std::erase_if(facets, [&](SheetFacet& facet) {
+    for (SheetVertex& corner : facet.corners) corner = becomes[corner];
+    const auto& [a, b, c] = facet.corners;
+    return a == b || b == c || c == a;
+  });
+}
+
+bool Sheets::stand_in_columns(double tolerance) {
+  make_columns(tolerance);
+  weld_columns(tolerance);
+  for (int round = 0; round < k_most_rounds; ++round) {
+    const bool more = insert_columns(tolerance);
+    weld_columns(tolerance);
+    if (!more) return true;
+  }
+  return false;
+}
+
+}  // namespace moldlight

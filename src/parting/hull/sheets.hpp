@@ -1,0 +1,90 @@
+// The surfaces that a mold is made of, as sheets over a plane: what is seen from above of the part, what from
+// below, what is hidden, and the parting surface. Where they end, their ends stand in shared columns.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace moldlight {
+
+enum class Sheet : std::uint8_t { upper, lower, hidden, parting };
+
+using SheetVertex = std::uint32_t;
+using Column = std::uint32_t;
+inline constexpr Column k_no_column = ~0U;
+
+/// A facet wound as the part's surface is; of the parting surface, as seen from above.
+struct SheetFacet {
+  std::array<SheetVertex, 3> corners{};
+  Sheet sheet = Sheet::upper;
+};
+
+/// Where a sheet, or several taken together, ends: run through from `from` to `to`, `count` times; the sheet
+/// is on the left.
+struct SheetEdge {
+  SheetVertex from = 0, to = 0;
+  int count = 1;
+};
+
+/// An edge of a sheet over a segment between two columns, the lower number first.
+struct SegmentEdge {
+  SheetVertex a = 0, b = 0;  // over the segment's first and second column
+  int sign = 0;              // how often it is run through from a to b, less the other way
+};
+/// Of each segment of the plane the edges over it.
+struct SegmentEdges {
+  Column a = 0, b = 0;
+  std::vector<SegmentEdge> edges;
+};
+
+/// Coordinates are in the mold's frame: z is the parting direction, the part's diagonal about 1.
+class Sheets {
+ public:
+  std::vector<glm::dvec3> vertices;
+  std::vector<Column> column_of;  // one a vertex; k_no_column inside a sheet
+  std::vector<SheetFacet> facets;
+  std::vector<glm::dvec2> columns;  // on a grid of 2^-45
+
+  /// Puts the ends of the sheets into columns: ends nearer than `tolerance` share one; edges that pass a
+  /// column that near get a vertex there; vertices of a column that near become one. False where that does
+  /// not come to an end.
+  [[nodiscard]] bool stand_in_columns(double tolerance);
+
+  /// Ends of the sheets taken together, a bit of `sheets` each (1 << sheet), those in `turned` turned over;
+  /// in order of their vertices.
+  [[nodiscard]] std::vector<SheetEdge> ends(unsigned sheets, unsigned turned = 0) const;
+  [[nodiscard]] static constexpr unsigned bit(Sheet sheet) { return 1U << static_cast<unsigned>(sheet); }
+
+  /// Edges by the segment of the plane over which they are; those that are upright are over none.
+  [[nodiscard]] std::vector<SegmentEdges> by_segment(std::span<const SheetEdge> edges) const;
+
+  [[nodiscard]] Column add_column(const glm::dvec2& at);
+  [[nodiscard]] SheetVertex add_vertex(Column column, double z);
+
+  /// New vertices on edges, in order from the lower vertex number to the higher; facets are divided so that
+  /// they have them.
+  using OnEdges = std::unordered_map<std::uint64_t, std::vector<SheetVertex>>;
+  [[nodiscard]] static std::uint64_t edge_key(SheetVertex a, SheetVertex b) {
+    return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
+  }
+  void divide_edges(const OnEdges& on_edges);
+
+  /// Makes one of the vertices of a column that are nearer than `tolerance`.
+  void weld_columns(double tolerance);
+
+ private:
+  void make_columns(double tolerance);
+  [[nodiscard]] bool insert_columns(double tolerance);
+  void divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const;
+};
+
+/// The point on the grid that all columns are on.
+[[nodiscard]] glm::dvec2 on_grid(const glm::dvec2& at);
+
+}  // namespace moldlight

@@ -1,0 +1,133 @@
+#include "parting/mold_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "io/solid_writer.hpp"
+
+namespace moldlight {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double k_most_fold = 1e-8;  // of the block's rectangle
+
+/// Rounded to single precision, with equal vertices joined and facets gone that have two of one.
+TriangleMesh rounded(const TriangleMesh& mesh, const auto& place) {
+  TriangleMesh result;
+  std::map<std::array<float, 3>, VertexIndex> known;
+  std::vector<VertexIndex> becomes;
+  becomes.reserve(mesh.vertices.size());
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    const glm::dvec3 at = place(vertex);
+    const std::array<float, 3> key = {static_cast<float>(at.x) + 0.0F, static_cast<float>(at.y) + 0.0F,
+                                      static_cast<float>(at.z) + 0.0F};
+    const auto [entry, fresh] = known.try_emplace(key, static_cast<VertexIndex>(result.vertices.size()));
+    if (fresh) result.vertices.emplace_back(key[0], key[1], key[2]);
+    becomes.push_back(entry->second);
+  }
+  for (const auto& facet : mesh.facets) {
+    const std::array<VertexIndex, 3> corners = {becomes[facet[0]], becomes[facet[1]], becomes[facet[2]]};
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      result.facets.push_back(corners);
+  }
+  return result;
+}
+
+/// What of a half faces along its pull and is not its lid, and what its facets do not cover, seen along
+/// `up`; as a share of the rectangle.
+double fold_of(const TriangleMesh& mesh, const glm::dvec3& lid, double rectangle) {
+  double facing = 0.0, away = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const double seen = 0.5 * glm::dot(lid, glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
+                                                       mesh.corner(facet, 2) - mesh.corner(facet, 0)));
+    (seen > 0.0 ? facing : away) += std::abs(seen);
+  }
+  return std::max(std::abs(facing - rectangle), std::abs(away - rectangle)) / rectangle;
+}
+
+std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
+  mold.part_frame = part_frame;
+  mold.bodies.clear();
+  const auto place = [&](const glm::dvec3& at) {
+    return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
+  };
+  const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
+  const auto add = [&](const std::string& name, const MoldBody& body) {
+    WrittenBody written{.name = name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
+    const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
+    written.closed = check.open_edges == 0;
+    written.crowded_edges = check.crowded_edges;
+    mold.bodies.push_back(std::move(written));
+  };
+  add("core", halves.core);
+  add("cavity", halves.cavity);
+  for (std::size_t k = 0; k < halves.inserts.size(); ++k)
+    add(fmt::format("insert_{}", k + 1), halves.inserts[k]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    // As large as the lid, rounded as it is.
+    WrittenBody& half = mold.bodies[k];
+    const glm::dvec3 lid = k == 0 ? up : -up;
+    double top = -INFINITY;
+    for (const glm::dvec3& v : half.mesh.vertices) top = std::max(top, glm::dot(v, lid));
+    double rectangle = 0.0;
+    for (FacetIndex facet = 0; facet < half.mesh.facets.size(); ++facet) {
+      bool in_lid = true;
+      for (int c = 0; c < 3; ++c) in_lid = in_lid && glm::dot(half.mesh.corner(facet, c), lid) == top;
+      if (in_lid)
+        rectangle += 0.5 * glm::dot(lid, glm::cross(half.mesh.corner(facet, 1) - half.mesh.corner(facet, 0),
+                                                    half.mesh.corner(facet, 2) - half.mesh.corner(facet, 0)));
+    }
+    half.undercut = rectangle > 0.0 ? fold_of(half.mesh, lid, rectangle) : 1.0;
+    if (half.undercut > k_most_fold)
+      return fmt::format("in single precision {:.2g} of the {} would fold over itself", half.undercut,
+                         half.name);
+  }
+  for (const WrittenBody& body : mold.bodies) {
+    if (!body.closed) return fmt::format("in single precision the {} would not be closed", body.name);
+  }
+  return {};
+}
+
+}  // namespace
+
+WrittenMold written_mold(const MoldHalves& halves) {
+  WrittenMold mold;
+  if (!halves.made()) {
+    mold.refusal = halves.refusal;
+    return mold;
+  }
+  if (axis_of(halves.frame.z) >= 0 && fill(mold, halves, true).empty()) return mold;
+  mold.refusal = fill(mold, halves, false);
+  return mold;
+}
+
+void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
+  std::vector<NamedSolid> solids;
+  for (WrittenBody& body : mold.bodies) {
+    body.file = (fs::path(folder) / (body.name + ".stl")).string();
+    write_solid_stl(body.file, body.mesh, unit);
+    solids.push_back({body.name, &body.mesh});
+  }
+  if (as_3mf) write_solids_3mf((fs::path(folder) / "mold.3mf").string(), solids, unit);
+  for (std::size_t k = mold.bodies.size() - 1;; ++k) {
+    const fs::path former = fs::path(folder) / fmt::format("insert_{}.stl", k);
+    if (!fs::exists(former, error)) break;
+    fs::remove(former, error);
+    if (error)
+      throw FileError(former.string(), "", "is out of date and cannot be removed: " + error.message());
+  }
+}
+
+}  // namespace moldlight

@@ -1,0 +1,292 @@
+#include "parting/mold_halves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/union_find.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "parting/hull/parting_surface.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Tolerances tried one after the other, as shares of the part's diagonal; facets that are narrower than a
+/// tenth of it as seen along the direction count as upright, if at all.
+struct Attempt {
+  double tolerance;
+  bool drop_upright;
+};
+constexpr Attempt k_attempts[] = {{1e-7, true},  {1e-8, true}, {1e-9, true},
+                                  {1e-7, false}, {1e-6, true}, {4e-6, true}};
+constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
+constexpr double k_speck_volume = 1e-7;  // of the part's volume
+
+constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
+                   k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
+
+using Facets = std::vector<std::array<SheetVertex, 3>>;
+
+/// Least height of the triangle as seen along z.
+double seen_width(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec2 p(b - a), q(c - a), r(c - b);
+  const double longest = std::sqrt(std::max({glm::dot(p, p), glm::dot(q, q), glm::dot(r, r)}));
+  return longest > 0.0 ? std::abs(p.x * q.y - p.y * q.x) / longest : 0.0;
+}
+
+Sheets part_sheets(const SplitMesh& split, const MoldHalves& halves, double diagonal,
+                   const Attempt& attempt) {
+  Sheets sheets;
+  for (const glm::dvec3& vertex : split.vertices)
+    sheets.vertices.push_back(halves.frame.to_mold((vertex - halves.centre) / diagonal));
+  sheets.column_of.assign(sheets.vertices.size(), k_no_column);
+  const double least = attempt.drop_upright ? 0.1 * attempt.tolerance : 1e-14;
+  for (const SplitPiece& piece : split.pieces) {
+    const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
+                     &c = sheets.vertices[piece.corners[2]];
+    if (seen_width(a, b, c) < least) continue;
+    const bool up = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
+    const Sheet sheet = piece.region == Region::core && up      ? Sheet::upper
+                        : piece.region == Region::cavity && !up ? Sheet::lower
+                                                                : Sheet::hidden;
+    sheets.facets.push_back({piece.corners, sheet});
+  }
+  return sheets;
+}
+
+/// Where the ends of the upper and the lower sheet do not sum up to nothing over a segment.
+std::optional<SurfaceFault> residual(const Sheets& sheets, double diagonal) {
+  double length = 0.0, longest = 0.0;
+  glm::dvec3 place(0.0);
+  for (const SegmentEdges& segment : sheets.by_segment(sheets.ends(k_upper | k_lower))) {
+    int sum = 0;
+    for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
+    if (sum == 0) continue;
+    const double run = glm::distance(sheets.columns[segment.a], sheets.columns[segment.b]);
+    length += run;
+    if (run <= longest) continue;
+    longest = run;
+    place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
+  }
+  if (length <= 0.0) return std::nullopt;
+  return SurfaceFault{
+      fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
+                  "of its length: the part is open, overlaps itself or is folded there",
+                  length * diagonal),
+      place};
+}
+
+struct GraphTest {
+  double covered = 0.0, folded = 0.0;
+};
+/// Facets as seen along z, those that face along `sign` and the others.
+GraphTest graph_test(const std::vector<glm::dvec3>& vertices, const Facets& facets, double sign) {
+  GraphTest test;
+  for (const auto& [i, j, k] : facets) {
+    const glm::dvec3 &a = vertices[i], &b = vertices[j], &c = vertices[k];
+    const double seen = 0.5 * sign * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    (seen < 0.0 ? test.folded : test.covered) += std::abs(seen);
+  }
+  return test;
+}
+
+MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
+  const BodyCheck check = check_body(vertices, facets);
+  MoldBody body{.mesh = body_mesh(vertices, facets),
+                .volume = check.volume * scale * scale * scale,
+                .open_edges = check.open_edges,
+                .crowded_edges = check.crowded_edges};
+  for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
+  return body;
+}
+
+/// The bodies that hang together.
+std::vector<Facets> components(std::size_t vertices, const Facets& facets) {
+  UnionFind joined(vertices);
+  for (const auto& facet : facets) {
+    joined.join(facet[0], facet[1]);
+    joined.join(facet[1], facet[2]);
+  }
+  std::map<std::uint32_t, Facets> found;
+  for (const auto& facet : facets) found[joined.find(facet[0])].push_back(facet);
+  std::vector<Facets> list;
+  for (auto& [root, body] : found) list.push_back(std::move(body));
+  return list;
+}
+
+double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
+  long double volume = 0.0L;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    volume += static_cast<long double>(
+        glm::dot(mesh.corner(facet, 0) - centre,
+                 glm::cross(mesh.corner(facet, 1) - centre, mesh.corner(facet, 2) - centre)));
+  }
+  return static_cast<double>(volume / 6.0L);
+}
+
+void measure_surface(const Sheets& sheets, double diagonal, MoldHalves& halves) {
+  // A shut-off hangs together without the block's rim.
+  UnionFind joined(sheets.vertices.size());
+  glm::dvec2 low(INFINITY);
+  for (const SheetFacet& facet : sheets.facets) {
+    if (facet.sheet != Sheet::parting) continue;
+    joined.join(facet.corners[0], facet.corners[1]);
+    joined.join(facet.corners[1], facet.corners[2]);
+  }
+  std::uint32_t rim = 0;
+  for (const SheetFacet& facet : sheets.facets) {
+    if (facet.sheet != Sheet::parting) continue;
+    for (const SheetVertex v : facet.corners) {
+      const glm::dvec2 at(sheets.vertices[v]);
+      if (at.x + at.y < low.x + low.y) {
+        low = at;
+        rim = v;
+      }
+    }
+  }
+  double steepest = 0.0;
+  for (const SheetFacet& facet : sheets.facets) {
+    if (facet.sheet != Sheet::parting) continue;
+    const glm::dvec3 normal =
+        glm::cross(sheets.vertices[facet.corners[1]] - sheets.vertices[facet.corners[0]],
+                   sheets.vertices[facet.corners[2]] - sheets.vertices[facet.corners[0]]);
+    const double area = 0.5 * glm::length(normal) * diagonal * diagonal;
+    (joined.find(facet.corners[0]) == joined.find(rim) ? halves.parting_area : halves.shut_off_area) += area;
+    if (glm::length(normal) > 0.0)
+      steepest = std::max(steepest, std::acos(std::clamp(normal.z / glm::length(normal), -1.0, 1.0)));
+  }
+  halves.steepest_deg = glm::degrees(steepest);
+}
+
+/// Fills `halves`; says why not, and where in the mold's frame.
+std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& model, double height,
+                                       const MoldSettings& settings, const Attempt& attempt,
+                                       MoldHalves& halves) {
+  const double diagonal = model.frame.diagonal;
+  Sheets sheets = part_sheets(split, halves, diagonal, attempt);
+  if (!sheets.stand_in_columns(attempt.tolerance))
+    return SurfaceFault{"the ends of the part's surface do not come to rest", {}};
+  if (auto fault = residual(sheets, diagonal)) return fault;
+
+  const double margin = block_margin(settings, diagonal) / diagonal;
+  glm::dvec3 low(INFINITY), high(-INFINITY);
+  for (const SheetFacet& facet : sheets.facets) {
+    for (const SheetVertex v : facet.corners) {
+      low = glm::min(low, sheets.vertices[v]);
+      high = glm::max(high, sheets.vertices[v]);
+    }
+  }
+  const double middle = glm::dot(halves.centre, halves.frame.z);
+  const SurfaceWish wish{.low = on_grid(glm::dvec2(low) - margin),
+                         .high = on_grid(glm::dvec2(high) + margin),
+                         .height = (height - middle) / diagonal,
+                         .slope = std::tan(glm::radians(settings.slope_deg)),
+                         .tolerance = attempt.tolerance};
+  if (auto fault = add_parting_surface(sheets, wish)) return fault;
+  for (const SheetFacet& facet : sheets.facets) {
+    for (const SheetVertex v : facet.corners) {
+      low.z = std::min(low.z, sheets.vertices[v].z);
+      high.z = std::max(high.z, sheets.vertices[v].z);
+    }
+  }
+  const BlockHeights block{.low = low.z - margin, .high = high.z + margin};
+  halves.contacts = contact_walls(sheets, 1e-6);
+  halves.parting_area = halves.shut_off_area = halves.contact_area = 0.0;
+  measure_surface(sheets, diagonal, halves);
+
+  Facets core, cavity, fill;
+  const bool closes =
+      close_upright(sheets, {.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, core) &&
+      close_upright(sheets, {.sheets = k_lower | k_parting, .turned = k_lower}, cavity);
+  if (!closes) return SurfaceFault{"the walls between the heights of the outline do not close", {}};
+  static_cast<void>(close_upright(sheets, {.sheets = k_hidden, .turned = k_hidden}, fill));
+  const GraphTest above = graph_test(sheets.vertices, core, -1.0),
+                  below = graph_test(sheets.vertices, cavity, 1.0);
+  const double rectangle = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
+  halves.fold_area = std::max(above.folded, below.folded) / rectangle;
+  halves.cover_gap = std::max(std::abs(above.covered - above.folded - rectangle),
+                              std::abs(below.covered - below.folded - rectangle)) /
+                     rectangle;
+  if (halves.fold_area > k_most_fold || halves.cover_gap > k_most_fold)
+    return SurfaceFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
+                                    std::max(halves.fold_area, halves.cover_gap)),
+                        {}};
+  add_block(sheets, block, true, core);
+  add_block(sheets, block, false, cavity);
+
+  const double scale = diagonal * halves.scale, cube = scale * scale * scale;
+  halves.core = scaled_body(sheets.vertices, core, scale);
+  halves.cavity = scaled_body(sheets.vertices, cavity, scale);
+  if (halves.core.open_edges + halves.cavity.open_edges > 0) return SurfaceFault{"a half is not closed", {}};
+  halves.block_volume = rectangle * (block.high - block.low) * cube;
+  const double grown = halves.scale * halves.scale * halves.scale;
+  halves.part_volume = centred_volume(model.part.mesh, model.frame.center) * grown;
+  halves.inserts.clear();
+  halves.insert_volume = halves.specks_volume = 0.0;
+  for (const Facets& facets : components(sheets.vertices.size(), fill)) {
+    MoldBody body = scaled_body(sheets.vertices, facets, scale);
+    halves.insert_volume += body.volume;
+    if (std::abs(body.volume) > k_speck_volume * std::abs(halves.part_volume)) {
+      halves.inserts.push_back(std::move(body));
+    } else {
+      halves.specks_volume += body.volume;
+    }
+  }
+  std::ranges::stable_sort(halves.inserts, std::greater(), &MoldBody::volume);
+  halves.volume_gap = (halves.block_volume - halves.core.volume - halves.cavity.volume - halves.part_volume -
+                       halves.insert_volume) /
+                      halves.block_volume;
+  if (std::abs(halves.volume_gap) > k_most_gap)
+    return SurfaceFault{
+        fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
+                    std::abs(halves.volume_gap)),
+        {}};
+  for (ContactWall& contact : halves.contacts) {
+    contact.place = halves.centre + diagonal * halves.frame.to_part(contact.place);
+    contact.height *= diagonal;
+    contact.area *= diagonal * diagonal;
+    halves.contact_area += contact.area;
+  }
+  halves.tolerance = attempt.tolerance;
+  return std::nullopt;
+}
+
+}  // namespace
+
+glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert) {
+  return halves.centre + halves.frame.to_part(bounds(halves.inserts[insert].mesh).center() / halves.scale);
+}
+
+MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, double height,
+                       const MoldSettings& settings, const Progress& progress) {
+  MoldHalves halves;
+  halves.frame = mold_frame(direction);
+  halves.centre = model.frame.center;
+  halves.scale = 1.0 / (1.0 - 0.01 * settings.shrink_pct);
+  if (!model.health.closed) {
+    halves.refusal =
+        "the part is not closed, so that it has no inside; moldlight info tells where, --repair full mends "
+        "small holes";
+    return halves;
+  }
+  const ExactSplit split =
+      exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
+  std::optional<SurfaceFault> first;
+  for (const Attempt& attempt : k_attempts) {
+    progress.report("making the halves", 0.0);
+    const auto fault = try_halves(split.mesh, model, height, settings, attempt, halves);
+    if (!fault) return halves;
+    if (!first) first = fault;
+  }
+  halves.refusal = first->what;
+  halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(first->place);
+  return halves;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,60 @@
+// The two halves of a mold as solids, without Boolean operations: above what is seen from above the part and
+// the parting surface lies the core half, below what is seen from below it the cavity half. What lies between
+// and is not the part is left to inserts. Each result carries its certificate.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "parting/hull/bodies.hpp"
+#include "parting/mold_frame.hpp"
+#include "parting/mold_settings.hpp"
+
+namespace moldlight {
+
+/// A solid of the mold, in the mold's frame about the part's centre, in the part's unit, with the shrinkage.
+struct MoldBody {
+  TriangleMesh mesh;
+  double volume = 0.0;
+  std::size_t open_edges = 0, crowded_edges = 0;
+};
+
+/// Lengths in the part's unit, without the shrinkage but for bodies.
+struct MoldHalves {
+  std::string refusal;         // why there are none, in a sentence; empty where there are
+  glm::dvec3 refused_at{0.0};  // in the part's coordinates
+
+  MoldFrame frame;
+  glm::dvec3 centre{0.0};  // of the part, in its coordinates; the origin of the bodies
+  double scale = 1.0;      // of the bodies against the part, for the shrinkage
+  MoldBody core, cavity;
+  std::vector<MoldBody> inserts;  // the largest first; specks are left out
+  double specks_volume = 0.0;     // of what is left out
+
+  // The certificate. Volumes are those of the bodies.
+  double block_volume = 0.0, part_volume = 0.0, insert_volume = 0.0;
+  double volume_gap = 0.0;  // block less all of these, as a share of the block
+  double fold_area =
+      0.0;  // of facets of a half that face away from its pull, as a share of the block's rectangle
+  double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
+
+  double parting_area = 0.0, shut_off_area = 0.0, steepest_deg = 0.0;
+  double contact_area = 0.0;
+  std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
+  double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal
+
+  [[nodiscard]] bool made() const { return refusal.empty(); }
+};
+
+/// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
+[[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);
+
+/// The halves for a unit direction, whatever the undercut. `height`: where they are to meet, in the part's
+/// coordinates. Throws Cancelled.
+[[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, double height,
+                                     const MoldSettings& settings, const Progress& progress);
+
+}  // namespace moldlight
