@@ -9,22 +9,27 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
+#include "mold/exact/facet_encounters.hpp"
 #include "parting/hull/parting_surface.hpp"
+#include "parting/mold_files.hpp"
 
 namespace moldlight {
 
 namespace {
 
-/// Tolerances tried one after the other, as shares of the part's diagonal; facets that are narrower than a
-/// tenth of it as seen along the direction count as upright, if at all.
+/// What is tried, one after the other: the tolerance as a share of the part's diagonal, and the width, as a
+/// share of it, below which facets as seen along the direction count as upright.
 struct Attempt {
-  double tolerance;
-  bool drop_upright;
+  double tolerance, upright;
 };
-constexpr Attempt k_attempts[] = {{1e-7, true},  {1e-8, true}, {1e-9, true},
-                                  {1e-7, false}, {1e-6, true}, {4e-6, true}};
+constexpr Attempt k_attempts[] = {{1e-7, 1.0}, {1e-7, 0.1}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
+                                  {1e-9, 0.1}, {1e-7, 0.0}, {1e-6, 0.1}, {4e-6, 0.1}};
+/// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
+/// in an edge.
+constexpr std::size_t k_most_for_beauty = 4;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
 constexpr double k_speck_volume = 1e-7;  // of the part's volume
 
@@ -46,7 +51,7 @@ Sheets part_sheets(const SplitMesh& split, const MoldHalves& halves, double diag
   for (const glm::dvec3& vertex : split.vertices)
     sheets.vertices.push_back(halves.frame.to_mold((vertex - halves.centre) / diagonal));
   sheets.column_of.assign(sheets.vertices.size(), k_no_column);
-  const double least = attempt.drop_upright ? 0.1 * attempt.tolerance : 1e-14;
+  const double least = std::max(attempt.upright * attempt.tolerance, 1e-14);
   for (const SplitPiece& piece : split.pieces) {
     const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
                      &c = sheets.vertices[piece.corners[2]];
@@ -164,10 +169,23 @@ void measure_surface(const Sheets& sheets, double diagonal, MoldHalves& halves) 
   halves.steepest_deg = glm::degrees(steepest);
 }
 
+/// Facets that cross others.
+std::size_t crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
+  const UnitFrame frame = unit_frame(bounds(mesh));
+  std::vector<glm::dvec3> positions;
+  for (const glm::dvec3& vertex : mesh.vertices)
+    positions.push_back((vertex - frame.center) / frame.diagonal);
+  const FacetEncounters met = facet_encounters(mesh, positions, facet_geometry(mesh).normals, progress);
+  std::size_t crossed = 0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet)
+    crossed += met.crossings.of(facet).empty() ? 0 : 1;
+  return crossed;
+}
+
 /// Fills `halves`; says why not, and where in the mold's frame.
 std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& model, double height,
                                        const MoldSettings& settings, const Attempt& attempt,
-                                       MoldHalves& halves) {
+                                       MoldHalves& halves, const Progress& progress) {
   const double diagonal = model.frame.diagonal;
   Sheets sheets = part_sheets(split, halves, diagonal, attempt);
   if (!sheets.stand_in_columns(attempt.tolerance))
@@ -205,7 +223,8 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
       close_upright(sheets, {.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, core) &&
       close_upright(sheets, {.sheets = k_lower | k_parting, .turned = k_lower}, cavity);
   if (!closes) return SurfaceFault{"the walls between the heights of the outline do not close", {}};
-  static_cast<void>(close_upright(sheets, {.sheets = k_hidden, .turned = k_hidden}, fill));
+  if (!close_upright(sheets, {.sheets = k_hidden, .turned = k_hidden}, fill))
+    return SurfaceFault{"the walls of the inserts do not close", {}};
   const GraphTest above = graph_test(sheets.vertices, core, -1.0),
                   below = graph_test(sheets.vertices, cavity, 1.0);
   const double rectangle = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
@@ -254,6 +273,10 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
     halves.contact_area += contact.area;
   }
   halves.tolerance = attempt.tolerance;
+  const WrittenMold written = written_mold(halves);
+  if (!written.refusal.empty()) return SurfaceFault{written.refusal, {}};
+  for (std::size_t k = 0; k < 2; ++k)
+    (k == 0 ? halves.core : halves.cavity).crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
   return std::nullopt;
 }
 
@@ -278,12 +301,22 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
   const ExactSplit split =
       exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
   std::optional<SurfaceFault> first;
+  std::optional<MoldHalves> best;
+  std::size_t tried = 0;
   for (const Attempt& attempt : k_attempts) {
+    if (best && tried >= k_most_for_beauty) break;
+    ++tried;
     progress.report("making the halves", 0.0);
-    const auto fault = try_halves(split.mesh, model, height, settings, attempt, halves);
-    if (!fault) return halves;
-    if (!first) first = fault;
+    MoldHalves attempted = halves;
+    const auto fault = try_halves(split.mesh, model, height, settings, attempt, attempted, progress);
+    if (fault) {
+      if (!first) first = fault;
+      continue;
+    }
+    if (!best || attempted.blemishes() < best->blemishes()) best = std::move(attempted);
+    if (best->blemishes() == 0) break;
   }
+  if (best) return *best;
   halves.refusal = first->what;
   halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(first->place);
   return halves;

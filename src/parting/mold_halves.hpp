@@ -19,7 +19,8 @@ namespace moldlight {
 struct MoldBody {
   TriangleMesh mesh;
   double volume = 0.0;
-  std::size_t open_edges = 0, crowded_edges = 0;
+  std::size_t open_edges = 0, crowded_edges = 0;  // crowded: of four facets or more, where it touches itself
+  std::size_t crossed_facets = 0;                 // of a half, in single precision: by rounding
 };
 
 /// Lengths in the part's unit, without the shrinkage but for bodies.
@@ -46,6 +47,10 @@ struct MoldHalves {
   std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
   double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal
 
+  /// What a certified half may have of faults by rounding.
+  [[nodiscard]] std::size_t blemishes() const {
+    return core.crossed_facets + cavity.crossed_facets + core.crowded_edges + cavity.crowded_edges;
+  }
   [[nodiscard]] bool made() const { return refusal.empty(); }
 };
 

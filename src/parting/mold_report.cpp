@@ -61,9 +61,10 @@ Json body_json(const WrittenBody& body) {
           {"crowded_edges", body.crowded_edges}};
 }
 
-Json half_json(const WrittenBody& body) {
-  Json json = body_json(body);
-  json["undercut"] = body.undercut;
+Json half_json(const WrittenBody& written, const MoldBody& body) {
+  Json json = body_json(written);
+  json["undercut"] = written.undercut;
+  json["crossed_facets"] = body.crossed_facets;
   return json;
 }
 
@@ -93,10 +94,14 @@ void add_halves(const MoldHalves& halves, const WrittenMold& written, Json& json
   json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
   json["refused"] = refusal_json(halves, written);
   if (!made || written.bodies.size() < 2) return;
-  json["halves"] = {{"core", half_json(written.bodies[0])},          {"cavity", half_json(written.bodies[1])},
-                    {"frame", written.part_frame ? "part" : "mold"}, {"scale", halves.scale},
-                    {"block_volume", halves.block_volume},           {"part_volume", halves.part_volume},
-                    {"insert_volume", halves.insert_volume},         {"specks_volume", halves.specks_volume}};
+  json["halves"] = {{"core", half_json(written.bodies[0], halves.core)},
+                    {"cavity", half_json(written.bodies[1], halves.cavity)},
+                    {"frame", written.part_frame ? "part" : "mold"},
+                    {"scale", halves.scale},
+                    {"block_volume", halves.block_volume},
+                    {"part_volume", halves.part_volume},
+                    {"insert_volume", halves.insert_volume},
+                    {"specks_volume", halves.specks_volume}};
   for (std::size_t k = 2; k < written.bodies.size(); ++k)
     json["inserts"].push_back(body_json(written.bodies[k]));
 }
@@ -127,6 +132,10 @@ std::string halves_table(const MoldHalves& halves, const WrittenMold& written, c
                    halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),
                    volume_unit, share_text(halves.insert_volume, halves.part_volume));
   }
+  if (halves.blemishes() > 0)
+    fmt::format_to(out, "          {} facets cross others by rounding; in {} edges a half touches itself\n",
+                   halves.core.crossed_facets + halves.cavity.crossed_facets,
+                   halves.core.crowded_edges + halves.cavity.crowded_edges);
   for (const WrittenBody& body : written.bodies) {
     if (!body.file.empty()) fmt::format_to(out, "          {}\n", body.file);
   }
