@@ -2,8 +2,11 @@
 #include <memory>
 
 #include "classify/figures.hpp"
+#include "classify/headless.hpp"
 #include "cli/flags.hpp"
+#include "io/png.hpp"
 #include "parting/line_files.hpp"
+#include "parting/mold_picture.hpp"
 #include "parting/mold_report.hpp"
 #include "sweep/sweep.hpp"
 
@@ -19,6 +22,8 @@ struct MoldFlags {
   std::vector<std::string> lines;
   std::string folder;
   bool as_3mf = false;
+  std::string image;
+  StillSettings still;
 };
 
 /// Why files that were asked for are not written: what the halves cannot form, or that there are none.
@@ -57,6 +62,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     check_line_extension(path);
     files.push_back({"--lines", path});
   }
+  files.push_back({"--image", flags.image});
   check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
@@ -73,6 +79,11 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   const std::string refusal = refusal_text(flags, *model, halves, written);
   if (!flags.folder.empty() && refusal.empty())
     write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+  if (!flags.image.empty()) {
+    const std::unique_ptr<gl::Context> context = create_context(query.method.backend);
+    const MoldScene scene{*model, assignment, line, halves};
+    write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
+  }
   const MoldReport report{*model, query, flags.settings, assignment, line, halves, written};
   put_report(
       console, flags.part.json, [&] { return mold_json(report); }, [&] { return mold_table(report); });
@@ -106,6 +117,14 @@ void add_mold_command(CLI::App& program, Request& request) {
                                        "--fill-undercut insert_1.stl and so on"});
   command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
       ->needs(folder);
+  CLI::Option* image = add_file_flag(
+      *command, flags->image,
+      {"--image", "FILE.png",
+       "Draw the part with its parting line and the opened halves, and write the picture to this file"});
+  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  for (const std::string_view key : {"view", "theme"})
+    add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
+  add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look)->needs(image);
   add_method_flags(*command, flags->query.method);
   set_work(*command, request, flags, run);
 }

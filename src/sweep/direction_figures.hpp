@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "classify/part_model.hpp"
+#include "parting/line_figures.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -23,6 +24,7 @@ struct DirectionFacts {
   bool measured = false;                    // not by its score alone
   std::optional<std::size_t> patches = {};  // connected undercut patches
   std::optional<TiltMargin> tilt = {};
+  std::optional<LineFigures> parting = {};
 };
 
 /// What a figure is a number of: this decides its unit, its digits, and what it is divided by as an

@@ -22,6 +22,7 @@ std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3
     if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
       measured.undercut_facets.push_back(facet);
   }
+  if (with_parting_) measured.parting = line_figures(model_, {direction, method_}, progress);
   return measured;
 }
 

@@ -28,6 +28,9 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
     } else {
       by_undercut_alone_ = false;
     }
+    if (term.figure == &direction_figure("parting_climb") ||
+        term.figure == &direction_figure("parting_length"))
+      by_parting_ = true;
   }
 }
 
@@ -56,7 +59,8 @@ DirectionFacts DirectionRating::facts(const Classification& classification,
           .classification = classification,
           .draw_depth = high >= low ? high - low : 0.0,
           .measured = measured != nullptr,
-          .patches = measured != nullptr ? std::optional(measured->patches) : std::nullopt};
+          .patches = measured != nullptr ? std::optional(measured->patches) : std::nullopt,
+          .parting = measured != nullptr ? measured->parting : std::nullopt};
 }
 
 RankedFigures DirectionRating::ranked(const Candidate& candidate, const DirectionFacts& facts,

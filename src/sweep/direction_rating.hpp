@@ -32,6 +32,8 @@ class DirectionRating {
     return undercut_weight_ * area / measure_.area;
   }
   [[nodiscard]] bool by_undercut_alone() const { return by_undercut_alone_; }
+  /// Whether the objective asks for the parting line.
+  [[nodiscard]] bool by_parting() const { return by_parting_; }
 
   /// What a score tells of what classify would give.
   [[nodiscard]] Classification classification(const glm::dvec3& direction, const DirectionScore& score) const;
@@ -48,7 +50,7 @@ class DirectionRating {
   std::vector<glm::dvec3> corners_;  // of the facets, each once, from the frame's centre
   PartMeasure measure_;
   double undercut_weight_ = 0.0;
-  bool by_undercut_alone_ = true;
+  bool by_undercut_alone_ = true, by_parting_ = false;
 };
 
 }  // namespace moldlight

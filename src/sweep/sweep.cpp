@@ -58,7 +58,7 @@ class SweepRun {
         listener_(listener),
         rating_(model_, settings_),
         pools_(std::move(model), settings_),
-        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs)),
+        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs), rating_.by_parting()),
         limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
     validate(settings.method, model_.frame.diagonal);
   }
@@ -93,7 +93,9 @@ class SweepRun {
   void list();
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
-                                                const std::optional<TiltMargin>& tilt);
+                                                const std::optional<TiltMargin>& tilt,
+                                                const std::optional<LineFigures>& parting);
+  [[nodiscard]] std::vector<std::optional<LineFigures>> parting_lines(const std::vector<Contender>& listed);
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
@@ -312,7 +314,8 @@ void SweepRun::polish_best() {
   }
 }
 
-SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt) {
+SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt,
+                                          const std::optional<LineFigures>& parting) {
   SweepCandidate listed;
   listed.candidate = contender.candidate;
   listed.measured = contender.measured != nullptr;
@@ -328,6 +331,7 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   }
   DirectionFacts facts = rating_.facts(classification, contender.measured.get());
   facts.tilt = tilt;
+  if (!facts.parting) facts.parting = parting;
   listed.figures = find_figures(facts);
   return listed;
 }
@@ -347,8 +351,9 @@ void SweepRun::list() {
   }
   const Ranking ranking = rating_.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
+  const std::vector<std::optional<LineFigures>> lines = parting_lines(listed);
   for (const std::size_t i : ranking.order) {
-    SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
+    SweepCandidate candidate = listed_candidate(listed[i], tilts[i], lines[i]);
     candidate.rank = result_.candidates.size() + 1;
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
@@ -375,6 +380,24 @@ std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<
     });
   });
   return margins;
+}
+
+/// Of every measured contender that does not have it yet, as far as there is time.
+std::vector<std::optional<LineFigures>> SweepRun::parting_lines(const std::vector<Contender>& listed) {
+  std::vector<std::optional<LineFigures>> lines(listed.size());
+  tbb::task_arena arena(arena_threads(result_.jobs));
+  arena.execute([&] {
+    for (std::size_t i = 0; i < listed.size() && !clock_.stopped(); ++i) {
+      if (!listed[i].measured || listed[i].measured->parting) continue;
+      try {
+        lines[i] =
+            line_figures(model_, {listed[i].candidate.direction, settings_.method}, clock_.until_cancelled());
+      } catch (const Cancelled&) {
+        return;
+      }
+    }
+  });
+  return lines;
 }
 
 }  // namespace

@@ -88,6 +88,41 @@ TEST_F(Mold, WritesHalvesThatAreClosed) {
   EXPECT_EQ(json_of(all.out)["bodies"].size(), 3U);
 }
 
+TEST_F(Mold, IsDrawn) {
+  const std::string picture = part.output("mold.png");
+  const auto run = run_moldlight(mold({"--image", picture, "--size", "320x160", "--backend", "osmesa"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(test::file_bytes(picture).substr(1, 3), "PNG");
+  EXPECT_EQ(run_moldlight(mold({"--size", "320x160"})).exit_code, 2) << "there is no picture";
+}
+
+/// What a sweep ranks by is what the mold of its direction says.
+TEST_F(Mold, IsWhatASweepCompares) {
+  const auto swept = run_moldlight(part.sweep({"--objective", "parting-length", "--json", "-"}));
+  ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  const auto candidates = json_of(swept.out)["candidates"];
+  double before = 0.0;
+  for (const auto& candidate : candidates) {
+    const double length = candidate["parting_length"].get<double>();
+    EXPECT_GE(length, before * (1.0 - 1e-9));
+    before = length;
+  }
+  const auto& best = candidates[0];
+  const auto d = best["direction"];
+  const auto run = run_moldlight({"mold", part.file(), "--direction",
+                                  d[0].dump() + "," + d[1].dump() + "," + d[2].dump(), "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  double length = 0.0, climb = 0.0;
+  const auto loops = json_of(run.out)["loops"];
+  for (const auto& loop : loops) {
+    if (loop["kind"] == "action") continue;
+    length += loop["length"].get<double>();
+    climb += loop["climb"].get<double>();
+  }
+  EXPECT_NEAR(best["parting_length"].get<double>(), length, 1e-9 * length);
+  EXPECT_NEAR(best["parting_climb"].get<double>(), climb, 1e-9 * length);
+}
+
 TEST_F(Mold, WritesNoHalvesWhereUndercutsAreInTheWay) {
   const std::string folder = part.output("mold");
   const auto run = run_moldlight(mold({"--out", folder}));
