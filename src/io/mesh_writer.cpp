@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,31 +31,50 @@ void append_bytes(std::string& bytes, const T& value) {
   bytes.append(raw, sizeof(T));
 }
 
-std::string description(const ColouredMesh& coloured) {
-  return "moldlight mold-piece regions" +
-         (coloured.unit.empty() ? "" : ", unit " + clean_name(coloured.unit));
+/// The regions as groups: number k is k_regions[k].
+class RegionGroups {
+ public:
+  explicit RegionGroups(const ColouredMesh& coloured) : coloured_(coloured) {
+    for (const Region region : k_regions)
+      groups_.push_back({std::string(region_name(region)), region_colour(region, coloured.palette)});
+    for (const Region region : coloured.regions) of_facet_.push_back(static_cast<std::uint32_t>(region));
+  }
+  [[nodiscard]] GroupedMesh mesh() const {
+    return {.mesh = coloured_.mesh, .groups = groups_, .of_facet = of_facet_, .unit = coloured_.unit};
+  }
+
+ private:
+  const ColouredMesh& coloured_;
+  std::vector<MeshGroup> groups_;
+  std::vector<std::uint32_t> of_facet_;
+};
+
+std::string description(const GroupedMesh& grouped) {
+  return fmt::format("moldlight {}{}", grouped.title,
+                     grouped.unit.empty() ? "" : ", unit " + clean_name(grouped.unit));
 }
 
 /// "0 core, 1 cavity, …".
-std::string region_numbers() {
+std::string group_numbers(const GroupedMesh& grouped) {
   std::string text;
-  for (const Region region : k_regions) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", static_cast<int>(region), region_name(region));
-  }
+  for (std::size_t k = 0; k < grouped.groups.size(); ++k)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", k, grouped.groups[k].name);
   return text;
 }
 
-void write_ply(const std::string& path, const ColouredMesh& coloured) {
-  const TriangleMesh& mesh = coloured.mesh;
+void write_ply(const std::string& path, const GroupedMesh& grouped) {
+  const TriangleMesh& mesh = grouped.mesh;
+  const bool few = grouped.groups.size() <= 256;
   AtomicFile file(path);
   file.write(
       fmt::format("ply\nformat binary_little_endian 1.0\ncomment {}\n"
-                  "comment region: {}\n"
+                  "comment {}: {}\n"
                   "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
                   "element face {}\nproperty list uchar uint vertex_indices\n"
-                  "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar region\n"
+                  "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty {} {}\n"
                   "end_header\n",
-                  description(coloured), region_numbers(), mesh.vertices.size(), mesh.facets.size()));
+                  description(grouped), grouped.what, group_numbers(grouped), mesh.vertices.size(),
+                  mesh.facets.size(), few ? "uchar" : "ushort", grouped.what));
   std::string row;
   for (const glm::dvec3& vertex : mesh.vertices) {
     row.clear();
@@ -62,36 +82,38 @@ void write_ply(const std::string& path, const ColouredMesh& coloured) {
     file.write(row);
   }
   for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
-    const Region region = coloured.regions[facet];
-    const Colour colour = region_colour(region, coloured.palette);
+    const std::uint32_t group = grouped.of_facet[facet];
+    const Colour colour = grouped.groups[group].colour;
     row.assign(1, '\3');
     append_bytes(row, mesh.facets[facet]);
-    for (const std::uint8_t value : {colour.r, colour.g, colour.b, static_cast<std::uint8_t>(region)}) {
-      append_bytes(row, value);
+    for (const std::uint8_t value : {colour.r, colour.g, colour.b}) append_bytes(row, value);
+    if (few) {
+      append_bytes(row, static_cast<std::uint8_t>(group));
+    } else {
+      append_bytes(row, static_cast<std::uint16_t>(group));
     }
     file.write(row);
   }
   file.commit();
 }
 
-std::string material_library(Palette palette) {
-  std::string text = "# moldlight mold-piece regions\n";
-  for (const Region region : k_regions) {
-    const Colour colour = region_colour(region, palette);
-    text += fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nillum 1\n", region_name(region),
-                        colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
+std::string material_library(const GroupedMesh& grouped) {
+  std::string text = fmt::format("# {}\n", description(grouped));
+  for (const auto& [name, colour] : grouped.groups) {
+    text += fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nillum 1\n", name, colour.r / 255.0,
+                        colour.g / 255.0, colour.b / 255.0);
   }
   return text;
 }
 
-void write_obj(const std::string& path, const ColouredMesh& coloured) {
-  const TriangleMesh& mesh = coloured.mesh;
+void write_obj(const std::string& path, const GroupedMesh& grouped) {
+  const TriangleMesh& mesh = grouped.mesh;
   const std::string library_path = material_library_path(path);
   AtomicFile library(library_path);
-  library.write(material_library(coloured.palette));
+  library.write(material_library(grouped));
   AtomicFile file(path);
   file.write(
-      fmt::format("# {}\nmtllib {}\n", description(coloured), fs::path(library_path).filename().string()));
+      fmt::format("# {}\nmtllib {}\n", description(grouped), fs::path(library_path).filename().string()));
   std::string row;
   for (const glm::dvec3& vertex : mesh.vertices) {
     row.clear();
@@ -100,9 +122,9 @@ void write_obj(const std::string& path, const ColouredMesh& coloured) {
   }
   for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
     row.clear();
-    if (facet == 0 || coloured.regions[facet] != coloured.regions[facet - 1]) {
-      fmt::format_to(std::back_inserter(row), "usemtl {}\n", region_name(coloured.regions[facet]));
-    }
+    const std::uint32_t group = grouped.of_facet[facet];
+    if (facet == 0 || group != grouped.of_facet[facet - 1])
+      fmt::format_to(std::back_inserter(row), "usemtl {}\n", grouped.groups[group].name);
     const auto& corners = mesh.facets[facet];
     fmt::format_to(std::back_inserter(row), "f {} {} {}\n", std::uint64_t{corners[0]} + 1,
                    std::uint64_t{corners[1]} + 1, std::uint64_t{corners[2]} + 1);
@@ -118,32 +140,32 @@ std::uint16_t stl_colour(Colour colour) {
                                     five_bits(colour.b));
 }
 
-/// Binary STL of the facets that `takes` lets through.
+/// Binary STL of the facets that `takes` lets through by their groups.
 template <typename Filter>
-void write_stl(const std::string& path, const ColouredMesh& coloured, std::size_t count,
-               const Filter& takes) {
-  const TriangleMesh& mesh = coloured.mesh;
+void write_stl_of(const std::string& path, const GroupedMesh& grouped, const Filter& takes) {
+  const TriangleMesh& mesh = grouped.mesh;
   AtomicFile file(path);
-  std::string row = description(coloured);
+  std::string row = description(grouped);
   row.resize(80, ' ');
-  append_bytes(row, static_cast<std::uint32_t>(count));
+  append_bytes(row, static_cast<std::uint32_t>(
+                        std::count_if(grouped.of_facet.begin(), grouped.of_facet.end(), takes)));
   file.write(row);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const Region region = coloured.regions[facet];
-    if (!takes(region)) continue;
+    const std::uint32_t group = grouped.of_facet[facet];
+    if (!takes(group)) continue;
     row.assign(12, '\0');  // readers take the normal from the corners' order where it is zero
     for (int corner = 0; corner < 3; ++corner) {
       const glm::dvec3& point = mesh.corner(facet, corner);
       for (int axis = 0; axis < 3; ++axis) append_bytes(row, static_cast<float>(point[axis]));
     }
-    append_bytes(row, stl_colour(region_colour(region, coloured.palette)));
+    append_bytes(row, stl_colour(grouped.groups[group].colour));
     file.write(row);
   }
   file.commit();
 }
 
-void write_whole_stl(const std::string& path, const ColouredMesh& coloured) {
-  write_stl(path, coloured, coloured.mesh.facets.size(), [](Region) { return true; });
+void write_whole_stl(const std::string& path, const GroupedMesh& grouped) {
+  write_stl_of(path, grouped, [](std::uint32_t) { return true; });
 }
 
 void write_border_obj(const std::string& path, const SplitMesh& mesh) {
@@ -207,8 +229,8 @@ std::string material_library_path(const std::string& path) {
   return lower_extension(path) == "obj" ? fs::path(path).replace_extension(".mtl").string() : std::string();
 }
 
-std::span<const WrittenFormat<ColouredMesh>> mesh_formats() {
-  static constexpr WrittenFormat<ColouredMesh> k_formats[] = {
+std::span<const WrittenFormat<GroupedMesh>> mesh_formats() {
+  static constexpr WrittenFormat<GroupedMesh> k_formats[] = {
       {"ply", write_ply}, {"obj", write_obj}, {"stl", write_whole_stl}};
   return k_formats;
 }
@@ -227,9 +249,20 @@ void check_border_extension(const std::string& path) {
   static_cast<void>(format_of(path, border_formats(), "borders are"));
 }
 
+void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped) {
+  CHECK(grouped.of_facet.size() == grouped.mesh.facets.size() && grouped.groups.size() <= 65536);
+  format_of(path, mesh_formats(), "a mesh is").write(path, grouped);
+}
+
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured) {
-  CHECK(coloured.regions.size() == coloured.mesh.facets.size());
-  format_of(path, mesh_formats(), "a mesh is").write(path, coloured);
+  write_grouped_mesh(path, RegionGroups(coloured).mesh());
+}
+
+void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour) {
+  const MeshGroup whole{"body", colour};
+  const std::vector<std::uint32_t> of_facet(mesh.facets.size(), 0);
+  write_whole_stl(path,
+                  {.mesh = mesh, .groups = std::span(&whole, 1), .of_facet = of_facet, .title = "body"});
 }
 
 std::vector<std::string> write_region_stls(const std::string& folder, const std::string& stem,
@@ -238,6 +271,7 @@ std::vector<std::string> write_region_stls(const std::string& folder, const std:
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
+  const RegionGroups groups(coloured);
   std::vector<std::string> paths;
   for (const Region region : k_regions) {
     const std::string path =
@@ -248,8 +282,8 @@ std::vector<std::string> write_region_stls(const std::string& folder, const std:
       if (error) throw FileError(path, "", "is out of date and cannot be removed: " + error.message());
       continue;
     }
-    write_stl(path, coloured, static_cast<std::size_t>(count),
-              [region](Region other) { return other == region; });
+    write_stl_of(path, groups.mesh(),
+                 [region](std::uint32_t group) { return group == static_cast<std::uint32_t>(region); });
     paths.push_back(path);
   }
   return paths;

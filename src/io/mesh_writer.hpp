@@ -1,7 +1,8 @@
-// Writing a mesh with its facets coloured by region, and the lines between regions. Facet k of the file is
-// facet k of the mesh.
+// Writing a mesh with its facets in groups, such as regions, each in a colour of its own, and the lines
+// between regions. Facet k of the file is facet k of the mesh.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,13 +22,29 @@ struct ColouredMesh {
   std::string unit = {};  // named in a comment where the format has comments; may be empty
 };
 
+/// Facets that are of one kind. Names are letters, digits and underscores.
+struct MeshGroup {
+  std::string name;
+  Colour colour;
+};
+
+/// The same of any groups; what is pointed at outlives it.
+struct GroupedMesh {
+  const TriangleMesh& mesh;
+  std::span<const MeshGroup> groups;         // 65,536 at most
+  std::span<const std::uint32_t> of_facet;   // number of its group
+  std::string what = "region";               // that a group is
+  std::string title = "mold-piece regions";  // of the file
+  std::string unit = {};                     // as above
+};
+
 /// A format that something is written in.
 template <typename Content>
 struct WrittenFormat {
   std::string_view extension;
   void (*write)(const std::string& path, const Content& content);
 };
-[[nodiscard]] std::span<const WrittenFormat<ColouredMesh>> mesh_formats();
+[[nodiscard]] std::span<const WrittenFormat<GroupedMesh>> mesh_formats();
 [[nodiscard]] std::span<const WrittenFormat<SplitMesh>> border_formats();
 /// "ply|obj|stl", for help.
 template <typename Content>
@@ -38,15 +55,18 @@ template <typename Content>
 }
 
 /// Writes by the extension of `path`, files replaced whole or not at all:
-/// .ply  binary little endian, coordinates in double; per face red, green, blue and `region` (0 core, 1
-/// cavity, 2 both,
-///       3 undercut);
-/// .obj  one material a region, in a .mtl file beside it;
+/// .ply  binary little endian, coordinates in double; per face red, green, blue and the number of its group
+///       under the name of what a group is (`region`: 0 core, 1 cavity, 2 both, 3 undercut);
+/// .obj  one material a group, in a .mtl file beside it;
 /// .stl  binary, coordinates in float; the colour of each facet is in its attribute: bit 15 set, 5 bits each
 /// of red
 ///       (10-14), green (5-9) and blue (0-4), as VisCAM and most viewers read it.
 /// Throws UsageError for another extension, FileError where it cannot be written.
+void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped);
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
+
+/// Binary STL of one colour, coordinates in float; the file is replaced whole or not at all.
+void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour);
 
 /// The file beside an .obj that write_coloured_mesh writes, too; empty for others.
 [[nodiscard]] std::string material_library_path(const std::string& path);
