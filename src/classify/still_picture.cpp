@@ -187,6 +187,26 @@ struct DrawnPart {
   glm::ivec2 size;
 };
 
+/// Bodies as a picture takes them.
+struct ShownBodies {
+  ShownBodies(std::span<const StillBody> stills, const UnitFrame& frame) {
+    const glm::dmat4 to_part =
+        glm::scale(glm::translate(glm::dmat4(1.0), frame.center), glm::dvec3(frame.diagonal));
+    for (const StillBody& still : stills) {
+      bodies.push_back(view_body(still.mesh, frame, still.colour));
+      motions.push_back(glm::inverse(to_part) * still.motion * to_part);
+      Bounds box;
+      for (const ViewVertex& vertex : bodies.back().vertices)
+        box.add(glm::dvec3(motions.back() * glm::dvec4(glm::dvec3(vertex.position), 1.0)));
+      extents.emplace_back(box.min, box.max);
+    }
+  }
+
+  std::vector<ViewBody> bodies;
+  std::vector<glm::dmat4> motions;                       // unit frame
+  std::vector<std::pair<glm::vec3, glm::vec3>> extents;  // corners of the box of each, where it is shown
+};
+
 /// Says which half comes off along which arrow, where its tip is not behind the part.
 void label_arrows(Canvas& canvas, const DrawnPart& part, const std::array<ViewArrow, 2>& arrows,
                   const LegendStyle& style) {
@@ -229,7 +249,7 @@ glm::dquat StillPainter::seen_best(std::span<const Classification> results) cons
 }
 
 Image StillPainter::draw(const Classification& result, const StillSettings& settings,
-                         const Progress& progress) {
+                         const Progress& progress, std::span<const StillBody> bodies) {
   validate(settings);
   const glm::ivec2& size = settings.size;
   const LookSettings& look = settings.look;
@@ -258,17 +278,29 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   drawing(0.2);
   std::vector<glm::vec3> beyond;
   if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
+  const ShownBodies shown(bodies, model_->frame);
+  view_.set_bodies(shown.bodies);
+  for (const auto& [near, far] : shown.extents) {
+    beyond.push_back(near);
+    beyond.push_back(far);
+  }
   camera = composed(context_->functions(), view_, maps_.buffers(),
                     {camera, size, places.legend, geometry_.extremes, beyond});
   drawing(0.4);
   const gl::ColourTarget picture(context_->functions(), size);
-  view_.draw_final({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings});
+  view_.draw_final({picture.framebuffer(), size}, maps_.subject(),
+                   {camera, view_settings, {}, shown.motions});
 
   Canvas canvas({size.x, size.y, picture.read()});
   drawing(0.9);
   const LegendStyle style{
       .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
   if (look.arrows && places.legend) label_arrows(canvas, {view_, camera, size}, arrows, style);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const glm::dvec3 middle =
+        0.5 * (glm::dvec3(shown.extents[k].first) + glm::dvec3(shown.extents[k].second));
+    if (const auto pixel = project(camera, size, middle)) draw_tag(canvas, *pixel, bodies[k].label, style);
+  }
   if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
   return canvas.image();
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 #include "base/image.hpp"
@@ -46,6 +47,14 @@ struct StillSettings {
 /// Throws UsageError for a size out of range.
 void validate(const StillSettings& settings);
 
+/// A solid that is shown beside the part, translucent; what names it stands on it.
+struct StillBody {
+  TriangleMesh mesh;
+  glm::dmat4 motion{1.0};  // to where it is shown, in the part's unit
+  Colour colour;
+  std::string label;
+};
+
 /// Draws still pictures of one part. `context` must be current at every call and outlive it.
 class StillPainter {
  public:
@@ -57,7 +66,7 @@ class StillPainter {
   /// The part's exact regions for the classification's settings, or those of the shadow maps. Throws
   /// UsageError, Error, Cancelled.
   [[nodiscard]] Image draw(const Classification& result, const StillSettings& settings,
-                           const Progress& progress);
+                           const Progress& progress, std::span<const StillBody> bodies = {});
 
  private:
   const gl::Context* context_;

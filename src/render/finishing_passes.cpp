@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "render/view_colours.hpp"
 #include "render/view_passes.hpp"
 
@@ -6,6 +8,7 @@ namespace moldlight {
 namespace {
 
 constexpr float k_veil = 0.22F;  // opacity
+constexpr glm::vec2 k_body_opacity(0.72F, 0.2F);
 
 }  // namespace
 
@@ -54,6 +57,27 @@ void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
     program.set("u_block_colour", screen_value(k_block_mark));
   }
   tools.corners.draw();
+}
+
+void draw_bodies(ViewTools& tools, const ViewFrame& frame, std::span<const glm::dmat4> motions,
+                 GLuint framebuffer) {
+  const std::size_t count = std::min(motions.size(), tools.mesh.bodies.size());
+  if (count == 0) return;
+  gl::begin(tools.gl, {.framebuffer = framebuffer,
+                       .size = tools.targets.size,
+                       .cull = gl::Cull::back,
+                       .blend = gl::Blend::over_keeping_alpha});
+  const gl::Program& program = tools.programs.use("view/geometry.vert", "view/body.frag");
+  program.set_texture("t_depth", 0, GL_TEXTURE_2D, tools.targets.depth);
+  program.set("u_opacity", k_body_opacity);
+  for (std::size_t k = 0; k < count; ++k) {
+    const ViewMesh::Body& body = tools.mesh.bodies[k];
+    program.set("u_clip_from_unit", glm::mat4(glm::dmat4(frame.clip_from_unit) * motions[k]));
+    program.set("u_colour", screen_value(body.colour));
+    const glm::dvec3 toward = glm::transpose(glm::dmat3(motions[k])) * frame.camera.toward_viewer();
+    program.set("u_toward_viewer", glm::vec3(toward));
+    body.triangles.draw(tools.gl);
+  }
 }
 
 void draw_veil(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {

@@ -69,6 +69,7 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
   present(tools_, samples_, target.framebuffer);
   const ViewFrame frame(shown_, subject, target.size, 0);
   draw_marks(tools_, view.marks, target.framebuffer);
+  draw_bodies(tools_, frame, view.body_motions, target.framebuffer);
   draw_veil(tools_, frame, target.framebuffer);
   draw_marked_lines(tools_, frame, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
@@ -106,6 +107,12 @@ void PartView::set_veiled_surface(std::span<const ViewVertex> vertices,
                                   std::span<const std::array<VertexIndex, 3>> triangles) {
   tools_.mesh.veiled.reset();
   if (!triangles.empty()) tools_.mesh.veiled.emplace(tools_.gl, vertices, triangles);
+}
+
+void PartView::set_bodies(std::span<const ViewBody> bodies) {
+  tools_.mesh.bodies.clear();
+  for (const ViewBody& body : bodies)
+    tools_.mesh.bodies.push_back({{tools_.gl, body.vertices, body.facets}, body.colour});
 }
 
 void PartView::set_parting_line(std::span<const ViewSegment> segments) {

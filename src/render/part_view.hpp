@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 
 #include "mold/region.hpp"
+#include "render/view_body.hpp"
 #include "render/view_frame.hpp"
 #include "render/view_tools.hpp"
 
@@ -26,6 +27,8 @@ struct View {
   Camera camera = {};
   ViewSettings settings = {};
   ViewMarks marks = {};
+  std::span<const glm::dmat4> body_motions =
+      {};  // of the bodies that are set; like marks, refine nothing anew
 };
 
 /// What is seen at a pixel.
@@ -58,6 +61,8 @@ class PartView {
   /// triangles.
   void set_veiled_surface(std::span<const ViewVertex> vertices,
                           std::span<const std::array<VertexIndex, 3>> triangles);
+  /// Solids beside the part, to be shown as View::body_motions says.
+  void set_bodies(std::span<const ViewBody> bodies);
   /// What ViewSettings::parting_line shows (see parting_line()).
   void set_parting_line(std::span<const ViewSegment> segments);
 

@@ -9,6 +9,7 @@
 
 #include "gl/objects.hpp"
 #include "render/shadow_maps.hpp"
+#include "render/view_body.hpp"
 #include "render/view_geometry.hpp"
 
 namespace moldlight {
@@ -97,6 +98,11 @@ struct ViewMesh {
   SegmentBuffer feature_edges, parting_line;
   std::array<SegmentBuffer, k_marked_lines> marked;  // by MarkedLines
   std::optional<TriangleBuffer> veiled;
+  struct Body {
+    TriangleBuffer triangles;
+    Colour colour;
+  };
+  std::vector<Body> bodies;
   FaceNumbers faces;
 };
 
