@@ -12,6 +12,7 @@ constexpr std::array<ActionFacts, k_action_kinds> k_facts = {{
     {"lifter", "lifter", "lifters", 1.2},
     {"unscrew", "unscrewing core", "unscrewing cores", 2.5},
     {"strip", "stripped ring", "stripped rings", 0.1},
+    {"insert", "loose insert", "loose inserts", 3.0},
 }};
 
 }  // namespace

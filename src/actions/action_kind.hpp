@@ -9,9 +9,9 @@ namespace moldlight {
 
 /// Slide: pulled sideways. Inclined: the same, at an angle to the plane across d. Lifter: moves sideways
 /// relative to the part while both rise. Unscrew: leaves along its helix. Strip: the part is stretched over
-/// it.
-enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip };
-inline constexpr std::size_t k_action_kinds = 5;
+/// it. Insert: a loose piece that is ejected with the part and taken off by hand, in any direction.
+enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip, insert };
+inline constexpr std::size_t k_action_kinds = 6;
 
 /// What else is said of a kind: the one place for it.
 struct ActionFacts {

@@ -87,6 +87,8 @@ std::string freedom_text(const SideAction& action, const std::string& unit) {
       return fmt::format("pitch {:.3f} {}", action.about->pitch, unit);
     case ActionKind::strip:
       return fmt::format("strain {:.2f} %", 100.0 * action.about->strain);
+    case ActionKind::insert:
+      return "by hand";
     case ActionKind::lifter:
       return fmt::format("stroke {:.2f} {}", *action.stroke, unit);
     default:

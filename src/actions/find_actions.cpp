@@ -13,6 +13,7 @@
 #include "actions/revolved.hpp"
 #include "actions/set_cover.hpp"
 #include "actions/side_action.hpp"
+#include "actions/undercut_report.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/faces.hpp"
 #include "mesh/length_unit.hpp"
@@ -86,6 +87,7 @@ class Finder {
     find_pulls();
     find_revolved();
     split_the_rest();
+    find_inserts();
     drop_within_tolerance();
     const std::vector<Column> columns = find_columns();
     std::vector<CoverColumn> priced;
@@ -101,14 +103,26 @@ class Finder {
       plan.unreleased_area += atoms_[atom].area();
     }
     std::ranges::sort(plan.unreleased);
-    std::vector<char> taken(atoms_.size(), 0);
+    std::vector<std::int32_t> of_atom(atoms_.size(),
+                                      k_unreleased_piece);  // the action, as `actions` has them
+    std::vector<SideAction> actions;
     for (const std::size_t c : cover.columns) {
       Column column = columns[c];
-      std::erase_if(column.atoms, [&](std::size_t atom) { return taken[atom] != 0; });
-      for (const std::size_t atom : column.atoms) taken[atom] = 1;
-      plan.actions.push_back(finished(column));
+      std::erase_if(column.atoms, [&](std::size_t atom) { return of_atom[atom] >= 0; });
+      for (const std::size_t atom : column.atoms) of_atom[atom] = static_cast<std::int32_t>(actions.size());
+      actions.push_back(finished(column));
     }
-    std::ranges::stable_sort(plan.actions, std::greater(), &SideAction::area);
+    std::vector<std::size_t> order(actions.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return actions[k].area; });
+    std::vector<std::int32_t> place(actions.size());
+    for (const std::size_t k : order) {
+      place[k] = static_cast<std::int32_t>(plan.actions.size());
+      plan.actions.push_back(std::move(actions[k]));
+    }
+    for (std::int32_t& action : of_atom)
+      action = action < 0 ? action : place[static_cast<std::size_t>(action)];
+    assign_pieces(of_atom, plan);
     report(plan);
     return plan;
   }
@@ -271,9 +285,36 @@ class Finder {
       if (revolved[k] == 0 && atom.pulls.empty() && atom.wanted())
         parts[k] = pulls_.split(atom.samples, candidates(atom), atom.only());
     });
+    take_parts(parts);
+  }
+
+  /// For what no action of the mold releases.
+  void find_inserts() {
+    progress_.report("looking for loose inserts", 0.7);
+    std::vector<char> revolved(atoms_.size(), 0);
+    for (const Column& column : revolved_) {
+      for (const std::size_t k : column.atoms) revolved[k] = 1;
+    }
+    ActionSettings all_round = settings_;
+    all_round.incline_deg = 90.0;
+    const std::vector<PullCandidate> sphere = pull_sphere();
+    std::vector<std::vector<FreedPart>> parts(atoms_.size());
+    for_each_atom([&](std::size_t k) {
+      const Atom& atom = atoms_[k];
+      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.allows(ActionKind::insert)) return;
+      auto tried = own_pulls(model_, split_, undercuts_.patches[atom.patch], query_.direction, all_round);
+      tried.insert(tried.end(), sphere.begin(), sphere.end());
+      parts[k] = pulls_.find_inserts(atom.samples, tried, undercuts_.patches[atom.patch].area);
+    });
+    take_parts(parts);
+  }
+
+  /// Atoms that were split become their parts; the others, which have none, stay.
+  void take_parts(std::vector<std::vector<FreedPart>>& parts) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
+      const bool whole = atoms_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
-        Atom atom{atoms_[k].patch, std::move(parts[k][part].samples), std::move(parts[k][part].pulls), false,
+        Atom atom{atoms_[k].patch, std::move(parts[k][part].samples), std::move(parts[k][part].pulls), whole,
                   atoms_[k].pin};
         if (part == 0) {
           atoms_[k] = std::move(atom);
@@ -370,7 +411,7 @@ class Finder {
       for (const UndercutSample& sample : samples)
         room = std::min(room, std::max(pull.travel, pulls_.release().free_length(sample, pull.direction)));
       action.clear_to = room * diagonal;
-    } else if (!pull.about) {
+    } else if (!pull.about && pull.kind != ActionKind::insert) {
       pull = pulls_.in_the_middle(samples, {pull.direction, pull.source}, pull.kind);
       pulls_.set_travel(deepest(column, samples, pull.direction), k_fine_step, pull);
     }
@@ -397,39 +438,42 @@ class Finder {
     return chosen;
   }
 
-  /// The undercut, and what the same straight pull frees of the faces that it lies on.
-  [[nodiscard]] double formed_area(const Undercut& undercut, const SideAction* action) const {
-    std::map<FacetIndex, double> undercut_of;
-    for (const std::uint32_t piece : undercut.pieces)
-      undercut_of[split_.pieces[piece].facet] += piece_area(split_, split_.pieces[piece]);
-    if (action == nullptr || action->about) return undercut.area;
-    std::set<std::uint32_t> faces;
-    for (const auto& [facet, area] : undercut_of) faces.insert(faces_.of_facet[facet]);
-    const double far = action->kind == ActionKind::lifter ? action->travel / model_.frame.diagonal : k_never;
-    double formed = 0.0;
-    for (const std::uint32_t face : faces) {
-      for (const FacetIndex facet : faces_.facets(face)) {
-        const glm::dvec3 middle = (model_.part.mesh.corner(facet, 0) + model_.part.mesh.corner(facet, 1) +
-                                   model_.part.mesh.corner(facet, 2)) /
-                                  3.0;
-        const UndercutSample sample{model_.frame.to_unit(middle), model_.geometry.normals[facet], 0.0};
-        const auto hidden = undercut_of.find(facet);
-        if (model_.geometry.areas[facet] > 0.0 &&
-            pulls_.release().free_length(sample, action->direction) >= far) {
-          formed += model_.geometry.areas[facet];
-        } else if (hidden != undercut_of.end()) {
-          formed += hidden->second;
-        }
+  /// Pieces of an undercut that was split go with the sample that is nearest.
+  void assign_pieces(const std::vector<std::int32_t>& of_atom, ActionPlan& plan) const {
+    std::vector<std::vector<std::size_t>> atoms(undercuts_.patches.size());
+    for (std::size_t k = 0; k < atoms_.size(); ++k) atoms[atoms_[k].patch].push_back(k);
+    plan.action_of_piece.assign(split_.pieces.size(), k_no_action_of_piece);
+    for (std::size_t patch = 0; patch < atoms.size(); ++patch) {
+      const bool alike = std::ranges::all_of(
+          atoms[patch], [&](std::size_t k) { return of_atom[k] == of_atom[atoms[patch].front()]; });
+      for (const std::uint32_t piece : undercuts_.patches[patch].pieces)
+        plan.action_of_piece[piece] =
+            of_atom[alike ? atoms[patch].front() : nearest_atom(atoms[patch], piece)];
+    }
+  }
+
+  [[nodiscard]] std::size_t nearest_atom(const std::vector<std::size_t>& atoms, std::uint32_t piece) const {
+    glm::dvec3 middle(0.0);
+    for (const VertexIndex corner : split_.pieces[piece].corners) middle += split_.vertices[corner] / 3.0;
+    const glm::vec3 at = model_.frame.to_unit(middle);
+    std::size_t nearest = atoms.front();
+    float least = std::numeric_limits<float>::infinity();
+    for (const std::size_t k : atoms) {
+      for (const UndercutSample& sample : atoms_[k].samples) {
+        const float distance = glm::distance(sample.position, at);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = k;
       }
     }
-    return formed;
+    return nearest;
   }
 
   void report(ActionPlan& plan) const {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       UndercutReport told;
       told.undercut = undercuts_.patches[k];
-      told.blocked_by = blockers(told.undercut);
+      told.blocked_by = blockers(model_, split_, told.undercut, query_.direction);
       place(k, told);
       const SideAction* action = action_of(plan, k);
       if (action != nullptr) {
@@ -437,7 +481,7 @@ class Finder {
         told.depth = action->travel - (slides ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         told.core_side = action->core_side;
       }
-      told.formed_area = formed_area(told.undercut, action);
+      add_formed_surface({model_, split_, faces_, pulls_.release()}, action, told);
       plan.patches.push_back(std::move(told));
     }
   }
@@ -456,22 +500,6 @@ class Finder {
         told.point = model_.frame.center + model_.frame.diagonal * glm::dvec3(sample.position);
       }
     }
-  }
-
-  [[nodiscard]] std::vector<FacetIndex> blockers(const Undercut& undercut) const {
-    constexpr std::size_t k_most = 4, k_asked = 48;
-    std::map<FacetIndex, int> counts;
-    for (const UndercutSample& sample : sample_undercut(model_, split_, undercut, k_asked)) {
-      for (const glm::dvec3& side : {query_.direction, -query_.direction}) {
-        const auto hit = model_.rays().first_hit(sample.position, glm::vec3(side), true);
-        if (hit) ++counts[hit->facet];
-      }
-    }
-    std::vector<std::pair<FacetIndex, int>> order(counts.begin(), counts.end());
-    std::ranges::stable_sort(order, std::greater(), [](const auto& entry) { return entry.second; });
-    std::vector<FacetIndex> facets;
-    for (std::size_t i = 0; i < std::min(order.size(), k_most); ++i) facets.push_back(order[i].first);
-    return facets;
   }
 
   const PartModel& model_;

@@ -215,4 +215,39 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
   return parts;
 }
 
+std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> samples,
+                                                std::span<const PullCandidate> tried,
+                                                double whole_area) const {
+  std::vector<FreedPart> parts;
+  std::vector<UndercutSample> rest(samples.begin(), samples.end());
+  for (int round = 0; round < k_most_parts && !rest.empty(); ++round) {
+    const PullCandidate* best = nullptr;
+    double most = k_least_part * whole_area;
+    for (const PullCandidate& candidate : tried) {
+      const double freed = release_.free_area(rest, candidate.direction, k_never);
+      if (freed <= most * (1.0 + 1e-9)) continue;
+      most = freed;
+      best = &candidate;
+    }
+    if (best == nullptr) break;
+    Pull pull{.kind = ActionKind::insert, .direction = best->direction, .source = best->source};
+    FreedPart part;
+    double least = k_never;
+    std::erase_if(rest, [&](const UndercutSample& sample) {
+      const bool freed = release_.free_length(sample, pull.direction) == k_never;
+      if (freed) {
+        part.samples.push_back(sample);
+        least = std::min(least, glm::dot(glm::dvec3(sample.position), pull.direction));
+      }
+      return freed;
+    });
+    pull.travel = release_.reach(pull.direction) - least;
+    part.pulls = {pull};
+    parts.push_back(std::move(part));
+    if (area_of(rest) <= k_blocked_share * whole_area) rest.clear();
+  }
+  if (!parts.empty() && !rest.empty()) parts.push_back({.samples = rest, .pulls = {}});
+  return parts;
+}
+
 }  // namespace moldlight

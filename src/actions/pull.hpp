@@ -46,6 +46,13 @@ class PullFinder {
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only = {}) const;
 
+  /// Loose inserts, one after another, each of which frees most of the rest: to infinity along any of the
+  /// directions, since the part has left the mold with it; none for less than a twentieth of `whole_area`,
+  /// the undercut's. The last is what none frees, as of split().
+  [[nodiscard]] std::vector<FreedPart> find_inserts(std::span<const UndercutSample> samples,
+                                                    std::span<const PullCandidate> tried,
+                                                    double whole_area) const;
+
   /// A direction that releases the samples, moved to the middle of what is free, unless the part says better:
   /// an axis is kept unless it lies near an end, and where much is free, so is a direction of the part's own
   /// shape; a wish is kept as it is.

@@ -136,4 +136,16 @@ std::vector<PullCandidate> pull_fan(const glm::dvec3& direction) {
   return fan;
 }
 
+std::vector<PullCandidate> pull_sphere() {
+  constexpr int k_count = 200;
+  constexpr double k_golden_angle = 2.399963229728653;
+  std::vector<PullCandidate> pulls;
+  for (int k = 0; k < k_count; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / k_count, radius = std::sqrt(1.0 - z * z);
+    pulls.push_back({{radius * std::cos(k_golden_angle * k), radius * std::sin(k_golden_angle * k), z},
+                     PullSource::even});
+  }
+  return pulls;
+}
+
 }  // namespace moldlight

@@ -31,6 +31,9 @@ struct PullCandidate {
 /// Every 5 degrees in the plane across `direction`.
 [[nodiscard]] std::vector<PullCandidate> pull_fan(const glm::dvec3& direction);
 
+/// All round: what a loose insert may be taken off along, beside own_pulls() of any incline.
+[[nodiscard]] std::vector<PullCandidate> pull_sphere();
+
 /// Angle to the plane across `direction`, degrees, [-90, 90].
 [[nodiscard]] double elevation_deg(const glm::dvec3& pull, const glm::dvec3& direction);
 

@@ -94,6 +94,13 @@ TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const g
   return {-reach(-1.0), reach(1.0)};
 }
 
+double Release::reach(const glm::dvec3& direction) const {
+  double greatest = -k_never;
+  for (const glm::dvec3& vertex : model_.part.mesh.vertices)
+    greatest = std::max(greatest, glm::dot(vertex - model_.frame.center, direction));
+  return greatest / model_.frame.diagonal;
+}
+
 bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                     const glm::dvec3& side) const {
   const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);

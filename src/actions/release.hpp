@@ -44,6 +44,9 @@ class Release {
   [[nodiscard]] TurnInterval free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                        const glm::dvec3& axis) const;
 
+  /// How far the part reaches along a direction (unit), unit frame.
+  [[nodiscard]] double reach(const glm::dvec3& direction) const;
+
   /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;

@@ -1,6 +1,7 @@
 // The side actions that release a part's undercuts.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -41,13 +42,17 @@ struct SideAction {
 /// An undercut and what was found out about it.
 struct UndercutReport {
   Undercut undercut;
-  double formed_area = 0.0;  // with the surface beside it, up to creases, that the same action can form
-  double depth = 0.0;        // least distance across d to where the part is not in the way along d
-  bool core_side = true;     // from which it is nearer
+  double formed_area = 0.0;        // with the surface beside it, up to creases, that the same action can form
+  double depth = 0.0;              // least distance across d to where the part is not in the way along d
+  bool core_side = true;           // from which it is nearer
+  std::vector<FacetIndex> formed;  // facets that the action forms with it, wholly, rising
   std::vector<FacetIndex> blocked_by;  // facets that hide it, the most frequent first
   glm::dvec3 point{0.0};               // on it, by which a pin finds it again
   std::optional<ActionPin> pin;
 };
+
+/// Of a piece that is no undercut, or was dropped; of an undercut one that nothing releases.
+inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
   std::vector<UndercutReport> patches;  // the largest first
@@ -56,6 +61,7 @@ struct ActionPlan {
   std::vector<SideAction> actions;      // the largest area first
   std::vector<std::size_t> unreleased;  // patches that nothing releases
   double unreleased_area = 0.0;
+  std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
 

@@ -1,10 +1,14 @@
 // moldlight actions: the slides, lifters and other side actions that release the undercuts of one direction.
+#include <filesystem>
 #include <memory>
 
-#include "actions/actions_report.hpp"
+#include "actions/actions_files.hpp"
+#include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "cli/flags.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh_writer.hpp"
+#include "io/png.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -16,14 +20,24 @@ struct ActionsFlags {
   Query query;
   bool best_direction = false;
   ActionSettings settings;
-  std::string csv;
+  std::string csv, mesh, bodies, image;
+  StillSettings still;
 };
 
 int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   Query query = flags.query;
   validate(query.method);
+  if (!flags.mesh.empty()) check_mesh_extension(flags.mesh);
   check_outputs({.inputs = {{"PART", flags.part.part}},
-                 .files = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}}});
+                 .files = {{"--json", flags.part.json_file()},
+                           {"--csv", flags.csv},
+                           {"--mesh", flags.mesh},
+                           {"--mesh (its colours)", material_library_path(flags.mesh)},
+                           {"--image", flags.image}},
+                 .folder = {"--bodies", flags.bodies}});
+  // Before long work, which would be for nothing where there is none.
+  std::unique_ptr<gl::Context> context;
+  if (!flags.image.empty()) context = create_context(query.method.backend);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
@@ -31,7 +45,15 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionPlan plan = find_actions(*model, result, flags.settings, progress);
   const ActionsReport report{*model, result, flags.settings, plan};
+  progress.report("writing", 0.0);
   if (!flags.csv.empty()) write_file(flags.csv, actions_csv(report));
+  if (!flags.mesh.empty()) write_action_mesh(flags.mesh, report, flags.still.look.palette);
+  if (!flags.bodies.empty())
+    write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), report);
+  if (context) {
+    const auto bodies = pulled_bodies(report);
+    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress, bodies));
+  }
   put_report(
       console, flags.part.json, [&] { return actions_json(report); }, [&] { return actions_table(report); });
   return 0;
@@ -57,6 +79,21 @@ void add_actions_command(CLI::App& program, Request& request) {
   add_option_flags(*command, action_options(), flags->settings);
   add_method_flags(*command, flags->query.method);
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
+  add_file_flag(*command, flags->mesh,
+                {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
+                 "Write the split part, each facet in the colour of the action that forms it; in OBJ each "
+                 "action is a material"});
+  add_file_flag(*command, flags->bodies,
+                {"--bodies", "DIR", "Write the closed solid of each action to this folder, an STL each"});
+  CLI::Option* image =
+      add_file_flag(*command, flags->image,
+                    {"--image", "FILE.png",
+                     "Draw the part with the bodies of its actions, pulled out, and write the picture to "
+                     "this file"});
+  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  // The palette is the mesh's, too.
+  for (CLI::Option* flag : add_still_flags(*command, flags->still))
+    if (flag->get_name() != "--palette") flag->needs(image);
   set_work(*command, request, flags, run, settings);
 }
 

@@ -1,8 +1,11 @@
 // moldlight actions, as a user runs it.
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
 #include "support/process.hpp"
+#include "support/read_png.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {
@@ -64,6 +67,29 @@ TEST_F(Actions, AreToldInATableOfUndercuts) {
   const std::string text = test::file_bytes(csv);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
   EXPECT_NE(text.find(",slide,"), std::string::npos) << text;
+}
+
+TEST_F(Actions, AreWrittenAsMeshBodiesAndPicture) {
+  const std::string mesh = part.output("actions.obj"), bodies = part.output("bodies"),
+                    image = part.output("actions.png");
+  const auto run =
+      run_moldlight(actions({"--mesh", mesh, "--bodies", bodies, "--image", image, "--size", "320x200"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(test::file_bytes(mesh).find("\nusemtl slide_1\n"), std::string::npos);
+  const std::filesystem::path body =
+      std::filesystem::path(bodies) / (std::filesystem::path(part.file()).stem().string() + "_slide_1.stl");
+  const auto info = run_moldlight({"info", body.string(), "--json", "-"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_TRUE(json_of(info.out)["part"]["closed"].get<bool>()) << info.out;
+  const Image with = test::read_png(image);
+  EXPECT_EQ(with.width, 320);
+  ASSERT_EQ(run_moldlight({"classify", part.file(), "--direction", "z", "--unit", "mm", "--image", image,
+                           "--size", "320x200"})
+                .exit_code,
+            0);
+  EXPECT_NE(test::read_png(image).rgba, with.rgba) << "the slide is seen";
+  EXPECT_EQ(run_moldlight(actions({"--mesh", part.output("actions.txt")})).exit_code, 2);
+  EXPECT_EQ(run_moldlight(actions({"--mesh", mesh, "--csv", mesh})).exit_code, 2) << "one file for two";
 }
 
 TEST_F(Actions, TakeWhatTheUserAllows) {

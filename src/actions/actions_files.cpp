@@ -1,0 +1,117 @@
+#include "actions/actions_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "actions/action_body.hpp"
+#include "base/error.hpp"
+#include "classify/figures.hpp"
+#include "io/mesh_writer.hpp"
+
+namespace moldlight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file is one that write_action_bodies() writes for this stem.
+bool is_action_body(const fs::path& file, const std::string& stem) {
+  if (file.extension() != ".stl") return false;
+  const std::string name = file.stem().string();
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
+    const std::string start = fmt::format("{}_{}_", stem, facts(static_cast<ActionKind>(kind)).name);
+    if (!name.starts_with(start) || name.size() == start.size()) continue;
+    if (std::all_of(name.begin() + static_cast<std::ptrdiff_t>(start.size()), name.end(),
+                    [](char letter) { return letter >= '0' && letter <= '9'; }))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string action_name(const ActionPlan& plan, std::size_t action) {
+  return fmt::format("{}_{}", facts(plan.actions[action].kind).name, action + 1);
+}
+
+Colour action_colour(std::size_t action) {
+  // Hues apart from each other however many there are, on the wheel without its reds.
+  constexpr double k_first = 30.0 / 360.0, k_span = 290.0 / 360.0, k_golden = 0.6180339887498949;
+  const double hue = k_first + k_span * std::fmod(0.35 + k_golden * static_cast<double>(action), 1.0);
+  const auto channel = [&](double offset) {
+    const double at = std::fmod(hue + offset, 1.0) * 6.0;
+    const double value = std::clamp(std::abs(at - 3.0) - 1.0, 0.0, 1.0);
+    return static_cast<std::uint8_t>(std::lround(255.0 * (0.25 + 0.65 * value)));
+  };
+  return {channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)};
+}
+
+void write_action_mesh(const std::string& path, const ActionsReport& report, Palette palette) {
+  const SplitMesh& split = *report.result.split;
+  std::vector<MeshGroup> groups;
+  for (const Region region : k_regions)
+    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
+  const auto first = static_cast<std::uint32_t>(groups.size());
+  for (std::size_t k = 0; k < report.plan.actions.size(); ++k)
+    groups.push_back({action_name(report.plan, k), action_colour(k)});
+  const auto unreleased = static_cast<std::uint32_t>(groups.size());
+  groups.push_back({"unreleased", {110, 0, 30}});
+  std::vector<std::uint32_t> of_facet;
+  for (std::size_t k = 0; k < split.pieces.size(); ++k) {
+    const std::int32_t action = report.plan.action_of_piece[k];
+    of_facet.push_back(action >= 0                    ? first + static_cast<std::uint32_t>(action)
+                       : action == k_unreleased_piece ? unreleased
+                                                      : static_cast<std::uint32_t>(split.pieces[k].region));
+  }
+  write_grouped_mesh(path, {.mesh = piece_mesh(split),
+                            .groups = groups,
+                            .of_facet = of_facet,
+                            .what = "action",
+                            .title = "side actions",
+                            .unit = report.model.part.unit});
+}
+
+std::vector<std::string> write_action_bodies(const std::string& folder, const std::string& stem,
+                                             const ActionsReport& report) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
+  std::vector<std::string> paths;
+  for (std::size_t k = 0; k < report.plan.actions.size(); ++k) {
+    const auto body = action_body(report.model, report.result, report.plan, k);
+    if (!body) continue;
+    paths.push_back(
+        (fs::path(folder) / fmt::format("{}_{}.stl", stem, action_name(report.plan, k))).string());
+    write_stl(paths.back(), *body, action_colour(k));
+  }
+  std::vector<fs::path> former;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const bool written = std::ranges::find(paths, entry.path().string()) != paths.end();
+    if (!written && is_action_body(entry.path(), stem)) former.push_back(entry.path());
+  }
+  for (const fs::path& path : former) {
+    fs::remove(path, error);
+    if (error) throw FileError(path.string(), "", "is out of date and cannot be removed: " + error.message());
+  }
+  return paths;
+}
+
+std::vector<StillBody> pulled_bodies(const ActionsReport& report) {
+  std::vector<StillBody> bodies;
+  const ActionPlan& plan = report.plan;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    auto body = action_body(report.model, report.result, plan, k);
+    if (!body) continue;
+    const SideAction& action = plan.actions[k];
+    bodies.push_back({std::move(*body), action_motion(action, 1.0), action_colour(k),
+                      fmt::format("{} {}: {:.3g} {}", facts(action.kind).singular, k + 1, action.travel,
+                                  length_unit(report.model.part))});
+  }
+  return bodies;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,113 @@
+// Parts whose undercuts are released in a way that is known in closed form.
+#pragma once
+
+#include <memory>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "actions/side_action.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight {
+
+using test::at_height;
+using test::box_face;
+using test::Loop2;
+using test::regular_polygon;
+using test::SolidBuilder;
+
+inline constexpr double k_tau_deg = 1.0;
+
+struct Planned {
+  std::shared_ptr<const PartModel> model;
+  Classification result;
+  ActionPlan plan;
+};
+
+inline Planned plan_of(const TriangleMesh& mesh, const ActionSettings& settings = {},
+                       const glm::dvec3& direction = {0, 0, 1}) {
+  Planned planned;
+  Part part;
+  part.unit = "mm";
+  part.mesh = mesh;
+  part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
+  planned.model = prepare_part(std::move(part), Progress());
+  Query query;
+  query.direction = direction;
+  planned.result = classify_exact(*planned.model, query, Progress(), true);
+  planned.plan = find_actions(*planned.model, planned.result, settings, Progress());
+  return planned;
+}
+
+struct Hole {
+  double draft_deg = 0.0;
+  bool through = false;
+  double depth = 14.0, radius = 5.0;
+  int sides = 32;
+  double turn_deg = 0.0;
+};
+
+/// A block with a hole from its +z face, wider there by the draft.
+inline TriangleMesh block_with_hole(const Hole& hole) {
+  const glm::dvec3 low(-14, -12, 0), high(14, 12, 22);
+  const double depth = hole.through ? high.z : hole.depth;
+  const double narrow = hole.radius - depth * std::tan(glm::radians(hole.draft_deg));
+  const Loop2 outer = regular_polygon(hole.sides, hole.radius, hole.turn_deg);
+  const Loop2 inner = regular_polygon(hole.sides, narrow, hole.turn_deg);
+  SolidBuilder solid;
+  if (hole.through) {
+    solid.box(low, high, {4, 5});
+    solid.face(box_face(low, high, 4), {at_height(inner, low.z)});
+  } else {
+    solid.box(low, high, {5});
+    solid.face(at_height(inner, high.z - depth));
+  }
+  solid.face(box_face(low, high, 5), {at_height(outer, high.z)});
+  const Loop2 in_outer(outer.rbegin(), outer.rend()), in_inner(inner.rbegin(), inner.rend());
+  solid.walls(at_height(in_inner, high.z - depth), at_height(in_outer, high.z));
+  return solid.mesh();
+}
+
+/// Its z axis laid into the plane across z, at this azimuth.
+inline TriangleMesh laid(const TriangleMesh& mesh, double azimuth_deg) {
+  const glm::dquat down = glm::angleAxis(glm::radians(90.0), glm::dvec3(0, 1, 0));
+  const glm::dquat round = glm::angleAxis(glm::radians(azimuth_deg), glm::dvec3(0, 0, 1));
+  return test::rotated(mesh, round * down);
+}
+
+/// A block with a cavity, open above, whose profile in the xz-plane (counter-clockwise, from and to the top's
+/// opening) goes from y = 0 to `length`; its ends are closed.
+inline TriangleMesh block_with_cavity(const Loop2& profile, const glm::dvec2& size, double length) {
+  const glm::dvec3 low(0, -2, 0), high(size.x, length + 2.0, size.y);
+  SolidBuilder solid;
+  solid.box(low, high, {5});
+  const auto at = [](const glm::dvec2& point, double y) { return glm::dvec3(point.x, y, point.y); };
+  for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+    solid.face(
+        {at(profile[k], 0), at(profile[k + 1], 0), at(profile[k + 1], length), at(profile[k], length)});
+  test::Loop near, far;
+  for (const glm::dvec2& point : profile) far.push_back(at(point, length));
+  for (auto point = profile.rbegin(); point != profile.rend(); ++point) near.push_back(at(*point, 0));
+  solid.face(near);
+  solid.face(far);
+  const double left = profile.front().x, right = profile.back().x;
+  solid.face(box_face(low, high, 5),
+             {{{left, 0, size.y}, {right, 0, size.y}, {right, length, size.y}, {left, length, size.y}}});
+  return solid.mesh();
+}
+
+/// Two pockets in one side of a long block.
+inline TriangleMesh block_with_pockets(double apart) {
+  const glm::dvec3 low(0, 0, 0), high(40, 40 + apart, 20);
+  const glm::dvec3 a_low(20, 10, 5), a_high(40, 20, 15), b_low(20, 20 + apart, 5), b_high(40, 30 + apart, 15);
+  SolidBuilder solid;
+  solid.box(low, high, {1});
+  solid.box(a_low, a_high, {1}, true);
+  solid.box(b_low, b_high, {1}, true);
+  solid.face(box_face(low, high, 1), {box_face(a_low, a_high, 1), box_face(b_low, b_high, 1)});
+  return solid.mesh();
+}
+
+}  // namespace moldlight
