@@ -21,7 +21,7 @@ struct MoldFlags {
   MoldSettings settings;
   std::vector<std::string> lines;
   std::string folder;
-  bool as_3mf = false;
+  bool as_3mf = false, with_actions = false;
   std::string image;
   StillSettings still;
 };
@@ -84,7 +84,15 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     const MoldScene scene{*model, assignment, line, halves};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
-  const MoldReport report{*model, query, flags.settings, assignment, line, halves, written};
+  std::optional<ActionPlan> plan;
+  std::vector<InsertActions> by_action;
+  if (flags.with_actions && !halves.inserts.empty()) {
+    const Classification result = classify_exact(*model, query, progress, true);
+    plan = find_actions(*model, result, {}, progress);
+    by_action = actions_of_inserts(halves, *result.split, *plan);
+  }
+  const MoldReport report{*model, query,   flags.settings,          assignment, line,
+                          halves, written, plan ? &*plan : nullptr, by_action};
   put_report(
       console, flags.part.json, [&] { return mold_json(report); }, [&] { return mold_table(report); });
   if (flags.folder.empty() || refusal.empty()) return 0;
@@ -117,6 +125,8 @@ void add_mold_command(CLI::App& program, Request& request) {
                                        "--fill-undercut insert_1.stl and so on"});
   command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
       ->needs(folder);
+  command->add_flag("--actions", flags->with_actions,
+                    "Find the side actions, and tell which inserts go with them instead of being loose");
   CLI::Option* image = add_file_flag(
       *command, flags->image,
       {"--image", "FILE.png",

@@ -31,7 +31,9 @@ constexpr Attempt k_attempts[] = {{1e-7, 1.0}, {1e-7, 0.1}, {1e-8, 1.0}, {1e-8, 
 /// in an edge.
 constexpr std::size_t k_most_for_beauty = 4;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
-constexpr double k_speck_volume = 1e-7;  // of the part's volume
+/// What is thinner on average than this share of the diagonal, half the usual lateral tolerance, is no
+/// insert: the plastic fills it.
+constexpr double k_speck_thickness = 0.5 / 2048.0;
 
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
                    k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
@@ -135,7 +137,8 @@ double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
   return static_cast<double>(volume / 6.0L);
 }
 
-void measure_surface(const Sheets& sheets, double diagonal, MoldHalves& halves) {
+void measure_surface(const Sheets& sheets, double diagonal, double slope_deg, MoldHalves& halves) {
+  constexpr double k_rounding_deg = 0.01;
   // A shut-off hangs together without the block's rim.
   UnionFind joined(sheets.vertices.size());
   glm::dvec2 low(INFINITY);
@@ -163,8 +166,10 @@ void measure_surface(const Sheets& sheets, double diagonal, MoldHalves& halves) 
                    sheets.vertices[facet.corners[2]] - sheets.vertices[facet.corners[0]]);
     const double area = 0.5 * glm::length(normal) * diagonal * diagonal;
     (joined.find(facet.corners[0]) == joined.find(rim) ? halves.parting_area : halves.shut_off_area) += area;
-    if (glm::length(normal) > 0.0)
-      steepest = std::max(steepest, std::acos(std::clamp(normal.z / glm::length(normal), -1.0, 1.0)));
+    if (glm::length(normal) <= 0.0) continue;
+    const double slope = std::acos(std::clamp(normal.z / glm::length(normal), -1.0, 1.0));
+    steepest = std::max(steepest, slope);
+    if (glm::degrees(slope) > slope_deg + k_rounding_deg) halves.too_steep_area += area;
   }
   halves.steepest_deg = glm::degrees(steepest);
 }
@@ -205,7 +210,8 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
                          .high = on_grid(glm::dvec2(high) + margin),
                          .height = (height - middle) / diagonal,
                          .slope = std::tan(glm::radians(settings.slope_deg)),
-                         .tolerance = attempt.tolerance};
+                         .tolerance = attempt.tolerance,
+                         .cone_margin = settings.registration ? margin : 0.0};
   if (auto fault = add_parting_surface(sheets, wish)) return fault;
   for (const SheetFacet& facet : sheets.facets) {
     for (const SheetVertex v : facet.corners) {
@@ -215,8 +221,8 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   }
   const BlockHeights block{.low = low.z - margin, .high = high.z + margin};
   halves.contacts = contact_walls(sheets, 1e-6);
-  halves.parting_area = halves.shut_off_area = halves.contact_area = 0.0;
-  measure_surface(sheets, diagonal, halves);
+  halves.parting_area = halves.shut_off_area = halves.too_steep_area = halves.contact_area = 0.0;
+  measure_surface(sheets, diagonal, settings.slope_deg, halves);
 
   Facets core, cavity, fill;
   const bool closes =
@@ -251,7 +257,8 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   for (const Facets& facets : components(sheets.vertices.size(), fill)) {
     MoldBody body = scaled_body(sheets.vertices, facets, scale);
     halves.insert_volume += body.volume;
-    if (std::abs(body.volume) > k_speck_volume * std::abs(halves.part_volume)) {
+    const double area = facet_geometry(body.mesh).total_area;
+    if (2.0 * std::abs(body.volume) > k_speck_thickness * scale * area) {
       halves.inserts.push_back(std::move(body));
     } else {
       halves.specks_volume += body.volume;

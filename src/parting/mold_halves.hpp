@@ -32,7 +32,7 @@ struct MoldHalves {
   glm::dvec3 centre{0.0};  // of the part, in its coordinates; the origin of the bodies
   double scale = 1.0;      // of the bodies against the part, for the shrinkage
   MoldBody core, cavity;
-  std::vector<MoldBody> inserts;  // the largest first; specks are left out
+  std::vector<MoldBody> inserts;  // the largest first; what is thinner than a tolerance is left out
   double specks_volume = 0.0;     // of what is left out
 
   // The certificate. Volumes are those of the bodies.
@@ -43,6 +43,7 @@ struct MoldHalves {
   double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
 
   double parting_area = 0.0, shut_off_area = 0.0, steepest_deg = 0.0;
+  double too_steep_area = 0.0;  // of the parting surface, steeper than asked
   double contact_area = 0.0;
   std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
   double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal

@@ -80,14 +80,39 @@ Json refusal_json(const MoldHalves& halves, const WrittenMold& written) {
   return {{"why", written.refusal}, {"place", point_json(halves.refused_at)}};
 }
 
+void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& json) {
+  json["actions"] = Json::array();
+  for (const std::size_t number : of_insert.actions) {
+    const SideAction& action = plan.actions[number];
+    json["actions"].push_back({{"kind", facts(action.kind).name},
+                               {"direction", point_json(action.direction)},
+                               {"travel", action.travel}});
+  }
+  json["unreleased"] = of_insert.unreleased;
+}
+
+/// "2 are formed by side actions: insert_1 by a slide along …".
+std::string insert_actions_text(const MoldReport& report) {
+  std::string text;
+  for (std::size_t k = 0; k < report.by_action.size(); ++k) {
+    for (const std::size_t number : report.by_action[k].actions) {
+      const SideAction& action = report.plan->actions[number];
+      text += fmt::format("          insert_{} goes with a {} along {}{}\n", k + 1, facts(action.kind).name,
+                          direction_text(action.direction, 3),
+                          report.by_action[k].unreleased > 0 ? ", but not all of it" : "");
+    }
+  }
+  return text;
+}
+
 /// Halves, surfaces, inserts; null where there are none.
-void add_halves(const MoldHalves& halves, const WrittenMold& written, Json& json) {
+void add_halves(const MoldReport& report, Json& json) {
+  const MoldHalves& halves = report.halves;
+  const WrittenMold& written = report.written;
   const bool made = halves.made();
-  json["surfaces"] = made ? Json{{"parting", halves.parting_area},
-                                 {"shut_offs", halves.shut_off_area},
-                                 {"steepest_deg", halves.steepest_deg},
-                                 {"contact", halves.contact_area},
-                                 {"contacts", contacts_json(halves)}}
+  json["surfaces"] = made ? Json{{"parting", halves.parting_area},      {"shut_offs", halves.shut_off_area},
+                                 {"steepest_deg", halves.steepest_deg}, {"too_steep", halves.too_steep_area},
+                                 {"contact", halves.contact_area},      {"contacts", contacts_json(halves)}}
                           : Json();
   json["halves"] = Json();
   json["inserts"] = Json::array();
@@ -102,11 +127,18 @@ void add_halves(const MoldHalves& halves, const WrittenMold& written, Json& json
                     {"part_volume", halves.part_volume},
                     {"insert_volume", halves.insert_volume},
                     {"specks_volume", halves.specks_volume}};
-  for (std::size_t k = 2; k < written.bodies.size(); ++k)
-    json["inserts"].push_back(body_json(written.bodies[k]));
+  for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
+    Json insert = body_json(written.bodies[k + 2]);
+    insert["place"] = point_json(insert_place(halves, k));
+    if (report.plan != nullptr) add_actions(*report.plan, report.by_action[k], insert);
+    json["inserts"].push_back(std::move(insert));
+  }
 }
 
-std::string halves_table(const MoldHalves& halves, const WrittenMold& written, const Part& part) {
+std::string halves_table(const MoldReport& report) {
+  const MoldHalves& halves = report.halves;
+  const WrittenMold& written = report.written;
+  const Part& part = report.model.part;
   if (!written.refusal.empty())
     return fmt::format("\nno halves: {}, near {}\n", written.refusal, figures(halves.refused_at, 1.0));
   const std::string area_unit = powered_unit(part, 2), volume_unit = powered_unit(part, 3);
@@ -117,9 +149,13 @@ std::string halves_table(const MoldHalves& halves, const WrittenMold& written, c
       "\nhalves    core {} {}, cavity {}, closed; volumes with part and inserts are {} of the block apart\n",
       figure(halves.core.volume), volume_unit, figure(halves.cavity.volume),
       error_text(std::abs(halves.volume_gap)));
-  fmt::format_to(out, "          parting surface {} {}, shut-offs {}; no facet steeper than {:.0f}°\n",
+  fmt::format_to(out, "          parting surface {} {}, shut-offs {}; no steeper than {:.0f}°{}\n",
                  figure(halves.parting_area), area_unit, figure(halves.shut_off_area),
-                 std::ceil(halves.steepest_deg));
+                 std::ceil(std::min(halves.steepest_deg, report.settings.slope_deg) - 1e-6),
+                 halves.too_steep_area > 0.0
+                     ? fmt::format(" but for {} {}, up to {:.0f}°", error_text(halves.too_steep_area),
+                                   area_unit, std::ceil(halves.steepest_deg))
+                     : "");
   if (!halves.contacts.empty()) {
     const ContactWall& most = halves.contacts.front();
     fmt::format_to(out,
@@ -132,6 +168,7 @@ std::string halves_table(const MoldHalves& halves, const WrittenMold& written, c
                    halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),
                    volume_unit, share_text(halves.insert_volume, halves.part_volume));
   }
+  if (report.plan != nullptr) text += insert_actions_text(report);
   if (halves.blemishes() > 0)
     fmt::format_to(out, "          {} facets cross others by rounding; in {} edges a half touches itself\n",
                    halves.core.crossed_facets + halves.cavity.crossed_facets,
@@ -145,7 +182,7 @@ std::string halves_table(const MoldHalves& halves, const WrittenMold& written, c
 }  // namespace
 
 nlohmann::ordered_json mold_json(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line, halves, written] = report;
+  const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
   Json json;
   json["schema"] = "moldlight.mold/1";
   std::vector<std::string> warnings = model.warnings;
@@ -166,13 +203,13 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   json["euler"] = euler_json(line.euler);
   json["loops"] = Json::array();
   for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(assignment, loop));
-  add_halves(halves, written, json);
+  add_halves(report, json);
   json["verdict"] = parting_verdict(assignment, line, model.frame.diagonal);
   return json;
 }
 
 std::string mold_table(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line, halves, written] = report;
+  const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
   constexpr std::size_t k_most_rows = 20;
   const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
   const FigureColumn areas(assignment.total_area), lengths(10.0 * model.frame.diagonal);
@@ -210,7 +247,7 @@ std::string mold_table(const MoldReport& report) {
                  e.sums() ? "✓" : "✗", e.core, e.cavity, e.action, e.part,
                  e.touching == 0 ? "" : fmt::format(" + {} where lines touch", e.touching),
                  e.loops == e.expected_loops ? "✓" : "✗", e.loops, e.genus, e.expected_loops);
-  return text + halves_table(halves, written, model.part);
+  return text + halves_table(report);
 }
 
 }  // namespace moldlight

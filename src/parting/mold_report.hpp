@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parting/insert_actions.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
 
@@ -18,7 +19,9 @@ struct MoldReport {
   const Assignment& assignment;
   const PartingLine& line;
   const MoldHalves& halves;
-  const WrittenMold& written;  // bodies that were not asked for have no file
+  const WrittenMold& written;                 // bodies that were not asked for have no file
+  const ActionPlan* plan = nullptr;           // side actions, where they were asked for
+  std::vector<InsertActions> by_action = {};  // one an insert then
 };
 
 /// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.

@@ -53,7 +53,9 @@ std::span<const Option<MoldSettings>> mold_options() {
       {"fill_undercut", "--fill-undercut", "Fill undercuts", "",
        "Leave what the halves cannot form to loose inserts.", SwitchKind<S>{&S::fill_undercut}},
       {"registration", "--registration", "Registration", "",
-       "Cones in the block's corners that keep the halves in register.", SwitchKind<S>{&S::registration}},
+       "Cones in the block's corners that keep the halves in register; one is smaller, so that they fit one "
+       "way.",
+       SwitchKind<S>{&S::registration}},
   };
   return k_options;
 }

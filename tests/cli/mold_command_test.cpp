@@ -88,6 +88,18 @@ TEST_F(Mold, WritesHalvesThatAreClosed) {
   EXPECT_EQ(json_of(all.out)["bodies"].size(), 3U);
 }
 
+TEST_F(Mold, TellsWhichInsertsGoWithSideActions) {
+  const auto run = run_moldlight(mold({"--actions", "--json", "-"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto inserts = json_of(run.out)["inserts"];
+  ASSERT_EQ(inserts.size(), 1U);
+  ASSERT_EQ(inserts[0]["actions"].size(), 1U) << inserts.dump();
+  EXPECT_EQ(inserts[0]["actions"][0]["kind"], "slide");
+  EXPECT_EQ(inserts[0]["unreleased"], 0);
+  const auto table = run_moldlight(mold({"--actions", "--registration"}));
+  EXPECT_NE(table.out.find("insert_1 goes with a slide"), std::string::npos) << table.out;
+}
+
 TEST_F(Mold, IsDrawn) {
   const std::string picture = part.output("mold.png");
   const auto run = run_moldlight(mold({"--image", picture, "--size", "320x160", "--backend", "osmesa"}));

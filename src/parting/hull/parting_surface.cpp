@@ -1,8 +1,10 @@
 #include "parting/hull/parting_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
@@ -134,6 +136,50 @@ std::vector<double> spread(const PlaneMesh& mesh, const std::vector<std::vector<
     }
   }
   return value;
+}
+
+/// A frustum by which the upper half reaches into the lower one.
+struct Cone {
+  glm::dvec2 centre{0.0};
+  double foot = 0.0, top = 0.0, depth = 0.0;  // radii, height
+
+  /// How much lower the surface is at a point.
+  [[nodiscard]] double depth_at(const glm::dvec2& at) const {
+    return depth * std::clamp((foot - glm::distance(at, centre)) / (foot - top), 0.0, 1.0);
+  }
+};
+
+/// In the rectangle's corners, clear of the part; one is smaller, so that the halves fit in one way only.
+std::vector<Cone> register_cones(const SurfaceWish& wish) {
+  constexpr double k_foot = 0.36, k_top = 0.16, k_smaller = 0.8, k_least_slope = 0.9;
+  std::vector<Cone> cones;
+  if (wish.cone_margin <= 0.0) return cones;
+  const double m = wish.cone_margin;
+  for (int k = 0; k < 4; ++k) {
+    const double size = k == 0 ? k_smaller * m : m;
+    const glm::dvec2 centre(k % 2 == 0 ? wish.low.x + 0.5 * m : wish.high.x - 0.5 * m,
+                            k / 2 == 0 ? wish.low.y + 0.5 * m : wish.high.y - 0.5 * m);
+    cones.push_back(
+        {centre, k_foot * size, k_top * size, k_least_slope * wish.slope * (k_foot - k_top) * size});
+  }
+  return cones;
+}
+
+/// Both circles of each cone as segments of the mesh.
+void add_circles(PlaneMesh& mesh, const std::vector<Cone>& cones) {
+  constexpr int k_sides = 48;
+  for (const Cone& cone : cones) {
+    for (const double radius : {cone.foot, cone.top}) {
+      std::array<std::uint32_t, k_sides> points{};
+      for (int k = 0; k < k_sides; ++k) {
+        const double turn = 2.0 * std::numbers::pi * k / k_sides;
+        points[static_cast<std::size_t>(k)] =
+            mesh.add_point(on_grid(cone.centre + radius * glm::dvec2(std::cos(turn), std::sin(turn))));
+      }
+      for (std::size_t k = 0; k < k_sides; ++k)
+        static_cast<void>(mesh.add_segment(points[k], points[(k + 1) % k_sides], PlaneMesh::k_rim));
+    }
+  }
 }
 
 /// Area of the facets outside that are steeper than the tangent, and the heights that give it.
@@ -278,6 +324,8 @@ std::optional<SurfaceFault> add_parting_surface(Sheets& sheets, const SurfaceWis
     sheets.weld_columns(wish.tolerance);
   }
   PlaneMesh& mesh = plane->mesh;
+  const std::vector<Cone> cones = register_cones(wish);
+  add_circles(mesh, cones);
   mesh.find_inside();
   const std::size_t before = mesh.points().size();
   mesh.refine({.least_angle_deg = 20.0, .least_segment = k_least_segment, .most_points = 2000 + 12 * before});
@@ -346,6 +394,9 @@ std::optional<SurfaceFault> add_parting_surface(Sheets& sheets, const SurfaceWis
     Heights heights = heights_at(mesh, around, ranges, wish, share);
     if (heights.too_steep < best.too_steep) best = std::move(heights);
     if (best.too_steep <= 0.0) break;
+  }
+  for (std::size_t point = 0; point < best.z.size(); ++point) {
+    for (const Cone& cone : cones) best.z[point] -= cone.depth_at(mesh.points()[point]);
   }
   add_sheet(sheets, *plane, best.z, wish.tolerance);
   for (int round = 0; round < k_most_rounds; ++round) {

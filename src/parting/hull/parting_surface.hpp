@@ -17,6 +17,7 @@ struct SurfaceWish {
   double height = 0.0;             // where the halves are to meet if they can
   double slope = 1.7320508;        // tangent of the greatest slope
   double tolerance = 1e-7;
+  double cone_margin = 0.0;  // over 0: cones in the corners, sized for a block with this margin
 };
 
 /// Why there is no surface, and where.

@@ -80,6 +80,23 @@ TEST(MoldHalves, GrowByTheShrinkage) {
   EXPECT_NEAR(halves.core.volume, (6.0 * 5.0 * 2.5 - 4.0 * 3.0 * 1.5) * 1.953125, 1e-9);
 }
 
+TEST(MoldHalves, HaveConesThatKeepThemInRegister) {
+  const TriangleMesh box = test::box_mesh({1, 2, 3}, {5, 5, 5});
+  MoldSettings settings;
+  settings.margin = 1.0;
+  const MoldHalves plain = halves_of(model_of(box), {0, 0, 1}, 3.5, settings);
+  settings.registration = true;
+  const MoldHalves halves = halves_of(model_of(box), {0, 0, 1}, 3.5, settings);
+  expect_certified(halves, "box with cones", &box);
+  const auto frustum = [](double foot, double top) {
+    const double depth = 0.9 * std::sqrt(3.0) * (foot - top);
+    return std::numbers::pi * depth * (foot * foot + foot * top + top * top) / 3.0;
+  };
+  const double grown = halves.core.volume - plain.core.volume;
+  EXPECT_NEAR(grown / (3.0 * frustum(0.36, 0.16) + frustum(0.288, 0.128)), 1.0, 0.02);
+  EXPECT_LE(halves.steepest_deg, 60.001);
+}
+
 TEST(MoldHalves, OfPlatesCloseTheirHoles) {
   for (const auto& [rows, columns] : {std::pair{1, 1}, {1, 2}, {5, 10}}) {
     const TriangleMesh plate = test::plate_with_holes(rows, columns, 2.0);
