@@ -55,10 +55,11 @@ constexpr DirectionFigure k_figures[] = {
      Use{.objective = true, .brief = true},
      [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
     {"parting_climb", "climb", FigureKind::length,
-     "How far the parting line climbs along the direction, shut-offs counted.", Use{.objective = true},
+     "How far the parting line climbs along the direction, shut-offs counted.",
+     Use{.objective = true, .column = false},
      [](const Facts& f) { return f.parting ? Found(f.parting->climb) : std::nullopt; }},
     {"parting_length", "line", FigureKind::length, "Length of the parting line, shut-offs counted.",
-     Use{.objective = true},
+     Use{.objective = true, .column = false},
      [](const Facts& f) { return f.parting ? Found(f.parting->length) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,
      "Tilt margin: how far the pull may tilt towards the least tolerant side before the undercut grows.",
@@ -143,7 +144,9 @@ std::vector<const DirectionFigure*> figure_columns(const SweepResult& result) {
   for (const DirectionFigure& figure : k_figures) {
     const bool known = std::any_of(result.candidates.begin(), result.candidates.end(),
                                    [&](const auto& c) { return figure_value(figure, c).has_value(); });
-    if (figure.use.column && known) columns.push_back(&figure);
+    const bool ranked_by = std::ranges::any_of(
+        result.settings.objective.terms, [&](const Objective::Term& term) { return term.figure == &figure; });
+    if ((figure.use.column || ranked_by) && known) columns.push_back(&figure);
   }
   return columns;
 }

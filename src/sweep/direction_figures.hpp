@@ -39,7 +39,7 @@ struct DirectionFigure {
   struct Use {
     bool objective = false;   // can be ranked by, under its key with - for _; less is better
     bool classified = false;  // JSON has it among what classify tells
-    bool column = true;       // has a column in tables
+    bool column = true;       // has a column in tables even where nothing is ranked by it
     bool brief = false;       // in narrow ones, too
   } use;
   std::optional<double> (*find)(const DirectionFacts& facts);  // none where it is not known
@@ -62,7 +62,7 @@ struct DirectionFigure {
 [[nodiscard]] std::string figure_aside(const DirectionFigure& figure, const SweepCandidate& candidate);
 /// "depth mm".
 [[nodiscard]] std::string figure_heading(const DirectionFigure& figure, const Part& part);
-/// The figures that have a column and are known of some candidate.
+/// The figures that have a column, or that the result is ranked by, and that are known of some candidate.
 [[nodiscard]] std::vector<const DirectionFigure*> figure_columns(const SweepResult& result);
 
 /// "undercut", "draw-depth", …: what an objective is written with.
