@@ -4,7 +4,9 @@
 #include <chrono>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <random>
+#include <semaphore>
 #include <thread>
 #include <vector>
 
@@ -43,6 +45,7 @@ class Slots {
         store_(manifest.folder) {
     const int cores = usable_cores();
     processes_ = settings.processes > 0 ? settings.processes : cores;
+    free_.release(processes_);
     work_.limits = {.time_s = settings.part_time_s,
                     .memory_bytes = static_cast<std::size_t>(settings.part_memory_mb) << 20,
                     .threads = std::max(1, cores / processes_)};
@@ -55,7 +58,8 @@ class Slots {
     // Runs that begin together are not to do the same parts at the same time.
     std::random_device random;
     first_ = jobs_.empty() ? 0 : random() % jobs_.size();
-    const std::size_t wanted = std::min(static_cast<std::size_t>(processes_), jobs_.size());
+    // While one thread waits for the disk, another has its process.
+    const std::size_t wanted = std::min(2 * static_cast<std::size_t>(processes_), jobs_.size());
     std::vector<std::jthread> threads;
     for (std::size_t k = 0; k < wanted; ++k) threads.emplace_back([this] { work(); });
     // Whoever waits is told how far it is.
@@ -89,6 +93,26 @@ class Slots {
     ++ended_;
   }
 
+  /// A process at a time; of them there are no more than `processes_`.
+  template <typename Work>
+  auto in_turn(const Work& work) {
+    free_.acquire();
+    const struct Release {
+      std::counting_semaphore<>& free;
+      ~Release() { free.release(); }
+    } release{free_};
+    if (stop_.cancelled()) throw Cancelled();
+    return work();
+  }
+
+  /// Nothing where another run was faster.
+  std::optional<WorkOutcome> work_on_part(const Job& job, const std::string& file) {
+    const ResultState now = store_.state(job.key);
+    if (now == ResultState::done || (now == ResultState::failed && !settings_.retry_failed))
+      return std::nullopt;
+    return work_on(manifest_, job.row, file, work_, stop_);
+  }
+
   void do_job(const Job& job) {
     const std::string file = (fs::path(parts_) / job.row.path).string();
     if (job.picture_only) {
@@ -96,28 +120,27 @@ class Slots {
       if (result) draw(job, file, *result);
       return;
     }
-    const ResultState now = store_.state(job.key);
-    if (now == ResultState::done || (now == ResultState::failed && !settings_.retry_failed)) {
+    const auto outcome = in_turn([&] { return work_on_part(job, file); });
+    if (!outcome) {
       ++counts_.elsewhere;
       return;
     }
-    const WorkOutcome outcome = work_on(manifest_, job.row, file, work_, stop_);
-    switch (outcome.end) {
+    switch (outcome->end) {
       case WorkEnd::done:
-        store_.put(job.key, ResultState::done, outcome.result);
+        store_.put(job.key, ResultState::done, outcome->result);
         ++counts_.done;
-        draw(job, file, outcome.result);
+        draw(job, file, outcome->result);
         break;
       case WorkEnd::failed: {
-        store_.put(job.key, ResultState::failed, outcome.result);
+        store_.put(job.key, ResultState::failed, outcome->result);
         ++counts_.failed;
         const std::lock_guard lock(mutex_);
-        if (listener_.failed) listener_.failed(job.row.path, outcome.reason);
+        if (listener_.failed) listener_.failed(job.row.path, outcome->reason);
         break;
       }
       case WorkEnd::unreachable: {
         const std::lock_guard lock(mutex_);
-        if (unreachable_++ == 0) unreachable_example_ = fmt::format("{}: {}", file, outcome.reason);
+        if (unreachable_++ == 0) unreachable_example_ = fmt::format("{}: {}", file, outcome->reason);
         break;
       }
       case WorkEnd::ended:
@@ -130,8 +153,9 @@ class Slots {
     if (!settings_.thumbnails || store_.has_picture(job.key)) return;
     const auto report = result.find("report");
     if (report == result.end()) return;
-    const std::string why =
-        draw_picture(manifest_, job.row, file, *report, store_.picture(job.key), work_.limits, stop_);
+    const std::string why = in_turn([&] {
+      return draw_picture(manifest_, job.row, file, *report, store_.picture(job.key), work_.limits, stop_);
+    });
     const std::lock_guard lock(mutex_);
     if (!why.empty() && listener_.warning)
       listener_.warning(fmt::format("{}: no picture: {}", job.row.path, why));
@@ -146,6 +170,7 @@ class Slots {
   Progress stop_;
   ResultStore store_;
   int processes_ = 1;
+  std::counting_semaphore<> free_{0};  // processes that may be started
   WorkSettings work_;
   std::vector<Job> jobs_;
   std::size_t first_ = 0;
