@@ -23,8 +23,8 @@ namespace {
 
 constexpr double k_climb_weight = 3.0;  // what a climb costs beside its length
 constexpr double k_crease_weight = 0.5;
-/// A wall with 1 degree of reverse draft, a 20th of the diagonal wide, costs as much as two climbs along it.
-constexpr double k_draft_weight = 9200.0;
+/// A wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much as two climbs along it.
+constexpr double k_draft_weight = 2300.0;
 /// What a wall a diagonal away from the wished height costs, as a share of the diagonal and its area in
 /// diagonals.
 constexpr double k_height_weight = 4.0;

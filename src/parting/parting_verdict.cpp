@@ -57,7 +57,9 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   const double climb = line.outer_high - line.outer_low;
   std::string text;
   if (climb <= k_planar_share * diagonal) {
-    text = "planar parting line at " + height_text(assignment.direction, line.outer_low);
+    text =
+        "planar parting line at " +
+        height_text(assignment.direction, std::abs(line.outer_low) > 1e-6 * diagonal ? line.outer_low : 0.0);
   } else if (flatness <= k_planar_share * diagonal) {
     text = fmt::format("parting line in an inclined plane, climbing {}", figure(climb));
   } else {
