@@ -333,7 +333,7 @@ class Finder {
       for (const Pull& pull : atoms_[k].pulls) {
         Column alone{pull, {k}};
         if (pull.kind == ActionKind::slide || pull.kind == ActionKind::inclined) add_shared(columns, alone);
-        columns.push_back(std::move(alone));
+        if (!pull.for_sharing) columns.push_back(std::move(alone));
       }
     }
     return columns;
@@ -364,7 +364,7 @@ class Finder {
     const double least = std::cos(glm::radians(k_bundle_deg));
     return std::ranges::any_of(atoms_[a].pulls, [&](const Pull& one) {
       return std::ranges::any_of(atoms_[b].pulls, [&](const Pull& other) {
-        return glm::dot(one.direction, other.direction) >= least;
+        return !one.for_sharing && !other.for_sharing && glm::dot(one.direction, other.direction) >= least;
       });
     });
   }

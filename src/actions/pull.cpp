@@ -55,8 +55,19 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
       const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
       if (angle_deg <= above_deg || angle_deg > up_to_deg || is_known(pulls, candidate.direction)) continue;
       if (!release_.releases(samples, candidate.direction, k_never)) continue;
-      pulls.push_back(in_the_middle(samples, candidate, kind));
+      pulls.push_back(in_the_middle(samples, candidate, kind, tried));
       estimate_travel(samples, pulls.back());
+      // What the part's shape says may suit a neighbour better than the middle.
+      if (candidate.source == PullSource::even ||
+          glm::dot(pulls.back().direction, candidate.direction) > 1.0 - 1e-12)
+        continue;
+      Pull own = pulls.back();
+      const double turn_deg = turn_between(own.direction, candidate.direction, direction_);
+      own.direction = candidate.direction;
+      own.source = candidate.source;
+      own.interval = {own.interval.from_deg - turn_deg, own.interval.to_deg - turn_deg};
+      own.for_sharing = true;
+      pulls.push_back(own);
     }
     if (!pulls.empty()) return pulls;
   }
@@ -74,17 +85,39 @@ bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull
 }
 
 Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
-                               ActionKind kind) const {
-  constexpr double k_wide_deg = 10.0, k_least_margin_deg = 0.5;
+                               ActionKind kind, std::span<const PullCandidate> others) const {
+  constexpr double k_wide_deg = 10.0, k_least_margin = 0.15;  // of the width
   Pull pull{.kind = kind, .direction = candidate.direction, .source = candidate.source};
   pull.interval = release_.free_turn(samples, pull.direction, direction_);
   const auto [from_deg, to_deg] = pull.interval;
   const double middle = pull.interval.middle_deg(), half = 0.5 * (to_deg - from_deg);
   if (pull.source == PullSource::wish) return pull;
   const bool central = std::abs(middle) < 0.5 * half;
-  const bool roomy = 2.0 * half > k_wide_deg && std::min(to_deg, -from_deg) >= k_least_margin_deg;
-  if ((pull.source == PullSource::exact && central) || (pull.source != PullSource::even && roomy))
-    return pull;
+  if (pull.source == PullSource::exact && central) return pull;
+  if (2.0 * half > k_wide_deg) {
+    const double lean_deg = elevation_deg(pull.direction, direction_), from = from_deg, to = to_deg;
+    const PullCandidate* best = nullptr;
+    double best_deg = 0.0, margin_deg = 2.0 * k_least_margin * half;
+    const auto look_at = [&](const PullCandidate& other) {
+      if (other.source == PullSource::even ||
+          std::abs(elevation_deg(other.direction, direction_) - lean_deg) > k_same_elevation_deg)
+        return;
+      const double turn_deg = turn_between(pull.direction, other.direction, direction_);
+      const double its_deg = std::min(to - turn_deg, turn_deg - from);
+      if (its_deg <= margin_deg) return;
+      best = &other;
+      best_deg = turn_deg;
+      margin_deg = its_deg * (1.0 + 1e-9);
+    };
+    look_at(candidate);
+    for (const PullCandidate& other : others) look_at(other);
+    if (best != nullptr) {
+      pull.direction = best->direction;
+      pull.source = best->source;
+      pull.interval = {from - best_deg, to - best_deg};
+      return pull;
+    }
+  }
   const glm::dvec3 centred = turned_about(pull.direction, direction_, middle);
   if (!release_.releases(samples, centred, k_never)) return pull;
   pull.direction = centred;

@@ -20,6 +20,7 @@ struct Pull {
   double travel = 0.0;  // share of the diagonal, without clearance
   bool core_side = true;
   std::optional<Revolution> about = {};
+  bool for_sharing = false;  // not the best for this undercut alone
 };
 
 /// What a pull frees of an undercut that none frees whole; the last part is what no pull frees, if there is
@@ -54,10 +55,11 @@ class PullFinder {
                                                     double whole_area) const;
 
   /// A direction that releases the samples, moved to the middle of what is free, unless the part says better:
-  /// an axis is kept unless it lies near an end, and where much is free, so is a direction of the part's own
-  /// shape; a wish is kept as it is.
+  /// an axis is kept unless it lies near an end, and where much is free, that direction of the part's own
+  /// shape among it and `others` is taken that is farthest from the ends, if it is far enough; a wish is kept
+  /// as it is.
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
-                                   ActionKind kind) const;
+                                   ActionKind kind, std::span<const PullCandidate> others = {}) const;
   /// The travel beyond which the part passes, on the side on which it is shorter; to a step of so much.
   void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;
   /// The same from few samples and by coarse steps.

@@ -1,0 +1,105 @@
+// Undercuts of textbook shapes, and which of them share a slide by the angle between them.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "mold/direction.hpp"
+#include "unit/actions/known_undercuts.hpp"
+
+namespace moldlight {
+namespace {
+
+constexpr double k_clearance_mm = 3.0;
+
+/// Open at both ends: a slide straight out may turn until it runs along the groove, and as much farther as
+/// the flanks are parallel to it within the required draft.
+TEST(VGroove, IsASlideThatMayTurnAsWideAsTheGroove) {
+  constexpr double k_depth = 6.0, k_half = 5.0;
+  SolidBuilder solid;
+  solid.extrude(
+      {{0, 0}, {30, 0}, {30, 10 - k_half}, {30 - k_depth, 10}, {30, 10 + k_half}, {30, 20}, {0, 20}}, {},
+      40.0);
+  const Planned planned = plan_of(solid.mesh());
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  const SideAction& action = planned.plan.actions.front();
+  EXPECT_GT(action.direction.x, 1.0 - 1e-6);
+  const double outward = k_half / std::hypot(k_half, k_depth);  // of a flank's normal, along x
+  const double reach_deg = 90.0 + glm::degrees(std::asin(std::sin(glm::radians(k_tau_deg)) / outward));
+  EXPECT_NEAR(action.interval.to_deg, reach_deg, 0.05);
+  EXPECT_NEAR(action.interval.from_deg, -reach_deg, 0.05);
+  EXPECT_NEAR(action.travel, k_depth + k_clearance_mm, 1e-3 * planned.model->frame.diagonal);
+}
+
+TEST(Dovetail, IsASlideAlongIt) {
+  constexpr double k_length = 30.0;
+  SolidBuilder solid;
+  solid.extrude({{0, 0}, {40, 0}, {40, 20}, {24, 20}, {28, 12}, {12, 12}, {16, 20}, {0, 20}}, {}, k_length);
+  const Planned planned = plan_of(solid.mesh());
+  ASSERT_EQ(planned.plan.actions.size(), 1U) << actions_text(planned.plan);
+  const SideAction& action = planned.plan.actions.front();
+  ASSERT_EQ(action.kind, ActionKind::slide) << "both flanks at once, rather than two lifters";
+  EXPECT_NEAR(std::abs(action.direction.y), 1.0, 1e-6);
+  EXPECT_NEAR(action.travel, k_length + k_clearance_mm, 0.1);
+  EXPECT_TRUE(planned.plan.unreleased.empty());
+}
+
+/// A hook that hangs from a plate: its ledge is reached from the plate's side.
+TEST(HookUnderALid, IsASlideByTheLengthOfItsLedge) {
+  constexpr double k_ledge = 3.0;
+  SolidBuilder solid;
+  solid.extrude({{0, 10},
+                 {10, 10},
+                 {10, 2},
+                 {12 + k_ledge, 2},
+                 {12 + k_ledge, 4},
+                 {12, 4},
+                 {12, 10},
+                 {40, 10},
+                 {40, 12},
+                 {0, 12}},
+                {}, 30.0);
+  const Planned planned = plan_of(solid.mesh());
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  const SideAction& action = planned.plan.actions.front();
+  EXPECT_GT(action.direction.x, 1.0 - 1e-6);
+  EXPECT_NEAR(action.travel, k_ledge + k_clearance_mm, 1e-3 * planned.model->frame.diagonal);
+  EXPECT_FALSE(action.core_side) << "it hangs down";
+}
+
+/// Two pockets in one side, each drafted by 25 degrees to both sides of its own axis, which leans from the
+/// other's.
+TriangleMesh block_with_leaning_pockets(double between_deg) {
+  constexpr double k_draft_deg = 25.0, k_deep = 6.0, k_half = 2.0;
+  const glm::dvec3 low(0, 0, 0), high(40, 60, 20);
+  SolidBuilder solid;
+  solid.box(low, high, {1});
+  std::vector<test::Loop> mouths;
+  for (const double sense : {-1.0, 1.0}) {
+    const double lean_deg = 0.5 * sense * between_deg, centre = 30.0 - 12.0 * sense;
+    const auto side = [&](double by_deg, double half, double x) {
+      return centre + half + (x - (high.x - k_deep)) * std::tan(glm::radians(lean_deg + by_deg));
+    };
+    const auto loop = [&](double x) {
+      const double near = side(-k_draft_deg, -k_half, x), far = side(k_draft_deg, k_half, x);
+      return test::Loop{{x, near, 5}, {x, far, 5}, {x, far, 15}, {x, near, 15}};
+    };
+    test::Loop floor = loop(high.x - k_deep), mouth = loop(high.x);
+    mouths.push_back(mouth);
+    solid.face(floor);
+    std::ranges::reverse(floor);
+    std::ranges::reverse(mouth);
+    solid.walls(floor, mouth);
+  }
+  solid.face(box_face(low, high, 1), mouths);
+  return solid.mesh();
+}
+
+TEST(LeaningPockets, ShareASlideIfTheirOwnDirectionsAreNearEachOther) {
+  EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(20.0)).plan), "1 slide");
+  EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(40.0)).plan), "2 slides");
+}
+
+}  // namespace
+}  // namespace moldlight
