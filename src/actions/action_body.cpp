@@ -24,7 +24,7 @@ constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_beyond = 0.08;           // beyond the part, share of the diagonal
 constexpr double k_thickness = 0.06;        // at most of a body that does not leave sideways, likewise
 constexpr double k_sleeve = 0.25;           // of a radius: thickness of what is unscrewed
-constexpr double k_least_thickness = 1e-3;  // share of the diagonal
+constexpr double k_least_thickness = 2e-4;  // share of the diagonal
 /// A body whose volume is less, as a share of area to the power of 3/2, has no thickness along its pull.
 constexpr double k_flat = 0.02;
 /// Walls that stand along the pull lean outward by this, radians, so that they do not fold into lines; far
@@ -155,51 +155,74 @@ class BodyMaker {
     return triangles_.size() > before;
   }
 
-  /// The image of a body that gets its thickness along the surface's normals: as much as there is room for.
+  /// The image of a body that gets its thickness off the surface: as much as there is room for, along the
+  /// mean normal, or where that leaves none, along the normals of the vertices.
   [[nodiscard]] std::vector<glm::dvec3> thickened(const OpenSurface& surface,
                                                   const glm::dvec3& normal) const {
-    const std::vector<glm::dvec3> outward = outward_ways(surface, normal);
-    const double diagonal = model_.frame.diagonal;
-    const double far = std::isfinite(action_.clear_to) ? action_.travel / diagonal : k_never;
-    double thickness = k_thickness;
-    for (; thickness > k_least_thickness; thickness *= 0.7) {
-      double all = 0.0, free = 0.0;
-      for (const auto& [a, b, c] : surface.mesh.facets) {
-        const glm::dvec3 middle =
-            (surface.mesh.vertices[a] + surface.mesh.vertices[b] + surface.mesh.vertices[c]) / 3.0;
-        const glm::dvec3 way = (outward[a] + outward[b] + outward[c]) / 3.0;
-        const double area = glm::length(glm::cross(surface.mesh.vertices[b] - surface.mesh.vertices[a],
-                                                   surface.mesh.vertices[c] - surface.mesh.vertices[a]));
-        const UndercutSample base{model_.frame.to_unit(middle), way, 0.0};
-        const UndercutSample top{model_.frame.to_unit(middle + thickness * diagonal * way), way, 0.0};
-        all += area;
-        if (release_.free_length(base, way) > thickness &&
-            release_.free_length(top, action_.direction) >= std::min(far, action_.travel / diagonal))
-          free += area;
-      }
-      if (free >= (1.0 - k_blocked_share) * all) break;
-    }
+    constexpr double k_thinner = 0.6;
+    const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
+    std::vector<std::vector<glm::dvec3>> ways;
+    if (normal != glm::dvec3(0.0)) ways.emplace_back(surface.mesh.vertices.size(), normal);
+    ways.push_back(curved);
     std::vector<glm::dvec3> image = surface.mesh.vertices;
-    for (std::size_t k = 0; k < image.size(); ++k) image[k] += thickness * diagonal * outward[k];
+    const auto move = [&](const std::vector<glm::dvec3>& outward, double thickness) {
+      for (std::size_t k = 0; k < image.size(); ++k)
+        image[k] += thickness * model_.frame.diagonal * outward[k];
+    };
+    for (const std::vector<glm::dvec3>& outward : ways) {
+      for (double thickness = k_thickness; thickness > k_least_thickness; thickness *= k_thinner) {
+        if (!has_room(surface.mesh, outward, thickness)) continue;
+        move(outward, thickness);
+        return image;
+      }
+    }
+    move(curved, k_least_thickness);
     return image;
   }
 
-  /// The mean normal everywhere; that of each vertex where there is none.
-  [[nodiscard]] static std::vector<glm::dvec3> outward_ways(const OpenSurface& surface,
-                                                            const glm::dvec3& normal) {
-    std::vector<glm::dvec3> outward(surface.mesh.vertices.size(), normal);
-    if (normal != glm::dvec3(0.0)) return outward;
-    for (const auto& facet : surface.mesh.facets) {
+  /// Whether the body has so much thickness (share of the diagonal) outside the part, and stays so as it
+  /// moves: at the middles of facets and near their corners.
+  [[nodiscard]] bool has_room(const TriangleMesh& mesh, const std::vector<glm::dvec3>& outward,
+                              double thickness) const {
+    constexpr double k_inward = 0.05;
+    const double travel = action_.travel / model_.frame.diagonal;
+    double all = 0.0, blocked = 0.0;
+    for (const auto& facet : mesh.facets) {
       const auto& [a, b, c] = facet;
-      const glm::dvec3 way = glm::cross(surface.mesh.vertices[b] - surface.mesh.vertices[a],
-                                        surface.mesh.vertices[c] - surface.mesh.vertices[a]);
-      for (const VertexIndex vertex : facet) outward[vertex] += way;
+      const glm::dvec3 middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
+      const glm::dvec3 across =
+          glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+      const double area = glm::length(across);
+      all += area;
+      if (area <= 0.0) continue;
+      const auto fits = [&](const glm::dvec3& at, const glm::dvec3& way) {
+        const UndercutSample base{model_.frame.to_unit(at), across / area, 0.0};
+        const UndercutSample top{model_.frame.to_unit(at + thickness * model_.frame.diagonal * way), way,
+                                 0.0};
+        return release_.free_length(base, way) > thickness &&
+               release_.free_length(top, action_.direction) >= travel;
+      };
+      bool free = fits(middle, glm::normalize(outward[a] + outward[b] + outward[c] + 1e-12 * across));
+      for (const VertexIndex vertex : facet)
+        free = free && fits(glm::mix(mesh.vertices[vertex], middle, k_inward), outward[vertex]);
+      blocked += free ? 0.0 : area;
     }
-    for (glm::dvec3& way : outward) {
-      const double length = glm::length(way);
-      if (length > 0.0) way /= length;
+    return blocked <= k_blocked_share * all;
+  }
+
+  [[nodiscard]] static std::vector<glm::dvec3> vertex_normals(const TriangleMesh& mesh) {
+    std::vector<glm::dvec3> normals(mesh.vertices.size(), glm::dvec3(0.0));
+    for (const auto& facet : mesh.facets) {
+      const auto& [a, b, c] = facet;
+      const glm::dvec3 across =
+          glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+      for (const VertexIndex vertex : facet) normals[vertex] += across;
     }
-    return outward;
+    for (glm::dvec3& normal : normals) {
+      const double length = glm::length(normal);
+      if (length > 0.0) normal /= length;
+    }
+    return normals;
   }
 
   /// A thread's body is a sleeve: within the thread if its surface faces the axis, round it if it does not.

@@ -267,13 +267,18 @@ std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> 
     FreedPart part;
     double least = k_never;
     std::erase_if(rest, [&](const UndercutSample& sample) {
-      const bool freed = release_.free_length(sample, pull.direction) == k_never;
+      const bool freed = release_.free_length(sample, pull.direction) == k_never &&
+                         !release_.covered(sample, pull.direction);
       if (freed) {
         part.samples.push_back(sample);
         least = std::min(least, glm::dot(glm::dvec3(sample.position), pull.direction));
       }
       return freed;
     });
+    if (area_of(part.samples) < k_least_part * whole_area) {
+      rest.insert(rest.end(), part.samples.begin(), part.samples.end());
+      break;
+    }
     pull.travel = release_.reach(pull.direction) - least;
     part.pulls = {pull};
     parts.push_back(std::move(part));

@@ -54,6 +54,20 @@ double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull
   return gone;
 }
 
+bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) const {
+  const glm::dvec3 from(
+      lateral_point(sample.position, sample.normal, {.direction = pull, .lateral = query_.lateral}));
+  int depth = 0;
+  double gone = 0.0;
+  for (int crossings = 0; crossings < k_most_passed; ++crossings) {
+    const auto hit = model_.rays().first_hit(glm::vec3(from + gone * pull), glm::vec3(pull), false);
+    if (!hit) break;
+    gone += static_cast<double>(hit->distance) + k_past;
+    depth += glm::dot(model_.geometry.normals[hit->facet], pull) > 0.0 ? 1 : -1;
+  }
+  return depth > 0;
+}
+
 double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                           double length) const {
   double area = 0.0;

@@ -32,6 +32,8 @@ class Release {
   /// How far a point moves along `pull` (unit) before the part is in its way: 0 for one that faces against
   /// it, infinity for one that is never stopped.
   [[nodiscard]] double free_length(const UndercutSample& sample, const glm::dvec3& pull) const;
+  /// Whether it is inside the part: surface of a body that another one covers.
+  [[nodiscard]] bool covered(const UndercutSample& sample, const glm::dvec3& pull) const;
   /// Area of the samples that move at least so far.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                  double length) const;
