@@ -42,7 +42,9 @@ class BodyMaker {
     std::set<FacetIndex> formed;
     for (const std::size_t patch : action_.patches) {
       const UndercutReport& told = plan.patches[patch];
-      if (!action_.about) formed.insert(told.formed.begin(), told.formed.end());
+      // What is formed with an undercut goes with the action that releases most of it.
+      if (!action_.about && action_of(plan, patch) == &action_)
+        formed.insert(told.formed.begin(), told.formed.end());
     }
     for (std::uint32_t piece = 0; piece < split_.pieces.size(); ++piece) {
       const bool own = plan.action_of_piece[piece] == static_cast<std::int32_t>(number);
@@ -195,14 +197,17 @@ class BodyMaker {
       const double area = glm::length(across);
       all += area;
       if (area <= 0.0) continue;
-      const auto fits = [&](const glm::dvec3& at, const glm::dvec3& way) {
+      const auto fits = [&](const glm::dvec3& at, const glm::dvec3& outward_there) {
+        const double length = glm::length(outward_there);
+        if (length <= 0.0) return true;  // where facets without area meet
+        const glm::dvec3 way = outward_there / length;
         const UndercutSample base{model_.frame.to_unit(at), across / area, 0.0};
         const UndercutSample top{model_.frame.to_unit(at + thickness * model_.frame.diagonal * way), way,
                                  0.0};
         return release_.free_length(base, way) > thickness &&
                release_.free_length(top, action_.direction) >= travel;
       };
-      bool free = fits(middle, glm::normalize(outward[a] + outward[b] + outward[c] + 1e-12 * across));
+      bool free = fits(middle, outward[a] + outward[b] + outward[c]);
       for (const VertexIndex vertex : facet)
         free = free && fits(glm::mix(mesh.vertices[vertex], middle, k_inward), outward[vertex]);
       blocked += free ? 0.0 : area;

@@ -55,8 +55,7 @@ double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull
 }
 
 bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) const {
-  const glm::dvec3 from(
-      lateral_point(sample.position, sample.normal, {.direction = pull, .lateral = query_.lateral}));
+  const glm::dvec3 from = glm::dvec3(sample.position) + query_.lateral * sample.normal;
   int depth = 0;
   double gone = 0.0;
   for (int crossings = 0; crossings < k_most_passed; ++crossings) {
