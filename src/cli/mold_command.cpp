@@ -27,10 +27,9 @@ struct MoldFlags {
 };
 
 /// Why files that were asked for are not written: what the halves cannot form, or that there are none.
-std::string refusal_text(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
-                         const WrittenMold& written) {
-  if (!written.refusal.empty())
-    return fmt::format("no halves: {}, near {}", written.refusal, figures(halves.refused_at, 1.0));
+std::string why_not(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
+                    const WrittenMold& written) {
+  if (!written.refusal.empty()) return refusal_text(model, halves, written);
   if (halves.inserts.empty() || flags.settings.fill_undercut) return {};
   std::string places;
   for (std::size_t k = 0; k < std::min<std::size_t>(halves.inserts.size(), 3); ++k)
@@ -76,7 +75,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   const MoldHalves halves =
       make_halves(*model, assignment.direction, assignment.height, flags.settings, progress);
   WrittenMold written = written_mold(halves);
-  const std::string refusal = refusal_text(flags, *model, halves, written);
+  const std::string refusal = why_not(flags, *model, halves, written);
   if (!flags.folder.empty() && refusal.empty())
     write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
   if (!flags.image.empty()) {

@@ -84,7 +84,8 @@ std::optional<SurfaceFault> residual(const Sheets& sheets, double diagonal) {
   if (length <= 0.0) return std::nullopt;
   return SurfaceFault{
       fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
-                  "of its length: the part is open, overlaps itself or is folded there",
+                  "of its length: bodies overlap or touch there, or the surface is folded; try one body "
+                  "(--body) or --repair full",
                   length * diagonal),
       place};
 }
@@ -194,7 +195,7 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   const double diagonal = model.frame.diagonal;
   Sheets sheets = part_sheets(split, halves, diagonal, attempt);
   if (!sheets.stand_in_columns(attempt.tolerance))
-    return SurfaceFault{"the ends of the part's surface do not come to rest", {}};
+    return SurfaceFault{"the ends of the part's surface do not come to rest"};
   if (auto fault = residual(sheets, diagonal)) return fault;
 
   const double margin = block_margin(settings, diagonal) / diagonal;
@@ -228,9 +229,9 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   const bool closes =
       close_upright(sheets, {.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, core) &&
       close_upright(sheets, {.sheets = k_lower | k_parting, .turned = k_lower}, cavity);
-  if (!closes) return SurfaceFault{"the walls between the heights of the outline do not close", {}};
+  if (!closes) return SurfaceFault{"the walls between the heights of the outline do not close"};
   if (!close_upright(sheets, {.sheets = k_hidden, .turned = k_hidden}, fill))
-    return SurfaceFault{"the walls of the inserts do not close", {}};
+    return SurfaceFault{"the walls of the inserts do not close"};
   const GraphTest above = graph_test(sheets.vertices, core, -1.0),
                   below = graph_test(sheets.vertices, cavity, 1.0);
   const double rectangle = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
@@ -240,15 +241,14 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
                      rectangle;
   if (halves.fold_area > k_most_fold || halves.cover_gap > k_most_fold)
     return SurfaceFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
-                                    std::max(halves.fold_area, halves.cover_gap)),
-                        {}};
+                                    std::max(halves.fold_area, halves.cover_gap))};
   add_block(sheets, block, true, core);
   add_block(sheets, block, false, cavity);
 
   const double scale = diagonal * halves.scale, cube = scale * scale * scale;
   halves.core = scaled_body(sheets.vertices, core, scale);
   halves.cavity = scaled_body(sheets.vertices, cavity, scale);
-  if (halves.core.open_edges + halves.cavity.open_edges > 0) return SurfaceFault{"a half is not closed", {}};
+  if (halves.core.open_edges + halves.cavity.open_edges > 0) return SurfaceFault{"a half is not closed"};
   halves.block_volume = rectangle * (block.high - block.low) * cube;
   const double grown = halves.scale * halves.scale * halves.scale;
   halves.part_volume = centred_volume(model.part.mesh, model.frame.center) * grown;
@@ -271,8 +271,7 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   if (std::abs(halves.volume_gap) > k_most_gap)
     return SurfaceFault{
         fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
-                    std::abs(halves.volume_gap)),
-        {}};
+                    std::abs(halves.volume_gap))};
   for (ContactWall& contact : halves.contacts) {
     contact.place = halves.centre + diagonal * halves.frame.to_part(contact.place);
     contact.height *= diagonal;
@@ -281,7 +280,7 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   }
   halves.tolerance = attempt.tolerance;
   const WrittenMold written = written_mold(halves);
-  if (!written.refusal.empty()) return SurfaceFault{written.refusal, {}};
+  if (!written.refusal.empty()) return SurfaceFault{written.refusal};
   for (std::size_t k = 0; k < 2; ++k)
     (k == 0 ? halves.core : halves.cavity).crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
   return std::nullopt;
@@ -325,7 +324,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
   }
   if (best) return *best;
   halves.refusal = first->what;
-  halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(first->place);
+  if (first->place)
+    halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(*first->place);
   return halves;
 }
 

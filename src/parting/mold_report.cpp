@@ -77,7 +77,7 @@ Json contacts_json(const MoldHalves& halves) {
 
 Json refusal_json(const MoldHalves& halves, const WrittenMold& written) {
   if (written.refusal.empty()) return {};
-  return {{"why", written.refusal}, {"place", point_json(halves.refused_at)}};
+  return {{"why", written.refusal}, {"place", halves.refused_at ? point_json(*halves.refused_at) : Json()}};
 }
 
 void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& json) {
@@ -139,8 +139,7 @@ std::string halves_table(const MoldReport& report) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
   const Part& part = report.model.part;
-  if (!written.refusal.empty())
-    return fmt::format("\nno halves: {}, near {}\n", written.refusal, figures(halves.refused_at, 1.0));
+  if (!written.refusal.empty()) return "\n" + refusal_text(report.model, halves, written) + "\n";
   const std::string area_unit = powered_unit(part, 2), volume_unit = powered_unit(part, 3);
   std::string text;
   const auto out = std::back_inserter(text);
@@ -180,6 +179,13 @@ std::string halves_table(const MoldReport& report) {
 }
 
 }  // namespace
+
+std::string refusal_text(const PartModel& model, const MoldHalves& halves, const WrittenMold& written) {
+  if (written.refusal.empty()) return {};
+  return fmt::format(
+      "no halves: {}{}", written.refusal,
+      halves.refused_at ? fmt::format(", near {}", figures(*halves.refused_at, model.frame.diagonal)) : "");
+}
 
 nlohmann::ordered_json mold_json(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;

@@ -24,6 +24,10 @@ struct MoldReport {
   std::vector<InsertActions> by_action = {};  // one an insert then
 };
 
+/// "no halves: …, near 1, 2, 3"; empty where there are halves.
+[[nodiscard]] std::string refusal_text(const PartModel& model, const MoldHalves& halves,
+                                       const WrittenMold& written);
+
 /// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.
 [[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
 

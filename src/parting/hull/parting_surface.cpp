@@ -21,6 +21,8 @@ namespace {
 constexpr unsigned k_all_sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower) |
                                   Sheets::bit(Sheet::hidden) | Sheets::bit(Sheet::parting);
 constexpr int k_most_rounds = 8;
+/// Of the edges over one segment each is compared with so many that follow by height.
+constexpr std::size_t k_most_compared = 64;
 constexpr double k_least_segment = 4e-3;  // of the part's diagonal: shorter ones are not halved
 /// Slopes tried for the edges, as shares of the greatest allowed: facets are steeper than their edges.
 constexpr double k_slope_shares[] = {1.0, 0.85, 0.7, 0.55, 0.4};
@@ -40,7 +42,8 @@ std::optional<SurfaceFault> find_outline(const Sheets& sheets, Outline& outline)
                           sheets.vertices[segment.edges.front().a]};
     outline.segments.push_back({segment.a, segment.b});
   }
-  if (outline.segments.empty()) return SurfaceFault{"the part has no outline along the direction", {}};
+  if (outline.segments.empty())
+    return SurfaceFault{"the part is too thin or too far apart to have an outline along the direction"};
   return std::nullopt;
 }
 
@@ -259,10 +262,14 @@ std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
     edges.insert(edges.end(), more.begin(), more.end());
   }
   std::vector<SegmentCut> cuts;
-  for (const SegmentEdges& segment : sheets.by_segment(edges)) {
+  for (SegmentEdges& segment : sheets.by_segment(edges)) {
+    std::ranges::sort(segment.edges, {}, [&](const SegmentEdge& edge) {
+      return std::tuple(sheets.vertices[edge.a].z + sheets.vertices[edge.b].z, edge.a, edge.b);
+    });
     bool found = false;
     for (std::size_t i = 0; i < segment.edges.size() && !found; ++i) {
-      for (std::size_t j = i + 1; j < segment.edges.size() && !found; ++j) {
+      const std::size_t last = std::min(segment.edges.size(), i + 1 + k_most_compared);
+      for (std::size_t j = i + 1; j < last && !found; ++j) {
         const SegmentEdge &p = segment.edges[i], &q = segment.edges[j];
         const double at_a = sheets.vertices[p.a].z - sheets.vertices[q.a].z,
                      at_b = sheets.vertices[p.b].z - sheets.vertices[q.b].z;

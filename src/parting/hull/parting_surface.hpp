@@ -23,7 +23,7 @@ struct SurfaceWish {
 /// Why there is no surface, and where.
 struct SurfaceFault {
   std::string what;
-  glm::dvec3 place{0.0};
+  std::optional<glm::dvec3> place = {};
 };
 
 /// Adds the sheet `parting` between the block's rectangle and the outline of the sheet `upper`, which stand
