@@ -69,7 +69,8 @@ TriangleMesh tube_around(const std::vector<glm::dvec3>& loop, double radius) {
 }  // namespace
 
 MoldSceneMesh mold_scene_mesh(const MoldScene& scene) {
-  const auto& [model, assignment, line, halves] = scene;
+  const PartModel& model = scene.model;
+  const MoldHalves& halves = scene.halves;
   const double diagonal = model.frame.diagonal, scale = halves.scale;
   const auto in_place = [&](const glm::dvec3& at) {
     return scale * halves.frame.to_mold(at - halves.centre);
@@ -92,11 +93,11 @@ MoldSceneMesh mold_scene_mesh(const MoldScene& scene) {
   mesh.add(model.part.mesh, Region::both, in_place);
   for (const MoldBody& insert : halves.inserts)
     mesh.add(insert.mesh, Region::undercut, [](const glm::dvec3& v) { return v; });
-  for (const PartingLoop& loop : line.loops) {
+  for (const PartingLoop& loop : scene.line.loops) {
     if (loop.kind == LoopKind::action) continue;
     std::vector<glm::dvec3> points;
     for (const VertexIndex vertex : loop.vertices)
-      points.push_back(in_place(assignment.mesh.vertices[vertex]));
+      points.push_back(in_place(scene.assignment.mesh.vertices[vertex]));
     mesh.add(tube_around(points, k_tube_radius * diagonal * scale), Region::undercut,
              [](const glm::dvec3& v) { return v; });
   }

@@ -140,7 +140,9 @@ TEST(MoldHalvesOfParts, FillTheBlockOnce) {
     for (glm::dvec3& vertex : bodies[2].vertices) vertex = halves.frame.to_mold(vertex - halves.centre);
     for (const MoldBody& insert : halves.inserts) bodies.push_back(insert.mesh);
     const std::size_t wrong = test::misplaced_points(bodies, k_points, 11);
-    EXPECT_EQ(wrong, 0U) << file;
+    // Voids thinner than a tolerance are in no body; the report tells their volume.
+    const double in_specks = k_points * std::abs(halves.specks_volume) / halves.block_volume;
+    EXPECT_LE(static_cast<double>(wrong), in_specks < 1e-3 ? 0.0 : 3.0 + 3.0 * in_specks) << file;
     misplaced += wrong;
     for (std::size_t k = 0; k < 2; ++k) crossed += test::crossed_facets(bodies[k]);
   }

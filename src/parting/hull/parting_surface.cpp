@@ -18,8 +18,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr unsigned k_all_sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower) |
-                                  Sheets::bit(Sheet::hidden) | Sheets::bit(Sheet::parting);
 constexpr int k_most_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;

@@ -16,8 +16,6 @@ namespace moldlight {
 namespace {
 
 constexpr int k_most_rounds = 8;
-constexpr unsigned k_part_sheets =
-    Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower) | Sheets::bit(Sheet::hidden);
 
 }  // namespace
 
@@ -133,7 +131,7 @@ bool Sheets::insert_columns(double tolerance) {
   OnEdges on_edges;
   std::vector<std::pair<double, Column>> passed;
   for (const SheetEdge& edge : edges) {
-    const auto [low, high] = std::minmax(edge.from, edge.to);
+    const SheetVertex low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
     if (column_of[low] == column_of[high] || on_edges.contains(edge_key(low, high))) continue;
     const glm::dvec2 a(vertices[low]), b(vertices[high]);
     const double squared = glm::dot(b - a, b - a);
