@@ -13,6 +13,7 @@
 #include "cli/flags.hpp"
 #include "cli/meter.hpp"
 #include "io/direction_list.hpp"
+#include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_pictures.hpp"
 #include "sweep/sweep_report.hpp"
@@ -25,12 +26,14 @@ namespace {
 /// How far a sweep is: share done, directions, rate, time left.
 class SweepMeter {
  public:
+  explicit SweepMeter(bool with_actions) : with_actions_(with_actions) {}
+
   /// Counts a scored direction; from any thread.
   void count() { ++scored_; }
 
   /// One line; with a bar where there are columns for it. One call at a time.
   [[nodiscard]] std::string text(std::string_view stage, double fraction, int columns) {
-    const double share = done_ = std::max(done_, sweep_share_done(stage, fraction));
+    const double share = done_ = std::max(done_, sweep_share_done(stage, fraction, with_actions_));
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
     const std::size_t scored = scored_;
     std::string text = columns >= k_least_columns_for_bar ? bar(share) + " " : "";
@@ -49,6 +52,7 @@ class SweepMeter {
  private:
   using Clock = std::chrono::steady_clock;
 
+  bool with_actions_;
   std::atomic<std::size_t> scored_ = 0;
   Clock::time_point start_ = Clock::now();
   double done_ = 0.0;  // share, never less than before
@@ -79,6 +83,7 @@ struct SweepFlags {
   StillSettings still;
   std::optional<UndercutLimit> limit;
   bool wide = false;
+  std::vector<const CLI::Option*> of_actions;
 };
 
 SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) {
@@ -91,6 +96,11 @@ SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) 
   }
   if (settings.kinds.empty() && settings.user_directions.empty()) {
     throw UsageError("--candidates none: give --direction or --directions-file");
+  }
+  for (const CLI::Option* flag : flags.of_actions) {
+    if (flag->count() > 0 && !seeks_actions(settings))
+      throw UsageError(
+          fmt::format("{}: give --actions, too, or an objective of side actions", flag->get_name()));
   }
   return settings;
 }
@@ -133,7 +143,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   // Before the sweep, so that a backend that is not there is told at once.
   const auto context = flags.image_folder.empty() ? nullptr : create_context(settings.method.backend);
-  SweepMeter meter;
+  SweepMeter meter(seeks_actions(settings));
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
     return meter.text(stage, fraction, columns);
   });
@@ -173,6 +183,8 @@ void add_sweep_command(CLI::App& program, Request& request) {
   SweepSettings& sweep = flags->sweep;
   add_part_flags(*command, flags->part, request);
   add_option_flags(*command, sweep_options(), sweep);
+  for (const Option<ActionSettings>& option : action_options())
+    flags->of_actions.push_back(add_option_flag(*command, option, sweep.action_settings));
   add_file_flag(
       *command, flags->directions_file,
       {"--directions-file", "FILE.csv", "Such directions from a file, a line a direction: x, y, z"});

@@ -450,8 +450,7 @@ void App::sweep_by_itself(bool query_changed) {
   if (!quick_sweep_due_ || measuring()) return;
   quick_sweep_due_ = false;
   if (!state_.figures.shown || sweep.running || sweep.result) return;
-  sweep_.start(state_, sweep, now_s_);
-  sweep.by_itself = true;
+  sweep_.start(state_, sweep, now_s_, true);
 }
 
 std::optional<SplitView> App::split_view() const {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "sweep/candidates/candidate.hpp"
+#include "sweep/direction_actions.hpp"
 #include "sweep/direction_measurer.hpp"
 #include "sweep/direction_scorer.hpp"
 #include "sweep/ranking.hpp"
@@ -16,6 +18,7 @@ struct Contender {
   DirectionScore score;
   RankedFigures figures;                              // as measured, or by the score before
   std::shared_ptr<const MeasuredDirection> measured;  // none before
+  std::optional<DirectionActions> actions = {};       // once they are found
 };
 
 /// What is told of a scored direction.

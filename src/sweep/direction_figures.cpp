@@ -19,6 +19,11 @@ namespace moldlight {
 namespace {
 
 constexpr double k_least_told_deg = 0.01;
+// What is left of undercuts: beside weights of side actions.
+constexpr double k_small_rest = 1e-3;    // of the part's area
+constexpr double k_small_penalty = 3.0;  // more than any one action
+constexpr double k_penalty = 1e4;        // more than all actions of a part
+constexpr double k_area_penalty = 1e3;   // for the part's whole area
 
 using Facts = DirectionFacts;
 using Found = std::optional<double>;
@@ -29,12 +34,12 @@ constexpr DirectionFigure k_figures[] = {
      Use{.objective = true, .classified = true, .brief = true},
      [](const Facts& f) -> Found { return f.classification.areas[Region::undercut]; }},
     {"undercut_share", "%", FigureKind::per_cent, "Undercut, per cent of the part's area.",
-     Use{.classified = true, .brief = true},
+     Use{.classified = true, .brief = true, .yields = true},
      [](const Facts& f) -> Found {
        return 100.0 * share(f.classification.areas[Region::undercut], f.classification.total_area);
      }},
     {"undercut_uncertainty", "±", FigureKind::error, "How far the undercut area may be off, 95 % level.",
-     Use{.classified = true, .brief = true},
+     Use{.classified = true, .brief = true, .yields = true},
      [](const Facts& f) -> Found { return f.classification.uncertainty.total(); }},
     {"projected_area", "projected", FigureKind::area, "Projected area, on which the clamp force acts.",
      Use{.objective = true}, [](const Facts& f) -> Found { return f.classification.shadow_area; }},
@@ -52,7 +57,7 @@ constexpr DirectionFigure k_figures[] = {
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
     {"patches", "undercuts", FigureKind::count, "Connected patches of undercut surface, specks left out.",
-     Use{.objective = true, .brief = true},
+     Use{.objective = true, .brief = true, .yields = true},
      [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
     {"parting_climb", "climb", FigureKind::length,
      "How far the parting line climbs along the direction, shut-offs counted.",
@@ -61,6 +66,16 @@ constexpr DirectionFigure k_figures[] = {
     {"parting_length", "line", FigureKind::length, "Length of the parting line, shut-offs counted.",
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.parting ? Found(f.parting->length) : std::nullopt; }},
+    {"travel", "travel", FigureKind::length, "How far the side action travels that travels farthest.",
+     Use{.objective = true, .of_actions = true},
+     [](const Facts& f) { return f.actions ? Found(f.actions->travel) : std::nullopt; }},
+    {"unreleased_area", "left", FigureKind::area, "Undercut area that no side action releases.",
+     Use{.brief = true, .of_actions = true},
+     [](const Facts& f) { return f.actions ? Found(f.actions->unreleased_area) : std::nullopt; }},
+    {"side_actions", "side actions", FigureKind::actions,
+     "The least set of side actions; in order of the sum of their kinds' weights.",
+     Use{.objective = true, .brief = true, .of_actions = true},
+     [](const Facts& f) { return f.actions ? Found(f.actions->weight) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,
      "Tilt margin: how far the pull may tilt towards the least tolerant side before the undercut grows.",
      Use{}, [](const Facts& f) { return f.tilt ? Found(f.tilt->deg) : std::nullopt; }},
@@ -118,6 +133,8 @@ std::string figure_text(const DirectionFigure& row, const PartModel& model, cons
       return fmt::format("{:.0f}", *value);
     case FigureKind::force:
       return figure(*value);
+    case FigureKind::actions:
+      return candidate.actions ? candidate.actions->text : "-";
     case FigureKind::angle:
       if (*value >= k_widest_tilt_deg) return fmt::format("> {:g}°", k_widest_tilt_deg);
       return *value < k_least_told_deg ? fmt::format("< {:g}°", k_least_told_deg)
@@ -149,6 +166,11 @@ std::vector<const DirectionFigure*> figure_columns(const SweepResult& result) {
     if ((figure.use.column || ranked_by) && known) columns.push_back(&figure);
   }
   return columns;
+}
+
+void keep_brief(std::vector<const DirectionFigure*>& columns) {
+  const bool with_actions = std::ranges::any_of(columns, [](const auto* c) { return c->use.of_actions; });
+  std::erase_if(columns, [&](const auto* c) { return !c->use.brief || (with_actions && c->use.yields); });
 }
 
 std::vector<std::string_view> objective_names() {
@@ -193,11 +215,29 @@ Objective parse_objective(std::string_view text) {
   return objective;
 }
 
+bool needs_actions(const Objective& objective) {
+  return std::ranges::any_of(objective.terms,
+                             [](const Objective::Term& term) { return term.figure->use.of_actions; });
+}
+
+bool seeks_actions(const SweepSettings& settings) {
+  return settings.actions || needs_actions(settings.objective);
+}
+
+double unreleased_penalty(const DirectionFacts& facts) {
+  if (facts.actions == nullptr) return 0.0;
+  const double area = facts.actions->unreleased_area;
+  if (area <= facts.classification.uncertainty.rounding) return 0.0;
+  const double rest = area / measure_of(FigureKind::area, facts.model);
+  return (rest <= k_small_rest ? k_small_penalty : k_penalty) + k_area_penalty * rest;
+}
+
 double objective_value(const Objective& objective, const DirectionFacts& facts) {
   double value = 0.0;
   for (const Objective::Term& term : objective.terms) {
-    value +=
-        term.weight * term.figure->find(facts).value_or(0.0) / measure_of(term.figure->kind, facts.model);
+    const double found = term.figure->find(facts).value_or(0.0);
+    const double penalty = term.figure->use.of_actions ? unreleased_penalty(facts) : 0.0;
+    value += term.weight * (found / measure_of(term.figure->kind, facts.model) + penalty);
   }
   return value;
 }

@@ -25,11 +25,12 @@ struct DirectionFacts {
   std::optional<std::size_t> patches = {};  // connected undercut patches
   std::optional<TiltMargin> tilt = {};
   std::optional<LineFigures> parting = {};
+  const DirectionActions* actions = nullptr;  // once they are found
 };
 
 /// What a figure is a number of: this decides its unit, its digits, and what it is divided by as an
-/// objective. Error: how far an area may be off.
-enum class FigureKind : std::uint8_t { area, error, per_cent, length, count, force, angle };
+/// objective. Error: how far an area may be off. Actions: weights of side actions, told in words.
+enum class FigureKind : std::uint8_t { area, error, per_cent, length, count, force, angle, actions };
 
 struct DirectionFigure {
   std::string_view key;    // in JSON
@@ -41,6 +42,8 @@ struct DirectionFigure {
     bool classified = false;  // JSON has it among what classify tells
     bool column = true;       // has a column in tables even where nothing is ranked by it
     bool brief = false;       // in narrow ones, too
+    bool yields = false;      // but not beside side actions
+    bool of_actions = false;  // found from side actions
   } use;
   std::optional<double> (*find)(const DirectionFacts& facts);  // none where it is not known
 };
@@ -65,9 +68,22 @@ struct DirectionFigure {
 /// The figures that have a column, or that the result is ranked by, and that are known of some candidate.
 [[nodiscard]] std::vector<const DirectionFigure*> figure_columns(const SweepResult& result);
 
+/// Leaves those that a narrow table has room for.
+void keep_brief(std::vector<const DirectionFigure*>& columns);
+
 /// "undercut", "draw-depth", …: what an objective is written with.
 [[nodiscard]] std::vector<std::string_view> objective_names();
-/// A figure that is not known counts as none.
+/// Whether side actions must be known to tell its value.
+[[nodiscard]] bool needs_actions(const Objective& objective);
+/// Whether a sweep finds side actions, for its objective or because it was asked to.
+[[nodiscard]] bool seeks_actions(const SweepSettings& settings);
+
+/// What undercut that nothing releases adds to the weight of the rest: what is more than a 1000th of the
+/// part's area makes a direction worse than all that leave less, and a smaller rest weighs more than any one
+/// action; beside that every 1000th weighs as a slide does. 0 where side actions are not known.
+[[nodiscard]] double unreleased_penalty(const DirectionFacts& facts);
+
+/// A figure that is not known counts as none; one of side actions has the penalty for what is unreleased.
 [[nodiscard]] double objective_value(const Objective& objective, const DirectionFacts& facts);
 
 }  // namespace moldlight

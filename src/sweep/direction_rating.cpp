@@ -7,6 +7,18 @@
 
 namespace moldlight {
 
+namespace {
+
+double weight_of_undercut(const Objective& objective) {
+  double weight = 0.0;
+  for (const Objective::Term& term : objective.terms) {
+    if (term.figure == &direction_figure("undercut")) weight += term.weight;
+  }
+  return weight;
+}
+
+}  // namespace
+
 DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& settings)
     : model_(model),
       settings_(settings),
@@ -22,16 +34,16 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
       corners_.push_back(mesh.vertices[vertex] - model.frame.center);
     }
   }
-  for (const Objective::Term& term : settings.objective.terms) {
-    if (term.figure == &direction_figure("undercut")) {
-      undercut_weight_ += term.weight;
-    } else {
-      by_undercut_alone_ = false;
-    }
+  by_actions_ = needs_actions(settings.objective);
+  before_actions_ = settings.objective;
+  for (Objective::Term& term : before_actions_.terms) {
+    if (term.figure->use.of_actions) term.figure = &direction_figure("undercut");
+    by_undercut_alone_ = by_undercut_alone_ && term.figure == &direction_figure("undercut");
     if (term.figure == &direction_figure("parting_climb") ||
         term.figure == &direction_figure("parting_length"))
       by_parting_ = true;
   }
+  undercut_weight_ = weight_of_undercut(before_actions_);
 }
 
 Classification DirectionRating::classification(const glm::dvec3& direction,
@@ -65,13 +77,18 @@ DirectionFacts DirectionRating::facts(const Classification& classification,
 
 RankedFigures DirectionRating::ranked(const Candidate& candidate, const DirectionFacts& facts,
                                       double undercut_uncertainty) const {
-  return {.value = objective_value(settings_.objective, facts),
-          .value_uncertainty = value_of_undercut(undercut_uncertainty),
+  const bool decided = !by_actions_ || facts.actions != nullptr;
+  const Objective& objective = decided ? settings_.objective : before_actions_;
+  return {.value = objective_value(objective, facts),
+          .value_uncertainty = weight_of_undercut(objective) * undercut_uncertainty / measure_.area,
           .undercut = facts.classification.areas[Region::undercut],
           .undercut_uncertainty = undercut_uncertainty,
           .patches = static_cast<double>(facts.patches.value_or(0)),
           .draw_depth = facts.draw_depth,
           .projected_area = facts.classification.shadow_area,
+          .actions = facts.actions != nullptr ? facts.actions->weight + unreleased_penalty(facts) : 0.0,
+          .travel = facts.actions != nullptr ? facts.actions->travel : 0.0,
+          .decided = decided,
           .exact = candidate.exact()};
 }
 
@@ -85,6 +102,13 @@ RankedFigures DirectionRating::measured(const Candidate& candidate, const Measur
                                         bool with_patches) const {
   DirectionFacts found = facts(measured.classification, &measured);
   if (!with_patches) found.patches.reset();
+  return ranked(candidate, found, measured.classification.uncertainty.rounding);
+}
+
+RankedFigures DirectionRating::measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                        const DirectionActions& actions) const {
+  DirectionFacts found = facts(measured.classification, &measured);
+  found.actions = &actions;
   return ranked(candidate, found, measured.classification.uncertainty.rounding);
 }
 

@@ -12,6 +12,8 @@
 
 namespace moldlight {
 
+/// Where the objective needs side actions, the undercut stands in for them until they are found: what is
+/// hidden from both sides asks for side actions, if not in proportion.
 class DirectionRating {
  public:
   /// Both must outlive the rating.
@@ -23,6 +25,9 @@ class DirectionRating {
   /// in doubt makes no ties: it is about the same for all.
   [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
                                        bool with_patches = true) const;
+  /// The same with side actions.
+  [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                       const DirectionActions& actions) const;
 
   [[nodiscard]] Ranking rank(std::span<const RankedFigures> figures) const {
     return rank_directions(figures, measure_);
@@ -31,9 +36,11 @@ class DirectionRating {
   [[nodiscard]] double value_of_undercut(double area) const {
     return undercut_weight_ * area / measure_.area;
   }
+  /// As far as it is known before side actions are.
   [[nodiscard]] bool by_undercut_alone() const { return by_undercut_alone_; }
   /// Whether the objective asks for the parting line.
   [[nodiscard]] bool by_parting() const { return by_parting_; }
+  [[nodiscard]] bool by_actions() const { return by_actions_; }
 
   /// What a score tells of what classify would give.
   [[nodiscard]] Classification classification(const glm::dvec3& direction, const DirectionScore& score) const;
@@ -49,8 +56,9 @@ class DirectionRating {
   const SweepSettings& settings_;
   std::vector<glm::dvec3> corners_;  // of the facets, each once, from the frame's centre
   PartMeasure measure_;
-  double undercut_weight_ = 0.0;
-  bool by_undercut_alone_ = true, by_parting_ = false;
+  Objective before_actions_;
+  double undercut_weight_ = 0.0;  // of the objective before side actions are known
+  bool by_undercut_alone_ = true, by_parting_ = false, by_actions_ = false;
 };
 
 }  // namespace moldlight

@@ -19,7 +19,9 @@ Relation relation(const DirectionRating& rating, const Contender& contender, con
   if (angle_deg > rules.apart_deg) return Relation::apart;
   const double noise =
       rating.value_of_undercut(contender.figures.undercut_uncertainty + better.figures.undercut_uncertainty);
-  if (contender.figures.value > better.figures.value + noise) return Relation::hidden;
+  if (contender.figures.decided != better.figures.decided ||
+      contender.figures.value > better.figures.value + noise)
+    return Relation::hidden;
   if (rules.tentative) return Relation::apart;
   if (!contender.figures.exact) return Relation::hidden;
   return angle_deg <= k_same_direction_deg ? Relation::same : Relation::apart;

@@ -13,6 +13,8 @@ struct RankedFigures {
   double value_uncertainty = 0.0;  // from the undercut's
   double undercut = 0.0, undercut_uncertainty = 0.0;
   double patches = 0.0, draw_depth = 0.0, projected_area = 0.0;
+  double actions = 0.0, travel = 0.0;  // of side actions, where they decide ties: weight, model units
+  bool decided = true;                 // the objective is known; where it is not, the value stands in for it
   bool exact = false;  // a direction given by the user or by a feature of the part, not by search
 };
 
@@ -30,9 +32,10 @@ struct Ranking {
                              // uncertainties are equal
 };
 
-/// Directions tie when their objectives differ by no more than their undercut uncertainties make them. A tie
-/// group is a best direction and all that tie with it. Within a group exact directions come first, then the
-/// smaller draw depth, then the smaller projected area, then the order given.
+/// What is decided comes before what is not. Directions tie when their objectives differ by no more than
+/// their undercut uncertainties make them. A tie group is a best direction and all that tie with it. Within a
+/// group side actions of less weight come first, then those of less travel, to a hundredth of the diagonal,
+/// then exact directions, then the smaller draw depth, then the smaller projected area, then the order given.
 [[nodiscard]] Ranking rank_directions(std::span<const RankedFigures> figures, const PartMeasure& part);
 
 }  // namespace moldlight

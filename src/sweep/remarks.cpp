@@ -48,6 +48,23 @@ const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
   return next == candidates.end() ? nullptr : &*next;
 }
 
+void remark_on_actions(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
+  const auto unknown = std::ranges::count_if(
+      result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
+  if (unknown > 0) {
+    remarks.push_back(
+        fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,
+                    result.candidates.size()));
+  }
+  const SweepCandidate& best = result.candidates.front();
+  if (best.actions)
+    remarks.push_back(fmt::format("Side actions of the best: {}.", side_actions_text(model, best)));
+  if (result.with_actions > 0 && needs_actions(result.settings.objective)) {
+    remarks.push_back(
+        fmt::format("They were found for {} directions, those of the least undercut.", result.with_actions));
+  }
+}
+
 void remark_on_user(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
   const SweepCandidate& best = result.candidates.front();
   for (const SweepCandidate& given : result.candidates) {
@@ -55,11 +72,10 @@ void remark_on_user(const PartModel& model, const SweepResult& result, std::vect
     const std::string name = fmt::format("The direction given, {},", figures(given.candidate.direction, 1.0));
     if (given.tie_group == 1) {
       const SweepCandidate* next = runner_up(result.candidates);
-      remarks.push_back(name + (given.rank == 1 ? " is already best" : " ties with the best") +
-                        (next != nullptr
-                             ? fmt::format("; the next has {} more undercut.",
-                                           area_text(model, undercut_area(*next) - undercut_area(given)))
-                             : "."));
+      remarks.push_back(
+          name + (given.rank == 1 ? " is already best" : " ties with the best") +
+          (next != nullptr ? fmt::format("; the next has {} undercut.", difference_text(model, given, *next))
+                           : "."));
     } else {
       remarks.push_back(fmt::format("{} is number {}: {} undercut than the best.", name, given.rank,
                                     difference_text(model, best, given)));
@@ -82,6 +98,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
                     result.candidates.size()));
   }
   remarks.push_back(on_undercut(model, best));
+  if (seeks_actions(result.settings)) remark_on_actions(model, result, remarks);
   if (ties > 1) {
     remarks.push_back(fmt::format("{} directions tie for the best within their uncertainty.", ties));
   }
@@ -89,8 +106,10 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   const SweepCandidate* next = runner_up(result.candidates);
   if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(),
                                       [](const auto& c) { return c.candidate.from_user(); })) {
-    remarks.push_back(fmt::format("The next, number {}, has {} undercut.", next->rank,
-                                  difference_text(model, best, *next)));
+    const std::string actions = side_actions_text(model, *next);
+    remarks.push_back(fmt::format("The next, number {}, has {} undercut{}.", next->rank,
+                                  difference_text(model, best, *next),
+                                  actions.empty() ? "" : ", and its side actions are: " + actions));
   }
   return remarks;
 }

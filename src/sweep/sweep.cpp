@@ -19,6 +19,7 @@
 #include "sweep/basin_search.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 #include "sweep/contender.hpp"
+#include "sweep/direction_actions.hpp"
 #include "sweep/direction_measurer.hpp"
 #include "sweep/direction_rating.hpp"
 #include "sweep/listing.hpp"
@@ -37,6 +38,9 @@ namespace {
 constexpr std::size_t k_batch = 64;  // directions between two looks at the limit for giving up
 constexpr std::size_t k_contenders_per_listed = 6;
 constexpr std::size_t k_measured_together = 8;
+// A direction of more undercut often asks for fewer actions, but seldom one of far more; and each may take
+// seconds.
+constexpr std::size_t k_with_actions_per_listed = 2;
 // Of the part's area: what is worse than the best by more is not polished.
 constexpr double k_polished_share = 0.003;
 constexpr std::size_t k_most_polished = 3;
@@ -59,7 +63,8 @@ class SweepRun {
         rating_(model_, settings_),
         pools_(std::move(model), settings_),
         measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs), rating_.by_parting()),
-        limit_(static_cast<std::size_t>(settings.top), settings.apart_deg) {
+        actions_(model_, settings_.method, settings_.action_settings, ScoringPool::threads(settings.jobs)),
+        limit_(wanted(), settings.apart_deg) {
     validate(settings.method, model_.frame.diagonal);
   }
 
@@ -72,6 +77,8 @@ class SweepRun {
     keep_contenders();
     measure_contenders();
     polish_best();
+    choose();
+    find_side_actions();
     list();
     result_.remarks = sweep_remarks(model_, result_);
     result_.complete = !clock_.cut_short();
@@ -90,6 +97,8 @@ class SweepRun {
   void measure_batch(std::span<Contender> batch, const std::function<bool()>& stop);
   void polish_best();
   [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
+  void choose();
+  void find_side_actions();
   void list();
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
@@ -100,6 +109,10 @@ class SweepRun {
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
   [[nodiscard]] std::size_t top() const { return static_cast<std::size_t>(settings_.top); }
+  /// How many are chosen by what is known before side actions are.
+  [[nodiscard]] std::size_t wanted() const {
+    return rating_.by_actions() ? k_with_actions_per_listed * top() : top();
+  }
 
   const PartModel& model_;
   const SweepSettings settings_;
@@ -108,6 +121,7 @@ class SweepRun {
   DirectionRating rating_;
   ScoringPools pools_;
   DirectionMeasurer measurer_;
+  DirectionActionFinder actions_;
   ListingLimit limit_;  // by scores, then by measured areas
   std::vector<Contender> contenders_;
   SweepResult result_;
@@ -216,7 +230,7 @@ void SweepRun::keep_contenders() {
 /// listed.
 void SweepRun::measure_contenders() {
   std::vector<Contender> open = std::exchange(contenders_, {});
-  limit_ = ListingLimit(top(), settings_.apart_deg);
+  limit_ = ListingLimit(wanted(), settings_.apart_deg);
   for (std::size_t first = 0; first < open.size();) {
     clock_.report(sweep_stage::k_measuring, static_cast<double>(first) / static_cast<double>(open.size()));
     const double limit = listing_limit();
@@ -320,6 +334,7 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   listed.candidate = contender.candidate;
   listed.measured = contender.measured != nullptr;
   listed.tilt = tilt;
+  listed.actions = contender.actions;
   Classification& classification = listed.classification;
   if (listed.measured) {
     classification = contender.measured->classification;
@@ -332,15 +347,52 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   DirectionFacts facts = rating_.facts(classification, contender.measured.get());
   facts.tilt = tilt;
   if (!facts.parting) facts.parting = parting;
+  if (contender.actions) facts.actions = &*contender.actions;
   listed.figures = find_figures(facts);
   return listed;
 }
 
-void SweepRun::list() {
-  std::vector<Contender> listed = contenders_to_list(rating_, contenders_, contender_order(),
-                                                     {.most = top(), .apart_deg = settings_.apart_deg});
+/// Those that are listed, or may be once their side actions are known.
+void SweepRun::choose() {
+  contenders_ = contenders_to_list(rating_, contenders_, contender_order(),
+                                   {.most = wanted(), .apart_deg = settings_.apart_deg});
   if (clock_.stopped() && !clock_.cancelled())
-    std::erase_if(listed, [](const Contender& contender) { return !contender.measured; });
+    std::erase_if(contenders_, [](const Contender& contender) { return !contender.measured; });
+}
+
+void SweepRun::find_side_actions() {
+  if (!seeks_actions(settings_)) return;
+  clock_.report(sweep_stage::k_actions, 0.0);
+  std::vector<Contender*> measured;
+  std::vector<glm::dvec3> directions;
+  for (Contender& contender : contenders_) {
+    if (!contender.measured) continue;
+    measured.push_back(&contender);
+    directions.push_back(contender.candidate.direction);
+  }
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto found = actions_.find(
+      directions, clock_.until_cancelled(), [this] { return clock_.stopped(); },
+      [&] {
+        const std::lock_guard lock(mutex);
+        clock_.report(sweep_stage::k_actions,
+                      static_cast<double>(++done) / static_cast<double>(directions.size()));
+      });
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    if (!found[k]) continue;
+    Contender& contender = *measured[k];
+    contender.actions = found[k];
+    contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
+    ++result_.with_actions;
+  }
+}
+
+void SweepRun::list() {
+  const std::vector<Contender> listed =
+      rating_.by_actions() ? contenders_to_list(rating_, contenders_, contender_order(),
+                                                {.most = top(), .apart_deg = settings_.apart_deg})
+                           : std::move(contenders_);
   const bool all_measured =
       std::ranges::all_of(listed, [](const Contender& c) { return c.measured != nullptr; });
   std::vector<RankedFigures> figures;
@@ -348,6 +400,10 @@ void SweepRun::list() {
     figures.push_back(all_measured || !contender.measured
                           ? contender.figures
                           : rating_.measured(contender.candidate, *contender.measured, false));
+  }
+  // Ties are told by what is known of all.
+  if (!std::ranges::all_of(listed, [](const Contender& c) { return c.actions.has_value(); })) {
+    for (RankedFigures& each : figures) each.actions = each.travel = 0.0;
   }
   const Ranking ranking = rating_.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);

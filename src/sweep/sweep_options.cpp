@@ -57,13 +57,18 @@ std::span<const Option<SweepSettings>> sweep_options() {
       {"pressure", "--pressure", "Pressure", "force per area",
        "Cavity pressure; times the projected area it gives the clamp force.",
        RealKind<S>{&S::pressure, 0.0, 1e12, 1.0}},
+      {"actions", "--actions", "Side actions", "",
+       "Find the side actions of the directions listed, which takes longer than the rest of a sweep; of "
+       "directions that tie, those of the least weight come first.",
+       SwitchKind<S>{&S::actions}},
       {"jobs", "--jobs", "Threads", "", "Threads that score directions; 0 takes all cores.",
        IntegerKind<S>{&S::jobs, 0, 256}},
       {"time_limit_s", "--time-limit", "Time limit", "s",
        "End after this time with what is done; 0 for none.", RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
       {"objective", "--objective", "Best is the least", "",
        "What to rank by, smallest first: one of these, or a weighted sum of shares of the part, as "
-       "undercut:1,draw-depth:0.1.",
+       "undercut:1,draw-depth:0.1. Side actions and their travel are found for twice as many directions as "
+       "are listed, those of the least undercut.",
        TextKind<S>{"LIST", [](const S& s) { return s.objective.text; },
                    [](S& s, std::string_view text) { s.objective = parse_objective(text); },
                    objective_names()}},

@@ -96,7 +96,9 @@ ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate
   ContactTile tile;
   tile.number = fmt::format("{}", candidate.rank);
   tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
-  if (!candidate.tie.empty()) tile.remark = fmt::format("tie {}", candidate.tie);
+  tile.remark = side_actions_text(model, candidate);
+  if (!candidate.tie.empty())
+    tile.remark += fmt::format("{}tie {}", tile.remark.empty() ? "" : "  ·  ", candidate.tie);
   for (const std::string_view key : k_tile_figures) {
     tile.figures.push_back(
         {figure_heading(direction_figure(key), model.part), picture_text(key, model, candidate)});

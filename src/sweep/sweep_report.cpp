@@ -25,6 +25,8 @@ Json settings_json(const SweepResult& result) {
   // The direction is what is searched for, and the figures are exact.
   for (const char* key : {"readout", "samples"}) settings.erase(key);
   settings.update(options_json(sweep_options(), result.settings));
+  if (seeks_actions(result.settings))
+    settings.update(options_json(action_options(), result.settings.action_settings));
   // The report is the same whatever the number of threads.
   settings.erase("jobs");
   settings["engine_used"] = result.engine;
@@ -61,6 +63,7 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
     else if (known)
       value = *known;
   }
+  json["actions"] = candidate.actions ? Json(candidate.actions->text) : Json();
   json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
   json["pareto"] = candidate.pareto;
   return json;
@@ -104,14 +107,17 @@ class TextTable {
 std::string candidate_table(const PartModel& model, const SweepResult& result, TableWidth width) {
   const bool wide = width == TableWidth::all;
   std::vector<const DirectionFigure*> columns = figure_columns(result);
-  if (!wide) std::erase_if(columns, [](const DirectionFigure* column) { return !column->use.brief; });
+  if (!wide) keep_brief(columns);
   TextTable table;
   std::vector<std::string> head = {"#", "tie", "direction"};
+  const std::size_t before_figures = head.size();
   for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
   if (wide) head.insert(head.end(), {"Pareto", "why"});
   std::vector<bool> left(head.size(), false);
   left[1] = true;
-  left.back() = wide;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    left[before_figures + k] = columns[k]->kind == FigureKind::actions;
+  left.back() = left.back() || wide;
   table.add(std::move(head));
   for (const SweepCandidate& candidate : result.candidates) {
     std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,

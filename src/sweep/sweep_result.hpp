@@ -9,6 +9,7 @@
 
 #include "classify/classification.hpp"
 #include "sweep/candidates/candidate.hpp"
+#include "sweep/direction_actions.hpp"
 #include "sweep/sweep_settings.hpp"
 
 namespace moldlight {
@@ -41,6 +42,7 @@ struct SweepCandidate {
   bool measured = true;
   Classification classification;               // exactly what classify gives; facet fractions are dropped
   std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
+  std::optional<DirectionActions> actions;     // empty where they were not looked for
   std::optional<TiltMargin> tilt;              // empty where the sweep ended before
   bool pareto = false;
 };
@@ -50,6 +52,7 @@ struct SweepResult {
   std::string engine;  // the one that scored, and why it was taken
   int jobs = 1;
   std::vector<EvaluatedDirection> evaluated;  // in order of evaluation, the same for every number of jobs
+  std::size_t with_actions = 0;               // directions whose side actions were found
   std::size_t skipped = 0;  // candidates that could not get into the list and were not looked at closer
   bool complete = true;
   double elapsed_s = 0.0;

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "actions/action_settings.hpp"
 #include "classify/option.hpp"
 #include "classify/settings.hpp"
 #include "sweep/candidates/candidate.hpp"
@@ -47,6 +48,8 @@ struct SweepSettings {
   bool thorough = false;         // score every direction to the end, also one that cannot be listed
   double tilt_growth_pct =
       0.1;  // growth of the undercut that ends a tilt margin, per cent of the part's area, (0, 100]
+  bool actions = false;  // find the side actions of what is listed, also where the objective needs none
+  ActionSettings action_settings = {};
   double pressure = 0.0;  // cavity pressure for the clamp force, force per area unit of the part; 0: none
   Objective objective = parse_objective("undercut");
   int jobs = 0;               // threads, 0: all cores, [0, 256]

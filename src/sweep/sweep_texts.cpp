@@ -37,6 +37,13 @@ std::vector<std::string> shorter_reasons(const Candidate& candidate) {
   return {reasons_text(candidate, 3), reasons_text(candidate, 2), reasons_text(candidate, 1)};
 }
 
+std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate) {
+  if (!candidate.actions) return {};
+  const double left = candidate.actions->unreleased_area;
+  if (left <= 0.0) return candidate.actions->text;
+  return fmt::format("{}; {} {} left", candidate.actions->text, figure(left), powered_unit(model.part, 2));
+}
+
 double undercut_area(const SweepCandidate& candidate) {
   return candidate.classification.areas[Region::undercut];
 }

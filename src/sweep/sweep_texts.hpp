@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "classify/part_model.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -20,6 +21,9 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 
 /// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
 [[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
+
+/// "2 slides, 1 lifter; 12.3 mm² left"; empty where side actions were not looked for.
+[[nodiscard]] std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate);
 
 [[nodiscard]] double undercut_area(const SweepCandidate& candidate);
 

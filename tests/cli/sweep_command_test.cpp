@@ -232,6 +232,61 @@ TEST(SweepCommand, EndsWithThreeWhenTheCriterionFails) {
   }
 }
 
+TEST(SweepCommand, TellsTheSideActionsOfWhatIsListed) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.sweep({"--actions"}));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* word : {"side actions\n", "left unit²", "Side actions of the best: 1 slide"})
+    EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
+  for (const char* word : {"± unit²", "undercuts\n"})
+    EXPECT_EQ(run.out.find(word), std::string::npos) << word;
+  const Json json = sweep_of(part.sweep({"--actions", "--json", "-", "--clearance", "5"}));
+  EXPECT_EQ(json["settings"]["actions"], true);
+  EXPECT_EQ(json["settings"]["clearance_mm"], 5.0);
+  for (const Json& candidate : json["candidates"]) {
+    std::string direction;
+    for (const Json& component : candidate["direction"])
+      direction += (direction.empty() ? "" : ",") + component.dump();
+    const Json plan = json_of(
+        run_moldlight({"actions", part.file(), "--direction", direction, "--clearance", "5", "--json", "-"})
+            .out);
+    double travel = 0.0;
+    for (const Json& action : plan["actions"]) travel = std::max(travel, action["travel"].get<double>());
+    EXPECT_EQ(candidate["travel"].get<double>(), travel) << direction;
+    EXPECT_EQ(candidate["unreleased_area"], plan["unreleased"]["area"]) << direction;
+    EXPECT_EQ(candidate["actions"] == "none", plan["actions"].empty()) << direction;
+    EXPECT_EQ(candidate["side_actions"] == 0.0, plan["actions"].empty()) << direction;
+  }
+  const Json without = sweep_of(part.sweep({"--json", "-"}));
+  EXPECT_TRUE(without["candidates"][0]["actions"].is_null());
+  EXPECT_TRUE(without["candidates"][0]["side_actions"].is_null());
+  EXPECT_FALSE(without["settings"].contains("clearance_mm"));
+}
+
+TEST(SweepCommand, RanksBySideActionsWhateverTheJobs) {
+  const SmallPart part;
+  const Json first = sweep_of(part.sweep({"--objective", "side-actions", "--json", "-", "--jobs", "1"}));
+  const Json second = sweep_of(part.sweep({"--objective", "side-actions", "--json", "-", "--jobs", "3"}));
+  EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
+  const Json& candidates = first["candidates"];
+  ASSERT_GE(candidates.size(), 2U);
+  for (std::size_t k = 1; k < candidates.size(); ++k) {
+    // Of what is released whole, the one that asks for less comes first.
+    if (candidates[k]["unreleased_area"] != 0.0) continue;
+    EXPECT_EQ(candidates[k - 1]["unreleased_area"], 0.0);
+    EXPECT_LE(candidates[k - 1]["side_actions"].get<double>(), candidates[k]["side_actions"].get<double>());
+  }
+}
+
+TEST(SweepCommand, SettingsOfSideActionsWantThem) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.sweep({"--incline", "20"}));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("--incline: "), std::string::npos) << run.err;
+  EXPECT_EQ(run_moldlight(part.sweep({"--incline", "20", "--objective", "travel"})).exit_code, 0);
+}
+
 TEST(SweepCommand, RefusesWhatMakesNoSense) {
   const SmallPart part;
   const std::vector<std::pair<std::string, std::string>> values = {{"--direction", "0,0,0"},

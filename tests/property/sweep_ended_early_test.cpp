@@ -93,6 +93,22 @@ TEST_F(SweepEndedEarly, WhileItPolishesWhatIsMeasuredIsListed) {
             result.candidates.front().classification.areas[Region::undercut]);
 }
 
+/// Those that were found by then come first, the others behind them by their undercut.
+TEST_F(SweepEndedEarly, WhileItFindsSideActionsThoseFoundAreTold) {
+  settings_.objective = parse_objective("side-actions");
+  settings_.jobs = 1;
+  const SweepResult result = cancelled_in(sweep_stage::k_actions, 3);
+  EXPECT_EQ(result.with_actions, 2U) << "the first report comes before any is found";
+  ASSERT_EQ(result.candidates.size(), 4U);
+  EXPECT_EQ(measured(result), 4);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(result.candidates[k].actions.has_value(), k < 2) << k;
+  const auto json = sweep_json(*model_, result);
+  EXPECT_TRUE(json["candidates"][0]["actions"].is_string());
+  for (const char* key : {"actions", "side_actions", "travel", "unreleased_area"})
+    EXPECT_TRUE(json["candidates"][3][key].is_null()) << key;
+  EXPECT_EQ(result.remarks[1], "Ended early: side actions of 2 of the 4 directions listed were not found.");
+}
+
 TEST_F(SweepEndedEarly, AtTheTimeLimitTheBestIsMeasured) {
   settings_.time_limit_s = 1e-6;
   const SweepResult result = run_sweep(model_, settings_, Progress{}, {});

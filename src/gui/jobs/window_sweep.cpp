@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <sys/resource.h>
 
+#include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_stages.hpp"
 
@@ -47,12 +48,18 @@ const EvaluatedDirection* SweepMap::nearest(const glm::dvec3& direction, double 
   return found;
 }
 
-void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s) {
+void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, bool by_itself) {
   drop();
   sweep = {};
   if (!state.model) return;
   SweepSettings settings = state.sweep_choices.options;
   settings.method = method_ = state.settings.method;
+  if (by_itself) {
+    settings.actions = false;
+    if (needs_actions(settings.objective)) settings.objective = parse_objective("undercut");
+  }
+  sweep.by_itself = by_itself;
+  with_actions_ = seeks_actions(settings);
   model_ = state.model;
   scored_ = 0;
   started_s_ = scoring_s_ = now_s;
@@ -127,7 +134,7 @@ void WindowSweep::take_directions(SweepState& sweep) {
 void WindowSweep::tell_progress(const JobStatus& status, SweepState& sweep, double now_s) {
   SweepProgress& progress = *sweep.running;
   progress.stage = status.stage;
-  progress.share = std::max(progress.share, sweep_share_done(status.stage, status.fraction));
+  progress.share = std::max(progress.share, sweep_share_done(status.stage, status.fraction, with_actions_));
   if (scored_ == 0) scoring_s_ = now_s;
   if (status.stage == sweep_stage::k_scoring) {
     progress.scored = scored_;

@@ -17,8 +17,8 @@ class WindowSweep {
   explicit WindowSweep(std::function<void()> wake) : job_(std::move(wake)) {}
 
   /// Starts the sweep that the choices ask for, of the part that is shown, with its method. What an earlier
-  /// one found goes.
-  void start(const AppState& state, SweepState& sweep, double now_s);
+  /// one found goes. One that nobody asked for finds no side actions, whatever the choices.
+  void start(const AppState& state, SweepState& sweep, double now_s, bool by_itself = false);
   /// Ends the sweep, and what it found by then goes.
   void give_up(SweepState& sweep);
   /// Ends the sweep early; its result is what is done.
@@ -47,6 +47,7 @@ class WindowSweep {
   std::size_t put_ = 0;                          // of them
   std::shared_ptr<const SweepResult> pictured_;  // the result whose pictures were not taken yet
   MethodSettings method_;                        // of the sweep
+  bool with_actions_ = false;                    // it finds them
   std::size_t scored_ = 0;
   double started_s_ = 0.0, scoring_s_ = 0.0, wake_s_ = 0.0;
 };

@@ -30,7 +30,7 @@ constexpr float k_bar_width = 132.0F;
 constexpr std::size_t k_before_figures = 2;
 constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
 /// Widths of figures by their kind, layout units.
-constexpr std::array<float, 7> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F};
+constexpr std::array<float, 8> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F, 130.0F};
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -107,8 +107,7 @@ std::vector<const DirectionFigure*> fitting_columns(const Ui& ui, const SweepRes
   const float gap = ui.px(8);
   float needed = ui.px(k_rank_width + k_direction_width + k_least_why) + 3.0F * gap;
   for (const DirectionFigure* figure : figures) needed += figure_width(ui, *figure) + gap;
-  if (needed > ImGui::GetContentRegionAvail().x)
-    std::erase_if(figures, [](const DirectionFigure* figure) { return !figure->use.brief; });
+  if (needed > ImGui::GetContentRegionAvail().x) keep_brief(figures);
   return figures;
 }
 
@@ -365,9 +364,11 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   cell(ui.fonts.body, normal, with_minus(short_direction_text(direction)), false);
   for (const DirectionFigure* figure : figures) {
     ImGui::TableNextColumn();
-    cell(figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body,
-         figure->kind == FigureKind::error ? quiet : normal,
-         grouped(with_minus(figure_text(*figure, *context.state.model, candidate))), true);
+    const SizedFont& font = figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body;
+    const std::string text = grouped(with_minus(figure_text(*figure, *context.state.model, candidate)));
+    cell(font, figure->kind == FigureKind::error ? quiet : normal,
+         figure->kind == FigureKind::actions ? fitted(font, text, ImGui::GetContentRegionAvail().x) : text,
+         true);
   }
   auto& compared = context.edits.sweep_choices.compared;
   const bool chosen = compared == index, comparable = hovered || chosen;

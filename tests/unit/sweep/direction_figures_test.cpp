@@ -38,6 +38,7 @@ class OfABox : public testing::Test {
     candidate.measured = from.measured;
     candidate.classification = from.classification;
     candidate.tilt = from.tilt;
+    if (from.actions != nullptr) candidate.actions = *from.actions;
     candidate.figures = find_figures(from);
     const DirectionFigure& row = direction_figure(key);
     return figure_text(row, *model_, candidate) + figure_aside(row, candidate);
@@ -98,6 +99,61 @@ TEST_F(OfABox, AnObjectiveIsASumOfShares) {
   EXPECT_DOUBLE_EQ(value("projected-area"), 1.0 / 6.0);
   EXPECT_DOUBLE_EQ(value("undercut:2,draw-depth:0.5"), 0.2 + 2.5 / diagonal);
   EXPECT_DOUBLE_EQ(value("undercut:1,patches:0.1"), 0.1) << "patches are not known";
+}
+
+TEST_F(OfABox, SideActionsAreToldInWordsOnceTheyAreFound) {
+  for (const char* key : {"side_actions", "travel", "unreleased_area"}) EXPECT_EQ(text(key, facts()), "-");
+  const DirectionActions found{
+      .text = "2 slides, 1 lifter", .weight = 3.2, .travel = 12.5, .unreleased_area = 0.25};
+  DirectionFacts known = facts();
+  known.measured = true;
+  known.actions = &found;
+  EXPECT_EQ(text("side_actions", known), "2 slides, 1 lifter");
+  EXPECT_EQ(text("travel", known), "12.500");
+  EXPECT_EQ(text("unreleased_area", known), "0.250");
+}
+
+/// Beside them a narrow table has no room for shares, uncertainties and counts.
+TEST(DirectionFigures, YieldToSideActionsInNarrowTables) {
+  std::vector<const DirectionFigure*> columns = {
+      &direction_figure("undercut"), &direction_figure("undercut_share"), &direction_figure("draw_depth")};
+  keep_brief(columns);
+  EXPECT_EQ(columns, (std::vector{&direction_figure("undercut"), &direction_figure("undercut_share")}));
+  columns.push_back(&direction_figure("side_actions"));
+  keep_brief(columns);
+  EXPECT_EQ(columns, (std::vector{&direction_figure("undercut"), &direction_figure("side_actions")}));
+}
+
+/// What is left weighs more than an action would, and more than a thousandth of the part behind all.
+TEST_F(OfABox, WhatNothingReleasesRanksBehind) {
+  DirectionActions found{.text = "3 slides", .weight = 3.0, .travel = 0.5 * model_->frame.diagonal};
+  const auto value = [&](std::string_view text, double left) {
+    found.unreleased_area = left;
+    DirectionFacts known = facts();
+    known.actions = &found;
+    return objective_value(parse_objective(text), known);
+  };
+  EXPECT_DOUBLE_EQ(value("side-actions", 0.0), 3.0);
+  EXPECT_DOUBLE_EQ(value("travel", 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(value("undercut:1,side-actions:0.5", 0.0), 1.6);
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
+    EXPECT_GT(value("side-actions", 0.01), 3.0 + moldlight::facts(static_cast<ActionKind>(kind)).weight);
+  EXPECT_LT(value("side-actions", 0.3), value("side-actions", 0.6));
+  EXPECT_GT(value("side-actions", 0.7), 1000.0);
+  EXPECT_GT(value("travel", 0.7), 1000.0);
+  EXPECT_LT(value("side-actions", 6.0), value("side-actions", 12.0));
+  classification_.uncertainty.rounding = 0.02;
+  EXPECT_DOUBLE_EQ(value("side-actions", 0.01), 3.0) << "within rounding";
+}
+
+TEST(Objective, SaysWhetherItNeedsSideActions) {
+  EXPECT_FALSE(needs_actions(parse_objective("undercut:1,draw-depth:0.1")));
+  EXPECT_TRUE(needs_actions(parse_objective("undercut:1,side-actions:0.1")));
+  EXPECT_TRUE(needs_actions(parse_objective("travel")));
+  SweepSettings settings;
+  EXPECT_FALSE(seeks_actions(settings));
+  settings.actions = true;
+  EXPECT_TRUE(seeks_actions(settings));
 }
 
 TEST(Objective, RefusesWhatMakesNoSense) {

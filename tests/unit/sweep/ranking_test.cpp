@@ -10,6 +10,8 @@ constexpr PartMeasure k_part{.area = 100.0, .diagonal = 10.0};
 struct Given {
   double undercut = 0.0, uncertainty = 0.0, patches = 0.0, depth = 1.0, projected = 1.0;
   bool exact = false;
+  double actions = 0.0, travel = 0.0;
+  bool decided = true;
 };
 
 /// By the undercut, or by another value.
@@ -25,6 +27,9 @@ Ranking ranked(
                        .patches = one.patches,
                        .draw_depth = one.depth,
                        .projected_area = one.projected,
+                       .actions = one.actions,
+                       .travel = one.travel,
+                       .decided = one.decided,
                        .exact = one.exact});
   }
   return rank_directions(figures, k_part);
@@ -64,6 +69,28 @@ TEST(Ranking, OrdersATieByFeaturesThenDepthThenShadow) {
             (Numbers{1, 0}));
   EXPECT_EQ(ranked({{.projected = 2.0}, {.projected = 1.0}}).order, (Numbers{1, 0}));
   EXPECT_EQ(ranked({{}, {}}).order, (Numbers{0, 1}));
+}
+
+/// A tie in area is decided by what it takes to make the mold, before all else.
+TEST(Ranking, OrdersATieBySideActionsThenTheirTravel) {
+  EXPECT_EQ(ranked({{.exact = true, .actions = 2.0}, {.actions = 1.2}}).order, (Numbers{1, 0}));
+  EXPECT_EQ(
+      ranked({{.depth = 1.0, .actions = 2.0, .travel = 5.0}, {.depth = 9.0, .actions = 2.0, .travel = 3.0}})
+          .order,
+      (Numbers{1, 0}));
+  EXPECT_EQ(ranked({{.depth = 9.0, .travel = 3.01}, {.depth = 1.0, .travel = 3.02}}).order, (Numbers{1, 0}))
+      << "a thousandth of the diagonal decides nothing";
+  EXPECT_EQ(ranked({{.undercut = 1.0, .actions = 9.0}, {.undercut = 2.0, .actions = 1.0}}).order,
+            (Numbers{0, 1}))
+      << "they do not tie";
+}
+
+TEST(Ranking, PutsWhatIsNotDecidedBehind) {
+  const Ranking ranking =
+      ranked({{.undercut = 1.0, .decided = false}, {.undercut = 3.0}, {.undercut = 1.0, .decided = false}});
+  EXPECT_EQ(ranking.order, (Numbers{1, 0, 2}));
+  EXPECT_EQ(ranking.tie_group, (Numbers{1, 0, 1}));
+  EXPECT_EQ(ranked({{.undercut = 2.0, .decided = false}, {.undercut = 2.0}}).tie_group, (Numbers{1, 0}));
 }
 
 TEST(Ranking, FollowsTheObjective) {

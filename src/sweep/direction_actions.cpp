@@ -1,0 +1,72 @@
+#include "sweep/direction_actions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <tbb/parallel_pipeline.h>
+
+#include "base/error.hpp"
+#include "classify/classification.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Every direction at work holds a part of its own, split at the borders of its regions.
+constexpr std::size_t k_most_facets_together = 2'000'000;
+constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
+
+}  // namespace
+
+DirectionActions direction_actions(const ActionPlan& plan) {
+  DirectionActions found{.text = actions_text(plan), .unreleased_area = plan.unreleased_area};
+  // By kinds, so that the same set has the same weight in whatever order it is found.
+  std::array<std::size_t, k_action_kinds> counts{};
+  for (const SideAction& action : plan.actions) {
+    ++counts[static_cast<std::size_t>(action.kind)];
+    found.travel = std::max(found.travel, action.travel);
+  }
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
+    found.weight += static_cast<double>(counts[kind]) * facts(static_cast<ActionKind>(kind)).weight;
+  found.weight = std::round(found.weight * k_weight_steps) / k_weight_steps;
+  return found;
+}
+
+std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
+                                                                const Progress& progress) const {
+  try {
+    const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
+    return direction_actions(find_actions(model_, split, settings_, Progress(&progress)));
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
+    std::span<const glm::dvec3> directions, const Progress& progress, const std::function<bool()>& stop,
+    const std::function<void()>& done) {
+  std::vector<std::optional<DirectionActions>> found(directions.size());
+  const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
+  const std::size_t together =
+      std::clamp<std::size_t>(k_most_facets_together / facets, 1, static_cast<std::size_t>(jobs_));
+  std::size_t next = 0;
+  const auto begin = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                         [&](tbb::flow_control& control) -> std::size_t {
+                                                           if (next == directions.size() || stop()) {
+                                                             control.stop();
+                                                             return 0;
+                                                           }
+                                                           return next++;
+                                                         });
+  const auto work =
+      tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, [&](const std::size_t& k) {
+        // A thread that waits for parts of this direction begins no other one.
+        tbb::this_task_arena::isolate([&] { found[k] = find_one(directions[k], progress); });
+        done();
+      });
+  arena_.execute([&] { tbb::parallel_pipeline(together, begin & work); });
+  return found;
+}
+
+}  // namespace moldlight

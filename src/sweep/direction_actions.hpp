@@ -1,0 +1,54 @@
+// The side actions of a sweep's directions, several directions at a time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <tbb/task_arena.h>
+
+#include "actions/side_action.hpp"
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "sweep/arena_threads.hpp"
+
+namespace moldlight {
+
+/// What the least set of side actions of one direction comes to.
+struct DirectionActions {
+  std::string text;              // "2 slides, 1 lifter"; "none"
+  double weight = 0.0;           // of their kinds, summed up
+  double travel = 0.0;           // of the one that travels farthest, part's unit; 0 without any
+  double unreleased_area = 0.0;  // of undercuts that nothing releases, part's unit squared
+};
+[[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan);
+
+class DirectionActionFinder {
+ public:
+  /// `jobs`: the number of threads. All but them must outlive the finder.
+  DirectionActionFinder(const PartModel& model, const MethodSettings& method, const ActionSettings& settings,
+                        int jobs)
+      : model_(model), method_(method), settings_(settings), jobs_(jobs), arena_(arena_threads(jobs)) {}
+
+  /// In the order of the directions, whatever the number of threads; nothing for what is not begun when
+  /// `stop` says so, and for what `progress` cancels. `done` is called after each, from any thread.
+  [[nodiscard]] std::vector<std::optional<DirectionActions>> find(std::span<const glm::dvec3> directions,
+                                                                  const Progress& progress,
+                                                                  const std::function<bool()>& stop,
+                                                                  const std::function<void()>& done);
+
+ private:
+  [[nodiscard]] std::optional<DirectionActions> find_one(const glm::dvec3& direction,
+                                                         const Progress& progress) const;
+
+  const PartModel& model_;
+  const MethodSettings& method_;
+  const ActionSettings& settings_;
+  int jobs_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace moldlight
