@@ -96,15 +96,17 @@ ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate
   ContactTile tile;
   tile.number = fmt::format("{}", candidate.rank);
   tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
-  tile.remark = side_actions_text(model, candidate);
-  if (!candidate.tie.empty())
-    tile.remark += fmt::format("{}tie {}", tile.remark.empty() ? "" : "  ·  ", candidate.tie);
+  if (!candidate.tie.empty()) tile.remark = fmt::format("tie {}", candidate.tie);
   for (const std::string_view key : k_tile_figures) {
     tile.figures.push_back(
         {figure_heading(direction_figure(key), model.part), picture_text(key, model, candidate)});
   }
   tile.figures.front().value += " ± " + picture_text("undercut_uncertainty", model, candidate);
   tile.reasons = shorter_reasons(candidate.candidate);
+  if (const std::string actions = side_actions_text(model, candidate); !actions.empty()) {
+    for (std::string& reason : tile.reasons) reason = actions + "  ·  " + reason;
+    tile.reasons.push_back(actions);
+  }
   return tile;
 }
 
