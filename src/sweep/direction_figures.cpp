@@ -21,7 +21,7 @@ namespace {
 constexpr double k_least_told_deg = 0.01;
 // What is left of undercuts: beside weights of side actions.
 constexpr double k_small_rest = 1e-3;    // of the part's area
-constexpr double k_small_penalty = 3.0;  // more than any one action
+constexpr double k_small_penalty = 4.0;  // more than any one action
 constexpr double k_penalty = 1e4;        // more than all actions of a part
 constexpr double k_area_penalty = 1e3;   // for the part's whole area
 
