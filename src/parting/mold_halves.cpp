@@ -259,6 +259,10 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
     halves.insert_volume += body.volume;
     const double area = facet_geometry(body.mesh).total_area;
     if (2.0 * std::abs(body.volume) > k_speck_thickness * scale * area) {
+      // Material that is there twice would be an insert inside out.
+      if (body.volume < 0.0)
+        return SurfaceFault{"bodies of the part overlap there; try one of them (--body) or --repair full",
+                            bounds(body.mesh).center() / scale};
       halves.inserts.push_back(std::move(body));
     } else {
       halves.specks_volume += body.volume;
