@@ -105,6 +105,7 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
       result.row = row.number;
       result.path = row.path;
       result.settings = settings[row.settings];
+      result.settings_number = row.settings;
       result.key = key_of(row);
       if (row.fault.empty()) result.content = hex_of(row.content);
       const auto found = there.find(result.key);

@@ -15,7 +15,8 @@ namespace moldlight::batch {
 
 struct PartResult {
   std::size_t row = 0;
-  std::string path, settings;  // settings as the command line has them, in one line
+  std::string path, settings;         // settings as the command line has them, in one line
+  std::uint32_t settings_number = 0;  // among those of the manifest
   Digest key{};
   std::string content;  // digest of the file; empty where it could not be read
   ResultState state = ResultState::missing;

@@ -38,6 +38,7 @@ App::App(const gl::Context& context, AppOptions options)
       layout_(options_.user.layout),
       thumbnails_(context, options_.shipped_parts, options_.wake),
       loader_(options_.wake, true),
+      batch_loader_(options_.wake, true),
       export_(options_.wake),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
@@ -56,6 +57,7 @@ void App::open(const std::string& path) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   const std::string part = error ? path : absolute.lexically_normal().string();
+  if (batch::is_batch(part)) return open_batch(part);
   const bool again = state_.model && part == state_.path;
   PartNotes notes = again ? PartNotes() : notes_of(part);
   ReadOptions reading = again ? state_.reading : options_.reading;
@@ -66,7 +68,15 @@ void App::open(const std::string& path) {
   load(part, reading, std::move(notes));
 }
 
+void App::open_batch(const std::string& path) {
+  const JobStatus first{"reading the batch", 0.0};
+  loader_.give_up();
+  batch_loader_.start([path](const Progress& progress) { return load_batch_table(path, progress); }, first);
+  state_.loading = Loading{.path = path, .status = first, .notes = {}};
+}
+
 void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
+  batch_loader_.give_up();
   const JobStatus first{"reading", 0.0};
   loader_.start(
       [path, reading](const Progress& progress) { return load_for_window(path, reading, progress); }, first);
@@ -139,10 +149,12 @@ void App::frame(const FrameInput& input) {
   candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
                         pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
+  if (batch_pictures_) batch_pictures_->begin_frame();
   workspace_.draw({ui, state_, edits, layout_},
                   {.maps = maps,
                    .shipped_parts = shipped,
-                   .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>()});
+                   .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>(),
+                   .batch = [this](const batch::Digest& part) { return batch_pictures_->texture(part); }});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   draw_hints({ui, state_, edits, layout_});
@@ -159,6 +171,7 @@ void App::frame(const FrameInput& input) {
   const bool event = input.played.any || !input.dropped.empty();
   settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
+  if (batch_pictures_ && batch_pictures_->unfinished()) next_frame_s_ = now_s_;
 }
 
 bool App::takes_key(const KeyPress& press, bool typing) const {
@@ -166,11 +179,13 @@ bool App::takes_key(const KeyPress& press, bool typing) const {
   if (key == ControlKey::next || key == ControlKey::former) return true;
   if (key == ControlKey::none) return false;
   if (typing) {  // the browser's filter, beside which its list goes by keys
-    return state_.dialogs.browser && key != ControlKey::left && key != ControlKey::right && press.key != ' ';
+    return (state_.dialogs.browser || state_.dialogs.batch) && key != ControlKey::left &&
+           key != ControlKey::right && press.key != ' ';
   }
   const UiMemory& memory = imgui_.memory();
   const Dialogs& dialogs = state_.dialogs;
-  const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture;
+  const bool asked =
+      dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture || dialogs.batch;
   return memory.keyboard.focused() || memory.popups.any() || asked;
 }
 
@@ -203,6 +218,19 @@ void App::poll_jobs() {
     }
   }
   if (loader_.running()) state_.loading->status = loader_.status();
+  if (auto outcome = batch_loader_.take()) {
+    state_.loading.reset();
+    if (outcome->result) {
+      state_.batch = std::make_shared<const BatchTable>(std::move(*outcome->result));
+      state_.dialogs = Dialogs();
+      state_.dialogs.batch = true;
+      batch_pictures_ = std::make_unique<BatchPictures>(*context_, state_.batch->manifest.folder);
+      settle_frames_ = k_settle_frames;
+    } else if (!outcome->error.empty()) {
+      say(outcome->error, true);
+    }
+  }
+  if (batch_loader_.running()) state_.loading->status = batch_loader_.status();
   if (const auto outcome = export_.take()) {
     say(outcome->result.value_or(outcome->error), !outcome->result);
     if (!outcome->result) state_.dialogs.exporting = true;  // another path may do
@@ -492,6 +520,7 @@ void App::picture_saved(const std::string& path) {
 
 void App::end_jobs() {
   loader_.cancel();
+  batch_loader_.cancel();
   export_.cancel();
   sweep_.cancel();
   measurer_.cancel();

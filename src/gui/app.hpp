@@ -20,6 +20,7 @@
 #include "gui/panels/workspace.hpp"
 #include "gui/store/history.hpp"
 #include "gui/store/user_state.hpp"
+#include "gui/view/batch_pictures.hpp"
 #include "gui/view/candidate_pictures.hpp"
 #include "gui/view/motion.hpp"
 #include "gui/view/part_thumbnails.hpp"
@@ -55,7 +56,7 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Starts to load a part; what is shown stays until it is there.
+  /// Starts to load a part, or a batch's table; what is shown stays until it is there.
   void open(const std::string& path);
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
@@ -120,6 +121,7 @@ class App {
   void show_comparison();
   void plan_next_frame();
   [[nodiscard]] std::vector<unsigned> shipped_pictures(const Ui& ui);
+  void open_batch(const std::string& path);
   /// What depends on the figures that are shown: the glow of a new undercut, those of the chosen face.
   void follow_figures();
   void measure_face();
@@ -146,10 +148,12 @@ class App {
   Viewport viewport_;
   PartThumbnails thumbnails_;
   Job<LoadedPart> loader_;
+  Job<BatchTable> batch_loader_;
   Job<std::string> export_;  // results in what is to be said
   FileWatch file_watch_;
   Measurer measurer_;
   WindowSweep sweep_;
+  std::unique_ptr<BatchPictures> batch_pictures_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
   Flight<Camera> flight_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/sweep_state.hpp"
@@ -50,7 +51,8 @@ struct Toast {
 
 /// Which dialogs are open.
 struct Dialogs {
-  bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false;
+  bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false,
+       batch = false;
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
@@ -79,7 +81,8 @@ struct AppState : Editable {
   std::vector<std::string> recent, shipped;  // parts to offer; paths
   Figures figures;
   SweepState sweep;
-  std::optional<CutPlane> cut;  // by the section that is shown
+  std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
+  std::optional<CutPlane> cut;              // by the section that is shown
   std::optional<Hover> hover;
   std::optional<CutSpan> span;     // under the cursor, where there is a section
   std::optional<ChosenFace> face;  // chosen by a click

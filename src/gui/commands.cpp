@@ -21,8 +21,16 @@ namespace fs = std::filesystem;
 
 void Commands::open_part(const std::string& path) { app.open(path); }
 
+void Commands::open_batch_part(std::size_t row) {
+  BatchPart part = batch_part(*app.state_.batch, row);
+  // How parts are looked at is not the batch's.
+  part.notes.settings.look = app.state_.settings.look;
+  app.load(part.path, part.reading, std::move(part.notes));
+}
+
 void Commands::cancel_loading() {
   app.loader_.give_up();
+  app.batch_loader_.give_up();
   app.state_.loading.reset();
 }
 
@@ -306,7 +314,14 @@ const std::vector<Shortcut>& shortcuts() {
       {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
       {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
 
-      {{program, "Ctrl+O", "open a part"}, with_ctrl, {'O'}, [](P p) { p.edits.dialogs.browser = true; }},
+      {{program, "Ctrl+O", "open a part, or a batch's folder"},
+       with_ctrl,
+       {'O'},
+       [](P p) { p.edits.dialogs.browser = true; }},
+      {{program, "L", "the batch's parts, where one was opened"},
+       always,
+       {'L'},
+       [](P p) { p.edits.dialogs.batch = p.state.batch && !p.edits.dialogs.batch; }},
       {{program, "Ctrl+E", "export"},
        with_ctrl,
        {'E'},

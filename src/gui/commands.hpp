@@ -20,7 +20,10 @@ class App;
 struct Commands {
   App& app;
 
+  /// A part, or a batch's folder, whose table is shown.
   void open_part(const std::string& path);
+  /// With the settings of its result.
+  void open_batch_part(std::size_t row);
   void cancel_loading();
   void undo();
   void redo();

@@ -13,7 +13,7 @@ void take_screenshot(const ScreenshotOptions& options) {
   if (!options.part.empty()) {
     window.app().open(options.part);
     window.wait_until_loaded();
-    if (!window.state().model) {
+    if (!window.state().model && !window.state().batch) {
       throw Error(window.state().toasts.empty() ? options.part + ": cannot be loaded"
                                                 : window.state().toasts.back().text);
     }

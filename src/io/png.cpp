@@ -48,6 +48,20 @@ std::string png_bytes(const Image& image) {
   return bytes;
 }
 
+Image read_png(const std::string& path) {
+  constexpr png_uint_32 k_most_px = 4096;
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&png, png_image_free);
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) throw FileError(path, "", png.message);
+  if (png.width > k_most_px || png.height > k_most_px) throw FileError(path, "", "is too large a picture");
+  png.format = PNG_FORMAT_RGBA;
+  Image image = empty_image(static_cast<int>(png.width), static_cast<int>(png.height));
+  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0)
+    throw FileError(path, "", png.message);
+  return image;
+}
+
 void write_png(const std::string& path, const Image& image) { write_file(path, png_bytes(image)); }
 
 }  // namespace moldlight

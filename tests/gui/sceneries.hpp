@@ -9,6 +9,7 @@
 
 #include <imgui_internal.h>
 
+#include "cli/small_parts.hpp"
 #include "gui/window_with_part.hpp"
 
 namespace moldlight::gui::test {
@@ -51,6 +52,15 @@ class WindowSceneries : public WindowWithPart {
         {"export", press('E', true), press(k_escape)},
         {"picture", press(k_f12), press(k_escape)},
         {"files", press('O', true), press(k_escape)},
+        {"batch",
+         [this] {
+           EXPECT_EQ(parts_.plan().exit_code, 0);
+           EXPECT_EQ(parts_.batch("run").exit_code, 0);
+           window.app().open(parts_.path("night"));
+           window.wait_until_loaded();
+           window.settle();
+         },
+         press(k_escape)},
         {"sweep options", click_on("options"), click_on("options")},
         {"sweep table",
          [this] {
@@ -82,6 +92,9 @@ class WindowSceneries : public WindowWithPart {
     window.move_mouse(glm::vec2(size) * glm::vec2(0.5F, 0.72F));
     for (int k = 0; k < 6; ++k) window.lay_out();
   }
+
+ private:
+  moldlight::test::SmallParts parts_{3};
 };
 
 /// The part of the text that its clip rectangle shows.

@@ -28,6 +28,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   draw_start_page(context, textures.shipped_parts);
   draw_loading(context);
   draw_large_map(context, textures.maps);
+  batch_.draw(context, textures.batch);
   browser_.draw(context);
   export_.draw(context);
   picture_.draw(context);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/panels/batch_panel.hpp"
 #include "gui/panels/panels.hpp"
 #include "sweep/direction_figures.hpp"
 
@@ -122,6 +123,7 @@ class Workspace {
     MapTextures maps;
     std::span<const unsigned> shipped_parts;
     std::vector<unsigned> candidates;  // of the sweep, one each; 0 for none yet
+    BatchPicture batch;
   };
   void draw(const PanelContext& context, const Textures& textures);
   void give_up_drag() { ball_.active = large_ball_.active = false; }
@@ -130,6 +132,7 @@ class Workspace {
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
   FileBrowser browser_;
+  BatchPanel batch_;
   ExportDialog export_;
   PictureDialog picture_;
   HelpSheet help_;

@@ -1,0 +1,142 @@
+#include "gui/jobs/batch_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+using batch::Figure;
+using batch::PartResult;
+using Json = nlohmann::ordered_json;
+
+std::optional<double> value_of(const PartResult& row, BatchColumn column) {
+  switch (column) {
+    case BatchColumn::undercut:
+      return row.figure(Figure::undercut_area);
+    case BatchColumn::share:
+      return row.undercut_share();
+    case BatchColumn::undercuts:
+      return row.figure(Figure::undercuts);
+    case BatchColumn::side_actions:
+      return row.figure(Figure::side_actions);
+    case BatchColumn::unreleased:
+      return row.figure(Figure::unreleased_area);
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_text(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// The settings among these that a table of options has.
+template <typename S>
+void take_settings(std::span<const Option<S>> options, S& settings, const Json& effective) {
+  Json known = Json::object();
+  for (const Option<S>& option : options) {
+    const std::string key(option.key);
+    if (effective.contains(key)) known[key] = effective[key];
+  }
+  set_options(options, settings, known);
+}
+
+}  // namespace
+
+BatchTable load_batch_table(const std::string& path, const Progress& progress) {
+  BatchTable table;
+  table.manifest = batch::read_manifest(path);
+  table.rows.reserve(table.manifest.rows);
+  table.counts = batch::for_each_result(table.manifest, progress,
+                                        [&](const PartResult& row) { table.rows.push_back(row); });
+  return table;
+}
+
+std::string_view batch_column_name(BatchColumn column) {
+  constexpr std::array<std::string_view, 7> k_names = {"part",      "state",        "undercut",    "share",
+                                                       "undercuts", "side actions", "not released"};
+  return k_names[static_cast<std::size_t>(column)];
+}
+
+std::string batch_cell(const PartResult& row, BatchColumn column) {
+  if (column == BatchColumn::part) {
+    std::string line = row.path;
+    std::ranges::replace_if(
+        line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return line;
+  }
+  if (column == BatchColumn::state) return std::string(batch::state_name(row.state));
+  const auto value = value_of(row, column);
+  if (!value) return "";
+  return column == BatchColumn::share ? fmt::format("{:.2f} %", 100.0 * *value) : figure(*value);
+}
+
+std::vector<BatchColumn> used_columns(const BatchTable& table) {
+  std::vector<BatchColumn> used;
+  for (int k = 0; k <= static_cast<int>(BatchColumn::unreleased); ++k) {
+    const auto column = static_cast<BatchColumn>(k);
+    const auto has = [&](const PartResult& row) { return value_of(row, column).has_value(); };
+    if (is_text(column) || std::ranges::any_of(table.rows, has)) used.push_back(column);
+  }
+  return used;
+}
+
+std::vector<std::size_t> ordered_rows(const BatchTable& table, const BatchOrder& order) {
+  std::vector<std::string> words;
+  std::istringstream text(lower(order.filter));
+  for (std::string word; text >> word;) words.push_back(word);
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const PartResult& row = table.rows[k];
+    const std::string all =
+        lower(fmt::format("{} {} {} {}", row.path, row.settings, batch::state_name(row.state), row.reason));
+    const auto is_in = [&](const std::string& word) { return all.find(word) != std::string::npos; };
+    if (std::ranges::all_of(words, is_in)) rows.push_back(k);
+  }
+  const BatchColumn column = order.column;
+  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
+    const PartResult &first = table.rows[a], &second = table.rows[b];
+    if (is_text(column)) {
+      const std::string x = batch_cell(first, column), y = batch_cell(second, column);
+      return order.descending ? y < x : x < y;
+    }
+    const auto x = value_of(first, column), y = value_of(second, column);
+    if (!x || !y) return x.has_value() && !y.has_value();
+    return order.descending ? *x > *y : *x < *y;
+  });
+  return rows;
+}
+
+BatchPart batch_part(const BatchTable& table, std::size_t number) {
+  const PartResult& row = table.rows[number];
+  const Json& effective = table.manifest.settings[row.settings_number].effective;
+  BatchPart part;
+  part.path = (std::filesystem::path(table.manifest.parts_folder()) / row.path).lexically_normal().string();
+  take_settings(reading_options(), part.reading, effective);
+  take_settings(method_options(), part.notes.settings.method, effective);
+  part.notes.unit = part.reading.unit;
+  if (row.direction) {
+    const auto& d = *row.direction;
+    part.notes.settings.direction = glm::dvec3(d[0], d[1], d[2]);
+  } else if (const auto d = effective.find("direction"); d != effective.end() && d->is_array()) {
+    part.notes.settings.direction =
+        glm::dvec3((*d)[0].get<double>(), (*d)[1].get<double>(), (*d)[2].get<double>());
+  }
+  return part;
+}
+
+}  // namespace moldlight::gui

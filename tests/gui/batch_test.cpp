@@ -1,0 +1,95 @@
+// A batch in the window: its table, filtered and sorted, and a click that opens a part with its settings.
+#include <filesystem>
+
+#include "cli/small_parts.hpp"
+#include "gui/window_with_part.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+using moldlight::test::run_moldlight;
+
+/// The part along y by a list that says so, one that is broken, one without result.
+class BatchInWindow : public WindowWithPart {
+ protected:
+  void SetUp() override {
+    parts.add("junk.stl", "junk");
+    static_cast<void>(parts.folder().write("list.csv",
+                                           "path,direction,tau,unit\nparts/part-0000.off,y,2,mm\n"
+                                           "parts/junk.stl,,,\nparts/part-0001.off,,,\n"));
+    ASSERT_EQ(parts.plan("list.csv").exit_code, 0);
+    ASSERT_EQ(parts.batch("run", {"--shard", "0/2"}).exit_code, 0);
+    ASSERT_EQ(parts.batch("run", {"--shard", "1/2"}).exit_code, 0);
+    window.app().open(parts.path("night"));
+    window.wait_until_loaded();
+    window.settle();
+  }
+  [[nodiscard]] bool shows(const std::string& text) const {
+    for (const DrawnText& drawn : window.app().texts())
+      if (drawn.text.find(text) != std::string::npos) return true;
+    return false;
+  }
+
+  moldlight::test::SmallParts parts{2};
+};
+
+TEST_F(BatchInWindow, ShowsItsPartsWithWhatBecameOfThem) {
+  ASSERT_TRUE(state().batch);
+  EXPECT_TRUE(state().dialogs.batch);
+  EXPECT_TRUE(shows("classify: 2 done, 1 failed, 0 missing"));
+  for (const char* path : {"parts/part-0000.off", "parts/junk.stl", "parts/part-0001.off"})
+    EXPECT_TRUE(shows(path)) << path;
+  EXPECT_TRUE(shows("expected 'solid'")) << "why it failed";
+}
+
+TEST_F(BatchInWindow, AClickOpensThePartWithItsSettings) {
+  click("row 0");
+  window.wait_until_loaded();
+  EXPECT_TRUE(state().path.ends_with("parts/part-0000.off")) << state().path;
+  EXPECT_EQ(direction(), glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(method().tau_deg, 2.0);
+  EXPECT_EQ(state().model->part.unit, "mm");
+  EXPECT_FALSE(state().dialogs.batch);
+  key({.key = 'L'});
+  EXPECT_TRUE(state().dialogs.batch) << "the table is a key away";
+}
+
+TEST_F(BatchInWindow, TypingFiltersAndAHeadingSorts) {
+  window.type("0001");
+  window.frames(3);
+  EXPECT_TRUE(shows("parts/part-0001.off"));
+  EXPECT_FALSE(shows("parts/part-0000.off"));
+  key({.key = k_escape});
+  key({.key = k_escape});
+  EXPECT_FALSE(state().dialogs.batch);
+}
+
+TEST(BatchTable, OrdersAndFiltersRows) {
+  BatchTable table;
+  for (const char* path : {"b.stl", "a.stl", "c.stl"}) {
+    batch::PartResult row;
+    row.path = path;
+    row.state = batch::ResultState::done;
+    table.rows.push_back(row);
+  }
+  const auto share = [&](std::size_t row, double undercut) {
+    table.rows[row].figures[static_cast<std::size_t>(batch::Figure::area)] = 10.0;
+    table.rows[row].figures[static_cast<std::size_t>(batch::Figure::undercut_area)] = undercut;
+  };
+  share(0, 1.0);
+  share(2, 2.0);
+  using Rows = std::vector<std::size_t>;
+  EXPECT_EQ(ordered_rows(table, {}), (Rows{2, 0, 1})) << "what is not known comes last";
+  EXPECT_EQ(ordered_rows(table, {.filter = {}, .column = BatchColumn::share, .descending = false}),
+            (Rows{0, 2, 1}));
+  EXPECT_EQ(ordered_rows(table, {.filter = {}, .column = BatchColumn::part, .descending = false}),
+            (Rows{1, 0, 2}));
+  EXPECT_EQ(ordered_rows(table, {.filter = "C.STL done", .column = BatchColumn::share, .descending = true}),
+            (Rows{2}));
+  EXPECT_TRUE(
+      ordered_rows(table, {.filter = "c.stl failed", .column = BatchColumn::share, .descending = true})
+          .empty());
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test
