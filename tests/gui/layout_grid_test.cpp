@@ -54,7 +54,7 @@ class TextOrder {
 
   /// Whether it lies over all others for as long as its user wants it: dialogs, menus, tooltips.
   [[nodiscard]] static bool is_passing(const ImGuiWindow& each) {
-    constexpr std::array<std::string_view, 9> k_names = {
+    constexpr std::array<std::string_view, 10> k_names = {
         "Help",    "Window settings", "Open",  "Export", "Batch",
         "Picture", "Large map",       "Scrim", "Toast",  "Popup"};
     const auto named = [&](std::string_view name) { return std::string_view(each.Name).starts_with(name); };
