@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
-#include "gl/program.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"
@@ -19,8 +18,6 @@ namespace {
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
-/// Frames after an event, until ImGui has laid out what the event changed.
-constexpr int k_settle_frames = 3;
 
 /// Settings that are lengths keep their size when the part's unit becomes another one.
 void convert_lengths(MethodSettings& method, std::string_view from, std::string_view to) {
@@ -42,6 +39,7 @@ App::App(const gl::Context& context, AppOptions options)
       export_(options_.wake),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
+      actions_(options_.wake),
       sweep_(options_.wake) {
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
@@ -164,6 +162,7 @@ void App::frame(const FrameInput& input) {
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
+  find_actions(edits.dragging || ImGui::IsAnyItemActive());
   sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
@@ -249,27 +248,6 @@ void App::poll_jobs() {
   }
 }
 
-std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
-  if (state_.model || loader_.running()) return {};
-  thumbnails_.update(static_cast<int>(ui.px(k_start_picture_size)), state_.window.theme);
-  return thumbnails_.textures();
-}
-
-void App::follow_figures() {
-  const auto& shown = state_.figures.shown;
-  if (!shown || followed_ == state_.figures.revision) return;
-  followed_ = state_.figures.revision;
-  const double least = std::max(shown->uncertainty.total(), 1e-4 * shown->total_area);
-  glow_.see(shown->areas[Region::undercut] > least, now_s_, state_.window.motion);
-  measure_face();
-}
-
-void App::measure_face() {
-  if (!state_.face || !state_.figures.shown) return;
-  state_.face->figures =
-      face_figures(*state_.model, *state_.figures.shown, state_.faces->facets(state_.face->number));
-}
-
 void App::install(LoadedPart part, const PartNotes& notes) {
   const bool again = state_.model && part.path == state_.path;
   const bool other_body = again && part.reading.body != state_.reading.body;
@@ -308,29 +286,6 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.camera = Camera{};
   state_.camera.orientation = standard_orientation(StandardView::isometric);
   fit_frames_ = 3;
-}
-
-void App::pick() {
-  state_.hover.reset();
-  state_.span.reset();
-  if (!scene_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid()) return;
-  const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-  const auto split = split_view();
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= (split ? split->left : size_.x) || pixel.y >= size_.y) return;
-  const auto point = scene_->pick(pixel);
-  if (!point) return;
-  if (point->facet != k_no_facet) state_.hover = describe(*state_.model, state_.settings, *point);
-  if (!state_.cut || opening_.at(now_s_) > 0.0) return;
-  // The plane's point on the line of sight, if it lies before the surface.
-  const Camera& camera = state_.camera;
-  const glm::dvec3 seen(point->position);
-  const glm::dvec3 toward =
-      camera.projection == Projection::perspective ? camera.eye() - seen : camera.toward_viewer();
-  const double height = state_.cut->offset - glm::dot(seen, state_.cut->normal);
-  const double rise = glm::dot(toward, state_.cut->normal);
-  if (rise <= 0.0 || height < -1e-4) return;
-  state_.span =
-      cut_span(*state_.model, *state_.cut, state_.settings.direction.unit(), seen + height / rise * toward);
 }
 
 void App::apply(const Edits& edits) {
@@ -381,94 +336,6 @@ void App::set_direction(const glm::dvec3& direction) {
   history_.settle(state_.settings);
 }
 
-SceneSettings App::scene_settings() const {
-  SceneSettings scene;
-  scene.query = state_.settings;
-  const LookSettings& look = state_.settings.look;
-  ViewSettings& shown = scene.view.settings;
-  shown = {look};
-  shown.theme = state_.window.theme;
-  shown.tau_deg = state_.settings.method.tau_deg;
-  shown.open_mold = opening_.at(now_s_);
-  shown.pixel_scale = scale_;
-  shown.cut = scene_->section(look, state_.settings.direction.unit());
-  shown.cut_arrow = true;
-  scene.view.camera = state_.camera;
-  scene.direction_moves = direction_moves_;
-  const bool marked = look.mark_difference;
-  scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
-  if (marked || look.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
-  if (regions_by_maps()) scene.samples = state_.figures.samples;
-  ViewMarks& marks = scene.view.marks;
-  marks.undercut_glow = glow_.at(now_s_);
-  if (state_.face) marks.chosen = state_.face->number;
-  if (state_.hover) {
-    marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
-    if (state_.hover->blocker) marks.blocking = state_.faces->of_facet[state_.hover->blocker->facet];
-  }
-  return scene;
-}
-
-bool App::draw(const ViewTarget& target) {
-  bool refining = false;
-  if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
-  if (scene_) {
-    scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
-    refining = scene_->draw(target, scene_settings()) || refining;
-    show_comparison();
-  } else {
-    draw_backdrop(tools_, target, state_.window.theme);
-  }
-  // ImGui goes back to the program that was in use, which may be deleted by then.
-  gl::use_no_program(context_->functions());
-  imgui_.draw();
-  if (refining) next_frame_s_ = now_s_;
-  return refining;
-}
-
-bool App::regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
-
-void App::show_comparison() {
-  Figures& figures = state_.figures;
-  const auto former = figures.maps;
-  if (!regions_by_maps() || direction_moves_) {
-    figures.maps.reset();
-  } else if (figures.samples) {  // until they are there the last comparison stays
-    figures.maps = scene_->comparison();
-  }
-  if (figures.maps != former) next_frame_s_ = now_s_;
-}
-
-void App::fit(const Camera& camera, bool at_once) {
-  fitted_area_ = fit_area();
-  fitted_ = fitted_to(camera, state_.extremes, state_.settings, fitted_area_);
-  if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
-  if (at_once) flight_.stop();
-  state_.camera = *fitted_;
-}
-
-void App::keep_fitted() {
-  if (!fitted_ || state_.dialogs.panels_hidden) return;
-  if (!flight_.flying() && !(state_.camera == *fitted_)) {
-    fitted_.reset();
-    return;
-  }
-  const FreeArea area = fit_area();
-  if (area.window == fitted_area_.window && area.max.y == fitted_area_.max.y) return;
-  fit(*fitted_, area.window != fitted_area_.window);
-}
-
-void App::turn_direction(bool held) {
-  if (!turn_.flying()) return;
-  if (held) {
-    turn_.stop();
-    return;
-  }
-  state_.settings.direction = turn_.at(now_s_);
-  if (!turn_.flying()) history_.settle(state_.settings);
-  settle_frames_ = k_settle_frames;
-}
-
 void App::sweep_by_itself(bool query_changed) {
   SweepState& sweep = state_.sweep;
   if (query_changed && !turn_.flying()) {
@@ -479,25 +346,6 @@ void App::sweep_by_itself(bool query_changed) {
   quick_sweep_due_ = false;
   if (!state_.figures.shown || sweep.running || sweep.result) return;
   sweep_.start(state_, sweep, now_s_, true);
-}
-
-std::optional<SplitView> App::split_view() const {
-  const auto& compared = state_.sweep_choices.compared;
-  if (!scene_ || !pictures_ || !compared || *compared >= pictures_->result()->candidates.size())
-    return std::nullopt;
-  const FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
-  return split_view_of(state_.camera, size_, *compared, std::max(area.min.x, size_.x - area.max.x));
-}
-
-FreeArea App::fit_area() const {
-  FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
-  if (!split_view()) return area;
-  // Both halves show what one of them has room for, below the table of their difference.
-  const int side = std::max(area.min.x, size_.x - area.max.x);
-  area.min.x = side;
-  area.max.x = size_.x / 2;
-  area.min.y += static_cast<int>(k_comparison_height * scale_);
-  return area;
 }
 
 void App::plan_next_frame() {
@@ -524,6 +372,7 @@ void App::end_jobs() {
   export_.cancel();
   sweep_.cancel();
   measurer_.cancel();
+  actions_.cancel();
 }
 
 void App::save() {

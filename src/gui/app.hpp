@@ -14,6 +14,7 @@
 #include "gui/commands.hpp"
 #include "gui/draw/imgui_session.hpp"
 #include "gui/draw/panel_layout.hpp"
+#include "gui/jobs/action_finder.hpp"
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/window_sweep.hpp"
@@ -50,6 +51,9 @@ struct FrameInput {
 
 /// `context` must be current at every call and outlive the app.
 class App {
+  /// Frames after an event, until ImGui has laid out what the event changed.
+  static constexpr int k_settle_frames = 3;
+
  public:
   App(const gl::Context& context, AppOptions options);
   ~App();
@@ -84,8 +88,10 @@ class App {
   [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
-  /// True while figures, or the split mesh, are not there that will be.
-  [[nodiscard]] bool measuring() const { return state_.model && state_.figures.measuring; }
+  /// True while figures, the split mesh, or side actions are not there that will be.
+  [[nodiscard]] bool measuring() const {
+    return state_.model && (state_.figures.measuring || state_.actions.awaited);
+  }
   /// True while a sweep runs, or is about to.
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
@@ -125,6 +131,8 @@ class App {
   /// What depends on the figures that are shown: the glow of a new undercut, those of the chosen face.
   void follow_figures();
   void measure_face();
+  /// The undercut that is looked at stays so in another plan. `moving`: a hand is at the settings.
+  void find_actions(bool moving);
   void turn_direction(bool held);
   /// The sweep that nobody asked for: once the part is measured, until direction or method change, which
   /// wants the processor for itself.
@@ -152,6 +160,7 @@ class App {
   Job<std::string> export_;  // results in what is to be said
   FileWatch file_watch_;
   Measurer measurer_;
+  ActionFinder actions_;
   WindowSweep sweep_;
   std::unique_ptr<BatchPictures> batch_pictures_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/jobs/actions_state.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
@@ -68,6 +69,7 @@ struct Editable {
   Camera camera;
   Dialogs dialogs;
   SweepChoices sweep_choices;
+  ActionChoices action_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
   std::set<Hint> hints_done;
 };
@@ -81,6 +83,7 @@ struct AppState : Editable {
   std::vector<std::string> recent, shipped;  // parts to offer; paths
   Figures figures;
   SweepState sweep;
+  ActionsState actions;
   std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
   std::optional<CutPlane> cut;              // by the section that is shown
   std::optional<Hover> hover;

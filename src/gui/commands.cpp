@@ -58,6 +58,19 @@ void Commands::look_at_undercuts() {
                                   app.state_.settings.direction.unit()));
 }
 
+void Commands::look_at_undercut(std::size_t undercut) {
+  const auto& split = app.state_.figures.split;
+  const auto& plan = app.state_.actions.plan;
+  if (!split || !plan || undercut >= plan->patches.size()) return;
+  const PartModel& model = *app.state_.model;
+  const Undercut& patch = plan->patches[undercut].undercut;
+  const auto alone = std::make_shared<SplitMesh>();
+  alone->vertices = split->vertices;
+  for (const std::uint32_t piece : patch.pieces) alone->pieces.push_back(split->pieces[piece]);
+  const std::shared_ptr<const SplitMesh> shown = alone;
+  look_from(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
+}
+
 void Commands::toggle_projection() {
   Projection& projection = app.state_.camera.projection;
   projection = projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
@@ -164,7 +177,8 @@ void Commands::quit() { app.quitting_ = true; }
 
 void Edits::keep_bookmark() {
   const glm::dvec3& direction = settings.direction.given();
-  bookmarks.push_back({.note = direction_text(direction, 3), .direction = tidy(direction)});
+  bookmarks.push_back(
+      {.note = direction_text(direction, 3), .direction = tidy(direction), .actions = settings.actions});
 }
 
 namespace {

@@ -34,6 +34,8 @@ struct Commands {
   void look_along_direction();
   /// Flies to where most of the undercuts is seen; nothing where there are none.
   void look_at_undercuts();
+  /// The same for one undercut of the plan of side actions.
+  void look_at_undercut(std::size_t undercut);
   void toggle_projection();
   /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
   void take_normal();

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float k_least_room = 96.0F;       // layout units: with less a panel is collapsed
 constexpr float k_widest_bottom = 1120.0F;  // layout units
+constexpr float k_bottom_row = 40.0F;       // layout units: a folded panel along the bottom
 constexpr float k_least_bottom = 600.0F;    // with less between the side panels it reaches below them
 
 /// Layout units that panels and dialogs have at least.
@@ -200,22 +201,35 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   Panel& each = panel(name);
   each.drawn = false;
   const FreeArea area = free_area(false);
+  const float gap = ui.px(12);
+  float bottom = static_cast<float>(size_.y) - gap;
+  for (const Panel& other : panels_) {
+    if (other.drawn && other.bottom) bottom = std::min(bottom, other.min.y - ui.px(8));
+  }
   open_ = &each;
   each.bottom = each.drawn = true;
-  const float gap = ui.px(12);
   const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
   const bool below = between < ui.px(k_least_bottom);
   const float room = below ? static_cast<float>(size_.x) - 2.0F * gap : between;
   const float middle = below ? 0.5F * static_cast<float>(size_.x) : area.middle_x();
   const float width = std::min(room, ui.px(k_widest_bottom));
-  place_window({std::round(middle), static_cast<float>(size_.y) - gap}, {0.5F, 1.0F});
-  ImGui::SetNextWindowSizeConstraints(
-      ImVec2(width, 0.0F), ImVec2(width, static_cast<float>(size_.y) - ui.px(k_bar_height) - 2.0F * gap));
+  place_window({std::round(middle), bottom}, {0.5F, 1.0F});
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F),
+                                      ImVec2(width, std::max(bottom - ui.px(k_bar_height) - gap, ui.px(64))));
   ImGui::Begin(("##" + each.place.name).c_str(), nullptr, k_card_window);
   each.min = from_im(ImGui::GetWindowPos());
   each.max = each.min + from_im(ImGui::GetWindowSize());
+  // Its size follows from what is in it, which is not known before the next frame: panels above it do not
+  // give way to a guess.
+  if (ImGui::IsWindowAppearing()) each.min.y = std::round(bottom - ui.px(k_bottom_row));
   ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
   return !each.place.collapsed;
+}
+
+void PanelLayout::fold(std::string_view name, bool collapsed) {
+  for (Panel& each : panels_) {
+    if (each.place.name == name) each.place.collapsed = collapsed;
+  }
 }
 
 void PanelLayout::fold(bool collapsed) {

@@ -61,11 +61,14 @@ class PanelLayout {
   bool begin(const Ui& ui, const char* name);
   void end();
   /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
+  /// above those that have been drawn there;
   /// it is as high as what is in it, and
   /// its first row is its title, which the panel draws. False if it is folded up to that row.
   bool begin_bottom(const Ui& ui, const char* name);
   /// Folds the panel that is open up or down from the next frame on.
   void fold(bool collapsed);
+  /// The same for a panel that was drawn, by its name.
+  void fold(std::string_view name, bool collapsed);
 
   /// What the panels left free when they were last drawn.
   [[nodiscard]] FreeArea free_area(bool panels_hidden) const;

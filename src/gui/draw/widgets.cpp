@@ -269,10 +269,13 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     start_typing(memory, id, real_text(value));
   }
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
-  draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row, spec.label);
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
-  draw_value(ui, row,
-             shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals));
+  const std::string text =
+      shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals);
+  const float room = row.max.x - row.min.x - text_size(ui.fonts.body, text).x - ui.px(20);
+  draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row,
+                fitted(ui.fonts.body, spec.label, room));
+  draw_value(ui, row, text);
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
 }

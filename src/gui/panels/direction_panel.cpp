@@ -43,6 +43,7 @@ void draw_bookmarks(const PanelContext& context) {
     ImGui::PushID(static_cast<int>(k));
     if (icon_button(ui, {"go", Icon::bookmark, "Take this direction"})) {
       context.edits.settings.direction = bookmarks[k].direction;
+      if (bookmarks[k].actions) context.edits.settings.actions = *bookmarks[k].actions;
     }
     ImGui::SameLine();
     std::array<char, 128> note{};

@@ -27,6 +27,11 @@ std::string value_text(const ShownValue& shown, const PartLengths* lengths) {
   return fmt::format("{} {} · {}", number, shown.unit, lengths->text(shown.value * lengths->texel));
 }
 
+std::string number_label(std::string_view label, std::string_view unit) {
+  if (unit.empty()) return std::string(label);
+  return fmt::format("{}{} {}", label, unit == "deg" ? "" : ",", unit == "deg" ? "°" : unit);
+}
+
 namespace {
 
 double nearest_on_log_scale(double value, double base, std::initializer_list<double> mantissas) {

@@ -70,10 +70,14 @@ struct RowOptions {
   std::string unset = {};                                    // stands for a number that is not set
 };
 
+/// "Clearance, mm": what a field for a number is called.
+[[nodiscard]] std::string number_label(std::string_view label, std::string_view unit);
+
 /// Whether the window has a control for it.
 template <typename S>
 [[nodiscard]] bool has_control(const Option<S>& option) {
-  return !std::holds_alternative<DirectionsKind<S>>(option.kind);
+  const auto* text = std::get_if<TextKind<S>>(&option.kind);
+  return !std::holds_alternative<DirectionsKind<S>>(option.kind) && (text == nullptr || !text->words.empty());
 }
 /// Whether its control takes the panel's width.
 template <typename S>
@@ -90,7 +94,8 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOpt
   const auto number_row = [&](double number, int decimals, SliderSpec spec) {
     spec.text = [&](double v) { return value_text({v, decimals, option.unit}, row.lengths); };
     const float width = ImGui::GetContentRegionAvail().x;
-    if (row.refused ? number_field(ui, option.key.data(), number, {option.label, decimals, width})
+    if (row.refused ? number_field(ui, option.key.data(), number,
+                                   {number_label(option.label, option.unit), decimals, width})
                     : slider(ui, {option.label, modified}, number, spec))
       after = real_text(number);
   };

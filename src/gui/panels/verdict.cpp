@@ -44,6 +44,17 @@ std::string undercut_text(const Part& part, const SweepCandidate& candidate) {
   return fmt::format("{} {}", grouped(column.text(undercut_area(candidate))), powered_unit(part, 2));
 }
 
+bool has_undercuts(const AppState& state) { return state.figures.shown && !is_free(*state.figures.shown); }
+
+std::string actions_summary(const AppState& state) {
+  const ActionPlan& plan = *state.actions.plan;
+  std::string text = plan.actions.empty() ? "no side action releases them" : actions_text(plan);
+  if (plan.unreleased_area > 0.0 && !plan.actions.empty())
+    text += fmt::format(" · {} {} left", grouped(fmt::format("{:.3g}", plan.unreleased_area)),
+                        powered_unit(state.model->part, 2));
+  return text;
+}
+
 Verdict verdict_of(const AppState& state) {
   Verdict verdict;
   if (!state.model || !state.figures.shown) return verdict;
@@ -56,6 +67,8 @@ Verdict verdict_of(const AppState& state) {
   verdict.sentence = fmt::format("{}, {} {}", undercuts_text(state.figures.undercuts),
                                  grouped(FigureColumn(here.total_area).text(here.areas[Region::undercut])),
                                  powered_unit(state.model->part, 2));
+  if (const ActionsState& actions = state.actions; is_settled(actions) && !actions.plan->patches.empty())
+    verdict.sentence += " · " + actions_summary(state);
   const SweepState& sweep = state.sweep;
   if (sweep.running) {
     verdict.best = "looking for the best direction …";
@@ -78,7 +91,13 @@ void draw_verdict(const PanelContext& context) {
   const Verdict verdict = verdict_of(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = ImGui::GetContentRegionAvail().x;
-  const Pressable sentence = pressable(ui, "verdict", {width, ui.px(22)});
+  const float room = width - ui.px(26);
+  // What has no room in one line has two, the second of side actions.
+  const bool whole = text_size(ui.fonts.strong, verdict.sentence).x <= room;
+  const std::size_t mark = whole ? std::string::npos : verdict.sentence.find(" · ");
+  const std::string first = verdict.sentence.substr(0, mark);
+  const std::string second = mark == std::string::npos ? "" : verdict.sentence.substr(mark + 4);
+  const Pressable sentence = pressable(ui, "verdict", {width, ui.px(second.empty() ? 22 : 40)});
   const glm::vec2 at = sentence.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (sentence.hovered && !verdict.free)
@@ -89,12 +108,14 @@ void draw_verdict(const PanelContext& context) {
             faded(verdict.free ? ui.colours->text : ui.colours->warning, alpha));
   draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
             at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size)),
-            fitted(ui.fonts.strong, verdict.sentence, width - ui.px(26)));
+            fitted(ui.fonts.strong, first, room));
+  draw_text(list, {ui.fonts.body, faded(ui.colours->text, alpha)}, at + glm::vec2(ui.px(26), ui.px(21)),
+            fitted(ui.fonts.body, second, room));
   if (!verdict.best.empty()) {
     ImGui::Indent(ui.px(26));
     const float button_width = verdict.better ? ui.px(72) : 0.0F;
-    const float room = width - ui.px(26) - button_width;
-    row_text(ui, {ui.fonts.small, ui.colours->muted}, room, fitted(ui.fonts.small, verdict.best, room));
+    const float beside = room - button_width;
+    row_text(ui, {ui.fonts.small, ui.colours->muted}, beside, fitted(ui.fonts.small, verdict.best, beside));
     if (verdict.better) {
       ImGui::SameLine(0.0F, 0.0F);
       if (button(ui, "Go there", {.width = button_width, .strong = true}))

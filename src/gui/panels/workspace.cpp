@@ -15,6 +15,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       draw_regions_panel(context);
       draw_look_panel(context);
       sweep_.draw(context, textures.candidates);
+      actions_.draw(context);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/panels/actions_panel.hpp"
 #include "gui/panels/batch_panel.hpp"
 #include "gui/panels/panels.hpp"
 #include "sweep/direction_figures.hpp"
@@ -131,6 +132,7 @@ class Workspace {
  private:
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
+  ActionsPanel actions_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

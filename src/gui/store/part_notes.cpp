@@ -39,6 +39,7 @@ Bookmark parse_bookmark(const Json& json) {
   const std::string text = moldlight::detail::json_text(json["direction"]);
   bookmark.direction = tidy(parse_direction({text, "settings: a bookmark's direction"}));
   if (json.contains("note") && json["note"].is_string()) bookmark.note = json["note"].get<std::string>();
+  if (json.contains("actions")) set_options(action_options(), bookmark.actions.emplace(), json["actions"]);
   return bookmark;
 }
 
@@ -97,10 +98,13 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
   if (!notes.unit.empty()) json["unit"] = notes.unit;
   json["settings"] = settings_json(notes.settings);
   json["look"] = options_json(look_options(), notes.settings.look);
+  json["actions"] = options_json(action_options(), notes.settings.actions);
   json["bookmarks"] = Json::array();
   for (const Bookmark& bookmark : notes.bookmarks) {
     const glm::dvec3& d = bookmark.direction;
-    json["bookmarks"].push_back({{"note", bookmark.note}, {"direction", {d.x, d.y, d.z}}});
+    Json entry = {{"note", bookmark.note}, {"direction", {d.x, d.y, d.z}}};
+    if (bookmark.actions) entry["actions"] = options_json(action_options(), *bookmark.actions);
+    json["bookmarks"].push_back(std::move(entry));
   }
   // A note in an unknown encoding must not keep the rest from being saved.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -122,6 +126,7 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   }
   if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
+  if (json.contains("actions")) set_options(action_options(), notes.settings.actions, json["actions"]);
   if (json.contains("bookmarks")) {
     notes.bookmarks.clear();
     for (const Json& bookmark : json["bookmarks"]) notes.bookmarks.push_back(parse_bookmark(bookmark));

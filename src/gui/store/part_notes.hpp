@@ -2,12 +2,14 @@
 // it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "actions/action_settings.hpp"
 #include "classify/settings.hpp"
 #include "gui/store/settings.hpp"
 
@@ -16,7 +18,8 @@ namespace moldlight::gui {
 /// A parting direction worth coming back to.
 struct Bookmark {
   std::string note;
-  glm::dvec3 direction{0, 0, 1};  // unit
+  glm::dvec3 direction{0, 0, 1};            // unit
+  std::optional<ActionSettings> actions{};  // that were set for it, pins among them
 
   bool operator==(const Bookmark&) const = default;
 };
@@ -24,6 +27,7 @@ struct Bookmark {
 /// What undo and redo go through.
 struct EditedSettings : Query {
   LookSettings look;
+  ActionSettings actions = {};
 
   bool operator==(const EditedSettings&) const = default;
 };

@@ -1,0 +1,37 @@
+// Keeps the side actions up with the settings: once the split mesh of a direction is there, they are looked
+// for on a thread of their own.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "gui/app_state.hpp"
+#include "gui/jobs/job.hpp"
+
+namespace moldlight::gui {
+
+class ActionFinder {
+ public:
+  /// `wake` is called from the finder's thread when there is something new.
+  explicit ActionFinder(std::function<void()> wake) : job_(std::move(wake), true) {}
+
+  /// Call it every frame, after the figures were updated. `moving`: a hand is at settings, whose actions are
+  /// not wanted yet.
+  void update(const AppState& state, ActionsState& actions, bool moving);
+  /// Gives up what runs.
+  void cancel() { job_.give_up(); }
+
+ private:
+  /// All that a plan depends on.
+  struct Inputs {
+    std::shared_ptr<const PartModel> model;
+    std::shared_ptr<const SplitMesh> split;
+    ActionSettings settings;
+    bool operator==(const Inputs&) const = default;
+  };
+  Job<ActionPlan> job_;
+  std::optional<Inputs> asked_;  // for which the job runs or has ended
+  std::shared_ptr<const SplitMesh> planned_;
+};
+
+}  // namespace moldlight::gui

@@ -1,0 +1,365 @@
+#include "gui/panels/actions_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "classify/figures.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/option_row.hpp"
+#include "gui/panels/verdict.hpp"
+#include "gui/view/side_actions.hpp"
+#include "mold/map_frame.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_row = 26.0F, k_heading = 20.0F;  // layout units
+constexpr float k_share = 0.25F;                   // of the window's height, that the table takes at most
+constexpr float k_pin_width = 104.0F;
+constexpr const char* k_name = "Side actions";
+
+/// A column: where it ends (figures) or begins (words), from the row's left, layout units.
+struct Column {
+  std::string_view heading, help;
+  float at;
+  bool figure;
+};
+constexpr std::array<Column, 6> k_columns = {{
+    {"#", "", 8.0F, false},
+    {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
+    {"depth",
+     "How far across the parting direction until nothing is in its way along it, in the part's unit.", 148.0F,
+     true},
+    {"action", "What releases it.", 168.0F, false},
+    {"travel", "How far the action moves, a slide's with the clearance, in the part's unit.", 338.0F, true},
+    {"details", "", 358.0F, false},
+}};
+
+/// Directions about the parting direction are told by their azimuth.
+std::string turn_text(double from_deg, double to_deg) {
+  return with_minus(fmt::format("{:.1f} to {:.1f}°", from_deg, to_deg));
+}
+
+std::string shared_text(const SideAction& action, std::size_t undercut) {
+  std::vector<std::size_t> others;
+  for (const std::size_t patch : action.patches) {
+    if (patch != undercut) others.push_back(patch + 1);
+  }
+  return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
+}
+
+/// What else there is to say of an action: a lifter's stroke, a thread's pitch, a ring's strain.
+std::string detail_text(const SideAction& action, const std::string& unit) {
+  switch (action.kind) {
+    case ActionKind::unscrew:
+      return fmt::format("pitch {:.2f} {} · {:.2f} turns{}", std::abs(action.about->pitch), unit,
+                         action.about->turns, action.about->pitch < 0.0 ? " · left-handed" : "");
+    case ActionKind::strip:
+      return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
+    case ActionKind::lifter:
+      return fmt::format("stroke {:.1f} {}", *action.stroke, unit);
+    default:
+      return "free " + turn_text(action.interval.from_deg, action.interval.to_deg);
+  }
+}
+
+bool is_unreleased(const ActionPlan& plan, std::size_t undercut) {
+  return std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end();
+}
+
+/// The pin that the settings have for it, which a plan may not have seen yet.
+const ActionPin* pin_for(const ActionSettings& settings, const UndercutReport& patch) {
+  for (auto pin = settings.pins.rbegin(); pin != settings.pins.rend(); ++pin) {
+    if (patch.pin == *pin || (pin->point == patch.point && pin->area == patch.undercut.area)) return &*pin;
+  }
+  return nullptr;
+}
+
+void set_pin(ActionSettings& settings, const UndercutReport& patch,
+             const std::optional<std::optional<ActionKind>>& kind) {
+  while (const ActionPin* pin = pin_for(settings, patch))
+    settings.pins.erase(settings.pins.begin() + (pin - settings.pins.data()));
+  if (kind) settings.pins.push_back({.point = patch.point, .area = patch.undercut.area, .kind = *kind});
+}
+
+/// The cell that tells to what an undercut is pinned; a click opens the list of kinds.
+void draw_pin(const PanelContext& context, std::size_t undercut) {
+  const Ui& ui = context.ui;
+  const UndercutReport& patch = context.state.actions.plan->patches[undercut];
+  ActionSettings& settings = context.edits.settings.actions;
+  const ActionPin* const pin = pin_for(settings, patch);
+  const std::string id = fmt::format("pin {}", undercut + 1);
+  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_row - 2)});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (cell.hovered || pin != nullptr)
+    list.AddRectFilled(im(cell.box.min), im(cell.box.max),
+                       cell.hovered ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
+  const float top = cell.box.centre().y - 0.5F * ui.fonts.small.size;
+  const ImU32 colour = pin != nullptr || cell.hovered ? ui.colours->text : ui.colours->muted;
+  draw_text(list, {ui.fonts.small, colour}, {cell.box.min.x + ui.px(8), top},
+            pin != nullptr ? pin_name(*pin) : "automatic");
+  draw_icon(list, Icon::chevron_down, {cell.box.max.x - ui.px(12), cell.box.centre().y}, ui.px(8), colour);
+  tooltip(ui, "Pinned to",
+          "What alone may release this undercut. It is found again by its place, and kept with the part.");
+  if (cell.clicked) open_popup_below_item(ui, id.c_str());
+  if (!begin_popup(ui, id.c_str(), ui.px(176))) return;
+  if (menu_item(ui, "automatic", {.chosen = pin == nullptr})) set_pin(settings, patch, std::nullopt);
+  for (std::size_t k = 0; k < k_action_kinds; ++k) {
+    const auto kind = static_cast<ActionKind>(k);
+    if (menu_item(ui, facts(kind).singular, {.chosen = pin != nullptr && pin->kind == kind}))
+      set_pin(settings, patch, std::optional(kind));
+  }
+  if (menu_item(ui, k_no_action, {.chosen = pin != nullptr && !pin->kind}))
+    set_pin(settings, patch, std::optional<ActionKind>());
+  end_popup(ui);
+}
+
+/// The user's own directions: a click forgets one.
+void draw_own_directions(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  auto& own = context.edits.settings.actions.side_directions;
+  if (own.empty()) return;
+  row_text(ui, {ui.fonts.small, ui.colours->muted}, text_size(ui.fonts.small, "by hand").x + ui.px(12),
+           "by hand");
+  const ActionsState& actions = context.state.actions;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const bool taken =
+        is_settled(actions) && std::ranges::any_of(actions.plan->actions, [&](const SideAction& action) {
+          return glm::dot(action.direction, glm::normalize(own[k])) > 1.0 - 1e-9;
+        });
+    ImGui::SameLine(0.0F, ui.px(4));
+    ImGui::PushID(static_cast<int>(k));
+    const bool removed = chip(ui, with_minus(short_direction_text(glm::normalize(own[k]))) + "  ×", taken);
+    ImGui::PopID();
+    ui.memory->controls[fmt::format("by hand {}", k + 1)] = {from_im(ImGui::GetItemRectMin()),
+                                                             from_im(ImGui::GetItemRectMax())};
+    tooltip(ui, "A direction of your own",
+            taken ? "An action takes it. Click to forget it (Delete)."
+                  : "No action takes it: it is not free, or others are cheaper. Click to forget it.");
+    if (removed) {
+      own.erase(own.begin() + static_cast<std::ptrdiff_t>(k));
+      break;
+    }
+  }
+}
+
+std::string tip_text(const AppState& state, std::size_t undercut) {
+  const ActionPlan& plan = *state.actions.plan;
+  const UndercutReport& patch = plan.patches[undercut];
+  const std::string unit = length_unit(state.model->part);
+  std::string tip = fmt::format("{} {}", figure(patch.undercut.area), powered_unit(state.model->part, 2));
+  if (const SideAction* action = action_of(plan, undercut)) {
+    tip += fmt::format(" · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
+                       with_minus(short_direction_text(action->direction)), action->travel, unit,
+                       detail_text(*action, unit), shared_text(*action, undercut));
+  }
+  if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
+  return tip + "\nClick to look at it and see its action move.";
+}
+
+}  // namespace
+
+void ActionsPanel::draw(const PanelContext& context) {
+  const AppState& state = context.state;
+  const auto& plan = state.actions.plan;
+  const bool shown = plan ? !plan->patches.empty() : has_undercuts(state);
+  if (!shown) return;
+  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  draw_header(context, open);
+  if (open && settings_) draw_settings(context);
+  if (open && plan && !settings_) draw_table(context);
+  context.layout.end();
+}
+
+void ActionsPanel::draw_header(const PanelContext& context, bool open) {
+  const Ui& ui = context.ui;
+  const ActionsState& actions = context.state.actions;
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
+  const float middle = start.y + 0.5F * height;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
+            k_name);
+  const float left = start.x + text_size(ui.fonts.strong, k_name).x + ui.px(12);
+
+  float right = start.x + width - height;
+  const auto unfold = [&](bool unfolded) {
+    context.layout.fold(!unfolded);
+    if (unfolded) context.layout.fold("Sweep", true);  // both would leave little of the part
+  };
+  ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+  if (icon_button(
+          ui, {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+    unfold(!open);
+  right -= height + ui.px(4);
+  ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+  if (icon_button(ui,
+                  {"action options", Icon::settings, "What is allowed of side actions", open && settings_})) {
+    settings_ = !(open && settings_);
+    unfold(true);
+  }
+  std::string text;
+  ImU32 colour = ui.colours->muted;
+  if (actions.running || actions.awaited) {
+    text = actions.running && !actions.running->stage.empty() ? actions.running->stage + " …"
+                                                              : "looking for side actions …";
+    constexpr float k_bar_width = 96.0F;
+    right -= ui.px(k_bar_width + 10);
+    ImGui::SetCursorScreenPos(ImVec2(right, middle - ui.px(2)));
+    progress_bar(ui, actions.running ? actions.running->fraction : 0.0, ui.px(k_bar_width));
+  } else if (!actions.error.empty()) {
+    text = actions.error;
+    colour = ui.colours->warning;
+  } else if (actions.plan) {
+    text = actions_summary(context.state);
+  }
+  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
+            fitted(ui.fonts.body, text, right - left - ui.px(8)));
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
+  ImGui::Dummy(ImVec2(width, 0.0F));
+}
+
+void ActionsPanel::draw_settings(const PanelContext& context) const {
+  constexpr float k_column = 190.0F;  // layout units, at least
+  const Ui& ui = context.ui;
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  const RowOptions numbers{
+      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+  if (ImGui::BeginTable("options", columns,
+                        ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
+    for (const Option<ActionSettings>& option : action_options()) {
+      if (!has_control(option)) continue;
+      ImGui::TableNextColumn();
+      option_row(ui, option, context.edits.settings.actions, numbers);
+    }
+    ImGui::EndTable();
+  }
+  draw_own_directions(context);
+}
+
+void ActionsPanel::draw_table(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const std::size_t count = context.state.actions.plan->patches.size();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const Column& column : k_columns) {
+    const float x = corner.x + ui.px(column.at);
+    const Lettering lettering{ui.fonts.small, ui.colours->muted};
+    const float size = text_size(ui.fonts.small, column.heading).x;
+    const glm::vec2 at(column.figure ? x - size : x, corner.y + ui.px(3));
+    draw_text(list, lettering, at, column.heading);
+    if (column.help.empty()) continue;
+    ImGui::SetCursorScreenPos(im(at));
+    ImGui::Dummy(ImVec2(size, ui.fonts.small.size));
+    tooltip(ui, {}, column.help);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(k_heading)));
+  const float room = k_share * ImGui::GetIO().DisplaySize.y;
+  const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F),
+              rows = std::min(fits, static_cast<float>(count));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+  ImGui::BeginChild("undercuts", ImVec2(width, rows * ui.px(k_row)), false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings);
+  if (marked_row_ && std::exchange(row_moved_, false))
+    ImGui::SetScrollY((static_cast<float>(*marked_row_) + 0.5F) * ui.px(k_row) - 0.5F * rows * ui.px(k_row));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count), ui.px(k_row));
+  while (clipper.Step()) {
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
+      draw_row(context, static_cast<std::size_t>(k));
+  }
+  ImGui::EndChild();
+  choose_row(context, static_cast<int>(fits));
+  ImGui::PopStyleVar();
+  draw_own_directions(context);
+}
+
+void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const ActionPlan& plan = *state.actions.plan;
+  const UndercutReport& patch = plan.patches[undercut];
+  const SideAction* const action = action_of(plan, undercut);
+  const std::string unit = length_unit(state.model->part);
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row);
+  auto& chosen = context.edits.action_choices.chosen;
+  const bool here = state.action_choices.chosen == undercut;
+  const std::string id = fmt::format("undercut {}", undercut + 1);
+  const bool clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(width - ui.px(k_pin_width + 6), height));
+  const bool hovered = ImGui::IsItemHovered();
+  const ScreenBox box{start, start + glm::vec2(width, height)};
+  ui.memory->controls[id] = {box.min, from_im(ImGui::GetItemRectMax())};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (here || hovered)
+    list.AddRectFilled(im(box.min), im(box.max), here ? ui.colours->field_active : ui.colours->field,
+                       ui.px(6));
+  if (marked_row_ == static_cast<int>(undercut))
+    list.AddRect(im(box.min), im(box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
+
+  const bool left_over = is_unreleased(plan, undercut);
+  const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
+              quiet = ui.colours->muted;
+  const float right = box.max.x - ui.px(k_pin_width + 14);
+  const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
+    const bool last = column + 1 == k_columns.size();
+    const float x = start.x + ui.px(k_columns[column].at), y = start.y + 0.5F * (height - font.size);
+    if (k_columns[column].figure) {
+      draw_text_to({font, colour}, x, y, text);
+    } else {
+      const float end = last ? right : start.x + ui.px(k_columns[column + 1].at) - ui.px(50);
+      draw_text(list, {font, colour}, {x, y}, fitted(font, text, end - x));
+    }
+  };
+  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
+  cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
+  cell(1, ui.fonts.body, normal, grouped(areas.text(patch.undercut.area)));
+  cell(2, ui.fonts.body, normal, patch.depth > 0.0 ? grouped(lengths.text(patch.depth)) : "–");
+  const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
+  if (action != nullptr) {
+    cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
+    cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
+    std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
+    if (left_over) detail += " · the rest is left";
+    cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
+  } else {
+    const float x = start.x + ui.px(k_columns[3].at);
+    draw_text(list, {ui.fonts.body, ui.colours->warning}, {x, start.y + 0.5F * (height - ui.fonts.body.size)},
+              fitted(ui.fonts.body, why, right - x));
+  }
+  tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
+  ImGui::SetCursorScreenPos(ImVec2(box.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
+  draw_pin(context, undercut);
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
+  if (!clicked) return;
+  chosen = here ? std::nullopt : std::optional(undercut);
+  if (chosen) context.edits.ask(&Commands::look_at_undercut, undercut);
+}
+
+void ActionsPanel::choose_row(const PanelContext& context, int page) {
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  context.ui.memory->controls["undercuts"] = box;
+  Keyboard& keyboard = context.ui.memory->keyboard;
+  if (!has_keyboard(context.ui, "undercuts", box)) {
+    marked_row_.reset();
+    return;
+  }
+  const int count = static_cast<int>(context.state.actions.plan->patches.size());
+  const int steps = keyboard.takes_steps(page, count);
+  row_moved_ = steps != 0 || !marked_row_;
+  marked_row_ = std::clamp(marked_row_.value_or(0) + steps, 0, count - 1);
+  if (!keyboard.takes(ControlKey::press)) return;
+  const auto undercut = static_cast<std::size_t>(*marked_row_);
+  context.edits.action_choices.chosen = undercut;
+  context.edits.ask(&Commands::look_at_undercut, undercut);
+}
+
+}  // namespace moldlight::gui

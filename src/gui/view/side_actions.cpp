@@ -1,0 +1,141 @@
+#include "gui/view/side_actions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "classify/figures.hpp"
+#include "gui/draw/ui.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr double k_same_place = 0.02;  // of the greater of two undercuts' sizes
+constexpr double k_same_cosine = 1.0 - 1e-9;
+constexpr double k_least_share = 0.2;  // of the slider, for what moves at all
+
+bool is_straight(const SideAction& action) { return !action.about; }
+bool goes_first(const SideAction& action) { return action.kind != ActionKind::lifter && action.travel > 0.0; }
+
+/// The greatest travels of what moves before the halves, and after them.
+struct Ways {
+  double first = 0.0, last = 0.0;
+};
+Ways ways_of(const ActionPlan* plan) {
+  Ways ways;
+  if (plan == nullptr) return ways;
+  for (const SideAction& action : plan->actions) {
+    double& way = goes_first(action) ? ways.first : ways.last;
+    way = std::max(way, action.travel);
+  }
+  return ways;
+}
+
+/// Ends of the three stages on the slider.
+std::array<double, 3> stage_ends(const Ways& ways, double diagonal) {
+  std::array<double, 3> shares = {ways.first, k_mold_travel * diagonal, ways.last};
+  const double whole = shares[0] + shares[1] + shares[2];
+  double sum = 0.0;
+  for (double& share : shares) {
+    if (share > 0.0) share = std::max(share / whole, k_least_share);
+    sum += share;
+  }
+  return {shares[0] / sum, (shares[0] + shares[1]) / sum, 1.0};
+}
+
+}  // namespace
+
+std::optional<std::size_t> nearest_undercut(const ActionPlan& plan, const Undercut& undercut) {
+  std::optional<std::size_t> found;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+    const Undercut& other = plan.patches[k].undercut;
+    const double size =
+        std::max({other.size_across, other.size_along, undercut.size_across, undercut.size_along});
+    const double distance = glm::distance(other.centre, undercut.centre);
+    if (distance > k_same_place * size || distance >= nearest) continue;
+    nearest = distance;
+    found = k;
+  }
+  return found;
+}
+
+const SideAction* chosen_action(const AppState& state) {
+  const auto& chosen = state.action_choices.chosen;
+  return state.actions.plan && chosen ? action_of(*state.actions.plan, *chosen) : nullptr;
+}
+
+std::optional<SideArrow> side_arrow(const AppState& state) {
+  const ActionChoices& choices = state.action_choices;
+  const auto& plan = state.actions.plan;
+  if (!state.model || !plan || !choices.chosen) return std::nullopt;
+  const UnitFrame& frame = state.model->frame;
+  const UndercutReport& patch = plan->patches[*choices.chosen];
+  SideArrow arrow;
+  arrow.tail = (patch.point - frame.center) / frame.diagonal;
+  if (const SideAction* action = chosen_action(state)) {
+    if (!is_straight(*action)) return std::nullopt;
+    arrow.direction = action->direction;
+    if (action->kind != ActionKind::lifter) arrow.free = action->interval;
+  } else {
+    // Outward from the part's middle, as a hand would begin.
+    const glm::dvec3& d = state.settings.direction.unit();
+    const glm::dvec3 out = patch.undercut.centre - frame.center;
+    const glm::dvec3 level = out - glm::dot(out, d) * d;
+    const glm::dvec3 aside = std::abs(d.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    arrow.direction = glm::length(level) > 1e-6 * frame.diagonal
+                          ? glm::normalize(level)
+                          : glm::normalize(aside - glm::dot(aside, d) * d);
+    arrow.released = false;
+  }
+  if (choices.wish) arrow.direction = *choices.wish;
+  return arrow;
+}
+
+void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec3>& former,
+                         const glm::dvec3& direction) {
+  const auto place = former ? own_direction(settings, *former) : std::nullopt;
+  if (place) {
+    settings.side_directions[*place] = direction;
+  } else {
+    settings.side_directions.push_back(direction);
+  }
+}
+
+std::optional<std::size_t> own_direction(const ActionSettings& settings, const glm::dvec3& direction) {
+  for (std::size_t k = 0; k < settings.side_directions.size(); ++k) {
+    if (glm::dot(glm::normalize(settings.side_directions[k]), direction) > k_same_cosine) return k;
+  }
+  return std::nullopt;
+}
+
+OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open) {
+  const Ways ways = ways_of(plan);
+  const auto ends = stage_ends(ways, diagonal);
+  const auto done = [&](double from, double to) {
+    return to > from ? std::clamp((open - from) / (to - from), 0.0, 1.0) : 0.0;
+  };
+  return {.slides = done(0.0, ends[0]), .halves = done(ends[0], ends[1]), .lifters = done(ends[1], ends[2])};
+}
+
+std::string opening_text(const AppState& state, double open) {
+  const double diagonal = state.model->frame.diagonal;
+  const ActionPlan* const plan = state.actions.plan.get();
+  const OpenedMold opened = opened_mold(plan, diagonal, open);
+  const Ways ways = ways_of(plan);
+  const auto text = [&](std::string_view what, double way) {
+    return fmt::format("{}{}{} {}", what, what.empty() ? "" : " ", grouped(fmt::format("{:.1f}", way)),
+                       length_unit(state.model->part));
+  };
+  if (ways.first == 0.0 && ways.last == 0.0) return text("", opened.halves * k_mold_travel * diagonal);
+  if (opened.lifters > 0.0) return text("lifters", opened.lifters * ways.last);
+  if (opened.halves > 0.0 || ways.first == 0.0)
+    return text("halves", opened.halves * k_mold_travel * diagonal);
+  return text("slides", opened.slides * ways.first);
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,49 @@
+// Side actions as the scene shows them: where the chosen one's arrow stands, and when each moves while the
+// mold opens.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gui/app_state.hpp"
+
+namespace moldlight::gui {
+
+/// The undercut of another plan that is this one; nothing where there is none near it.
+[[nodiscard]] std::optional<std::size_t> nearest_undercut(const ActionPlan& plan, const Undercut& undercut);
+
+/// The action of the undercut that is looked at; null for none.
+[[nodiscard]] const SideAction* chosen_action(const AppState& state);
+
+/// Which way an undercut is pulled: from its middle.
+struct SideArrow {
+  glm::dvec3 tail{0.0}, direction{1, 0, 0};  // unit frame; unit
+  std::optional<TurnInterval> free;  // that the direction may turn about the parting direction, where known
+  bool released = true;              // else it is a proposal for an undercut that nothing releases
+};
+/// Of the undercut that is looked at; nothing for what turns or is stripped.
+[[nodiscard]] std::optional<SideArrow> side_arrow(const AppState& state);
+/// Length of the arrow, unit frame.
+inline constexpr double k_side_arrow_length = 0.16;
+
+/// Adds a direction for the actions to take, in place of `former` where that is one that the user has given.
+void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec3>& former,
+                         const glm::dvec3& direction);
+/// The direction among the user's own that this is; nothing where it is none.
+[[nodiscard]] std::optional<std::size_t> own_direction(const ActionSettings& settings,
+                                                       const glm::dvec3& direction);
+
+/// How far each has moved, [0, 1].
+struct OpenedMold {
+  double slides = 0.0;   // and unscrewing cores
+  double halves = 0.0;   // of k_mold_travel
+  double lifters = 0.0;  // with the ejection
+};
+/// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
+/// 1]; halves alone where there is no plan. Each gets a share of the way as long as its own, but a fifth at
+/// least.
+[[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open);
+/// "halves 34.2 mm": what moves then, and how far it has.
+[[nodiscard]] std::string opening_text(const AppState& state, double open);
+
+}  // namespace moldlight::gui
