@@ -139,7 +139,7 @@ void App::frame(const FrameInput& input) {
   }
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
-  const SceneFrame scene_frame{.size = size_, .open_mold = opening_.at(now_s_)};
+  const SceneFrame scene_frame{.size = size_, .open_mold = opened().halves};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
   const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
   const MapTextures maps =
@@ -296,6 +296,7 @@ void App::apply(const Edits& edits) {
     load(state_.path, wanted, {});
   }
   if (!(state_.camera == former.camera)) flight_.stop();
+  if (state_.action_choices.chosen != former.action_choices.chosen) action_loop_.start(now_s_);
   if (!(state_.window == former.window)) settle_frames_ = k_settle_frames;
   SweepChoices& choices = state_.sweep_choices;
   // The large ball would cover one of the two pictures.
@@ -305,6 +306,7 @@ void App::apply(const Edits& edits) {
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {
     state_.settings = history_.settled();
+    state_.action_choices.wish.reset();
     viewport_.give_up_drag();
     workspace_.give_up_drag();
   } else if (!held && !turn_.flying()) {
@@ -354,6 +356,8 @@ void App::plan_next_frame() {
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || glow_.at(now_s_) > 0.0)
     next_frame_s_ = now_s_;
+  if (state_.window.motion && !body_places(state_, opening_.at(now_s_), 0.0).empty())
+    next_frame_s_ = std::min(next_frame_s_, now_s_ + Loop::k_frame_s);
 }
 
 std::optional<std::string> App::take_picture_request() {

@@ -25,6 +25,7 @@
 #include "gui/view/candidate_pictures.hpp"
 #include "gui/view/motion.hpp"
 #include "gui/view/part_thumbnails.hpp"
+#include "gui/view/side_actions.hpp"
 #include "gui/view/viewport.hpp"
 #include "render/view_passes.hpp"
 
@@ -140,7 +141,11 @@ class App {
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
   void fit(const Camera& camera, bool at_once);
+  /// The same in a flight to where it is seen from this side.
+  void turn_camera(const glm::dquat& orientation);
   void keep_fitted();
+  /// How far the mold is opened in this frame.
+  [[nodiscard]] OpenedMold opened() const;
   /// What panels leave free of the picture; of its left half when two directions are compared.
   [[nodiscard]] FreeArea fit_area() const;
   [[nodiscard]] std::optional<SplitView> split_view() const;
@@ -169,7 +174,9 @@ class App {
   Flight<glm::dvec3> turn_;
   std::optional<Camera> fitted_;  // where the last fit leads
   FreeArea fitted_area_;
+  std::vector<glm::vec3> fitted_points_;  // that it shows; empty: the whole part
   EasedNumber opening_;
+  Loop action_loop_;  // of the chosen action's body
   UndercutGlow glow_;
   std::optional<PartNotes> notes_to_set_;
   PartNotes saved_notes_;

@@ -10,6 +10,12 @@
 
 namespace moldlight::gui {
 
+namespace {
+
+constexpr double k_resting_share = 0.5;  // of its travel, at which a body stands where nothing moves
+
+}  // namespace
+
 std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
   if (state_.model || loader_.running()) return {};
   thumbnails_.update(static_cast<int>(ui.px(k_start_picture_size)), state_.window.theme);
@@ -37,13 +43,18 @@ void App::find_actions(bool moving) {
   const std::shared_ptr<const ActionPlan> former = actions.plan;
   const std::uint64_t revision = actions.revision;
   actions_.update(state_, actions, moving);
+  if (choices.wish && !own_direction(state_.settings.actions, *choices.wish)) choices.wish.reset();
   if (actions.plan == former) return;
   settle_frames_ = k_settle_frames;
-  if (actions.revision != revision) choices.wish.reset();
-  if (!choices.chosen) return;
-  const auto& patches = former->patches;
-  choices.chosen =
-      actions.plan ? nearest_undercut(*actions.plan, patches[*choices.chosen].undercut) : std::nullopt;
+  if (choices.chosen)
+    choices.chosen = actions.plan && former
+                         ? nearest_undercut(*actions.plan, former->patches[*choices.chosen].undercut)
+                         : std::nullopt;
+  if (actions.revision == revision) return;
+  const auto wish = std::exchange(choices.wish, std::nullopt);
+  const SideAction* const action = chosen_action(state_);
+  if (wish && !(action != nullptr && is_along(*action, *wish)))
+    say("That direction is not free: the side action keeps to its own", false);
 }
 
 void App::pick() {
@@ -77,7 +88,7 @@ SceneSettings App::scene_settings() const {
   shown = {look};
   shown.theme = state_.window.theme;
   shown.tau_deg = state_.settings.method.tau_deg;
-  shown.open_mold = opening_.at(now_s_);
+  shown.open_mold = opened().halves;
   shown.pixel_scale = scale_;
   shown.cut = scene_->section(look, state_.settings.direction.unit());
   shown.cut_arrow = true;
@@ -89,6 +100,8 @@ SceneSettings App::scene_settings() const {
   if (regions_by_maps()) scene.samples = state_.figures.samples;
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
+  scene.bodies = body_places(state_, opening_.at(now_s_),
+                             state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
   if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
     marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
@@ -101,6 +114,7 @@ bool App::draw(const ViewTarget& target) {
   bool refining = false;
   if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
+    scene_->take_bodies(state_.actions.bodies);
     scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
@@ -127,12 +141,27 @@ void App::show_comparison() {
   if (figures.maps != former) next_frame_s_ = now_s_;
 }
 
+OpenedMold App::opened() const {
+  if (!state_.model) return {};
+  return opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, opening_.at(now_s_));
+}
+
 void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
-  fitted_ = fitted_to(camera, state_.extremes, state_.settings, fitted_area_);
+  const OpenedMold opened =
+      opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, state_.settings.look.open_mold);
+  const auto whole = points_to_show(state_.extremes, state_.settings.direction.unit(), opened.halves);
+  fitted_ = fitted_to(camera, fitted_points_.empty() ? whole : fitted_points_, fitted_area_);
   if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
   if (at_once) flight_.stop();
   state_.camera = *fitted_;
+}
+
+void App::turn_camera(const glm::dquat& orientation) {
+  if (!state_.model) return;
+  Camera camera = state_.camera;
+  camera.orientation = orientation;
+  fit(camera, false);
 }
 
 void App::keep_fitted() {

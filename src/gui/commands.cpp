@@ -12,6 +12,7 @@
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
+#include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"
 #include "sweep/sweep_texts.hpp"
 
@@ -41,10 +42,8 @@ void Commands::redo() { app.state_.settings = app.history_.redo(); }
 void Commands::fit_view() { look_from(app.state_.camera.orientation); }
 
 void Commands::look_from(const glm::dquat& orientation) {
-  if (!app.state_.model) return;
-  Camera camera = app.state_.camera;
-  camera.orientation = orientation;
-  app.fit(camera, false);
+  app.fitted_points_.clear();
+  app.turn_camera(orientation);
 }
 
 void Commands::look_along_direction() {
@@ -68,7 +67,8 @@ void Commands::look_at_undercut(std::size_t undercut) {
   alone->vertices = split->vertices;
   for (const std::uint32_t piece : patch.pieces) alone->pieces.push_back(split->pieces[piece]);
   const std::shared_ptr<const SplitMesh> shown = alone;
-  look_from(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
+  app.fitted_points_ = surroundings(app.state_, undercut);
+  app.turn_camera(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
 }
 
 void Commands::toggle_projection() {
@@ -212,9 +212,21 @@ void escape(const Pressed& p) {
     choices.compared.reset();
   } else if (choices.large_ball) {
     choices.large_ball = false;
+  } else if (p.edits.action_choices.chosen) {
+    p.edits.action_choices.chosen.reset();
   } else if (p.state.face) {
     p.edits.ask(&Commands::choose_face, std::nullopt);
   }
+}
+
+/// Of the user's own directions, that of the action that is looked at, or else the last one.
+void forget_side_direction(const Pressed& p) {
+  const auto arrow = side_arrow(p.state);
+  ActionSettings& settings = p.edits.settings.actions;
+  const auto own = arrow ? own_direction(settings, arrow->direction) : std::nullopt;
+  if (!own && !settings.side_directions.empty()) return settings.side_directions.pop_back();
+  if (own)
+    settings.side_directions.erase(settings.side_directions.begin() + static_cast<std::ptrdiff_t>(*own));
 }
 
 /// Arrow keys move the direction's tip on the screen.
@@ -288,6 +300,11 @@ const std::vector<Shortcut>& shortcuts() {
        nudge},
       {{direction, "X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction.given()); }},
       {{direction, "B", "bookmark the direction"}, part_no_ctrl, {'B'}, keep_bookmark},
+      {{direction, "Drag a side action's tip", "give it a direction of your own"}},
+      {{direction, "Delete", "forget that direction"},
+       part_no_ctrl,
+       {GLFW_KEY_DELETE},
+       forget_side_direction},
       {{direction, "W", "sweep: find directions, or cancel"},
        part_no_ctrl,
        {'W'},

@@ -77,6 +77,20 @@ TEST_F(Keys, SpaceAndArrowsUseTheControlThatHasTheKeyboard) {
   EXPECT_NE(direction(), glm::dvec3(0, 0, 1));
 }
 
+TEST_F(Keys, LegendRowsViewCubeAndBallAreReachedToo) {
+  tab_to("undercut");
+  key({.key = k_enter});
+  EXPECT_TRUE(any_popup()) << "its area is offered to be copied";
+  key({.key = k_escape});
+  tab_to("TOP");
+  key({.key = k_enter});
+  window.settle();
+  EXPECT_GT(state().camera.toward_viewer().z, 1.0 - 1e-9);
+  tab_to("ball");
+  key({.key = k_right});
+  EXPECT_NEAR(glm::degrees(std::acos(direction().z)), 1.0, 1e-6);
+}
+
 TEST_F(Keys, TheRingStandsOut) {
   tab_to("+X");
   window.settle();
@@ -221,6 +235,22 @@ TEST_F(Browser, GoesThroughListAndFoldersByKeys) {
   EXPECT_TRUE(shown("file copy_100.obj")) << "Backspace is the filter's while there is one";
   key({.key = k_escape});
   EXPECT_FALSE(open());
+}
+
+TEST_F(Keys, TheTableOfDirectionsIsSortedByItsHeadings) {
+  key({.key = 'W'});
+  window.wait_until_swept();
+  ASSERT_TRUE(state().sweep.result) << state().sweep.error;
+  const auto top = [&](const char* row) { return window.control(row).min.y; };
+  ASSERT_GT(state().sweep.result->candidates.size(), 1U);
+  ASSERT_LT(top("direction 1"), top("direction 2"));
+  tab_to("sort by #");
+  key({.key = k_enter});
+  window.settle();
+  EXPECT_TRUE(!window.app().controls().contains("direction 1") || top("direction 1") > top("direction 2"));
+  key({.key = k_enter});
+  window.settle();
+  EXPECT_LT(top("direction 1"), top("direction 2"));
 }
 
 TEST_F(Keys, TheTableOfDirectionsGoesByKeys) {

@@ -52,6 +52,15 @@ class WindowSceneries : public WindowWithPart {
         {"export", press('E', true), press(k_escape)},
         {"picture", press(k_f12), press(k_escape)},
         {"files", press('O', true), press(k_escape)},
+        {"side actions", click_on("fold actions"), [] {}},
+        {"a side action", click_on("undercut 1"), [] {}},
+        {"its pin", click_on("pin 1"), press(k_escape)},
+        {"options of side actions", click_on("action options"),
+         [click_on, press] {
+           click_on("action options")();
+           click_on("fold actions")();
+           press(k_escape)();
+         }},
         {"batch",
          [this] {
            EXPECT_EQ(parts_.plan().exit_code, 0);

@@ -450,7 +450,8 @@ void hint(const Ui& ui, std::string_view text) {
   if (wraps) ImGui::PopTextWrapPos();
 }
 
-void copy_menu(const Ui& ui, const char* id, const std::string& text) {
+void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked) {
+  if (asked) open_popup_below_item(ui, id);
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) open_popup_at_mouse(ui, id);
   if (!begin_popup(ui, id)) return;
   if (menu_item(ui, fmt::format("Copy {}", text))) ImGui::SetClipboardText(text.c_str());

@@ -106,8 +106,8 @@ inline constexpr ImGuiWindowFlags k_card_window =
 /// The next window's place: that of its point at `pivot`, which is a share of its size.
 void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
-/// A right click on the item just drawn offers to copy a text.
-void copy_menu(const Ui& ui, const char* id, const std::string& text);
+/// A right click on the item just drawn, or what `asked` stands for, offers to copy a text.
+void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked = false);
 
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);

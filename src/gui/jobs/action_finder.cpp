@@ -2,7 +2,24 @@
 
 #include <utility>
 
+#include "actions/action_body.hpp"
+#include "actions/actions_files.hpp"
+
 namespace moldlight::gui {
+
+ActionFinder::Found ActionFinder::find(const Inputs& inputs, const Classification& result,
+                                       const Progress& progress) {
+  Found found{.plan = find_actions(*inputs.model, result, inputs.settings, progress), .bodies = {}};
+  const std::size_t count = found.plan.actions.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    progress.report("shaping what moves", static_cast<double>(k) / static_cast<double>(count));
+    const auto body = action_body(*inputs.model, result, found.plan, k);
+    if (!body) continue;
+    found.bodies.bodies.push_back(view_body(*body, inputs.model->frame, action_colour(k)));
+    found.bodies.actions.push_back(k);
+  }
+  return found;
+}
 
 void ActionFinder::update(const AppState& state, ActionsState& actions, bool moving) {
   const Figures& figures = state.figures;
@@ -10,6 +27,7 @@ void ActionFinder::update(const AppState& state, ActionsState& actions, bool mov
   if (planned_ && planned_ != figures.split) {
     planned_.reset();
     actions.plan.reset();
+    actions.bodies.reset();
   }
   const bool measured = state.model && figures.shown && figures.split && !figures.stale;
   const Inputs inputs{state.model, figures.split, state.settings.actions};
@@ -22,13 +40,18 @@ void ActionFinder::update(const AppState& state, ActionsState& actions, bool mov
     actions.error.clear();
     Classification result = *figures.shown;
     result.split = figures.split;
-    job_.start([model = state.model, result = std::move(result), settings = inputs.settings](
-                   const Progress& progress) { return find_actions(*model, result, settings, progress); });
+    job_.start([inputs, result = std::move(result)](const Progress& progress) {
+      return find(inputs, result, progress);
+    });
   }
   if (auto outcome = job_.take()) {
     actions.error = std::move(outcome->error);
     actions.plan.reset();
-    if (outcome->result) actions.plan = std::make_shared<const ActionPlan>(std::move(*outcome->result));
+    actions.bodies.reset();
+    if (auto& found = outcome->result) {
+      actions.plan = std::make_shared<const ActionPlan>(std::move(found->plan));
+      actions.bodies = std::make_shared<const ActionBodies>(std::move(found->bodies));
+    }
     planned_ = figures.split;
     ++actions.revision;
   }

@@ -29,7 +29,13 @@ class ActionFinder {
     ActionSettings settings;
     bool operator==(const Inputs&) const = default;
   };
-  Job<ActionPlan> job_;
+  struct Found {
+    ActionPlan plan;
+    ActionBodies bodies;
+  };
+  static Found find(const Inputs& inputs, const Classification& result, const Progress& progress);
+
+  Job<Found> job_;
   std::optional<Inputs> asked_;  // for which the job runs or has ended
   std::shared_ptr<const SplitMesh> planned_;
 };

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actions/side_action.hpp"
 #include "gui/jobs/job.hpp"
+#include "render/view_body.hpp"
 
 namespace moldlight::gui {
 
@@ -17,13 +19,20 @@ struct ActionChoices {
   std::optional<glm::dvec3> wish;  // direction given to its action by hand, until a plan has answered; unit
 };
 
+/// The solids that a plan's actions move.
+struct ActionBodies {
+  std::vector<ViewBody> bodies;
+  std::vector<std::size_t> actions;  // of each
+};
+
 /// A plan outlives changes of the actions' settings until another one is there, but not its undercuts.
 struct ActionsState {
   std::shared_ptr<const ActionPlan> plan;
-  bool awaited = false;              // there will be another one
-  std::optional<JobStatus> running;  // the search for it
-  std::uint64_t revision = 0;        // rises with every plan
-  std::string error;                 // why there is none
+  std::shared_ptr<const ActionBodies> bodies;  // of the plan
+  bool awaited = false;                        // there will be another one
+  std::optional<JobStatus> running;            // the search for it
+  std::uint64_t revision = 0;                  // rises with every plan
+  std::string error;                           // why there is none
 };
 
 /// Whether the plan is of the present settings.

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "actions/actions_files.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
@@ -37,7 +38,7 @@ constexpr std::array<Column, 6> k_columns = {{
     {"depth",
      "How far across the parting direction until nothing is in its way along it, in the part's unit.", 148.0F,
      true},
-    {"action", "What releases it.", 168.0F, false},
+    {"action", "What releases it.", 176.0F, false},
     {"travel", "How far the action moves, a slide's with the clearance, in the part's unit.", 338.0F, true},
     {"details", "", 358.0F, false},
 }};
@@ -65,6 +66,8 @@ std::string detail_text(const SideAction& action, const std::string& unit) {
       return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
     case ActionKind::lifter:
       return fmt::format("stroke {:.1f} {}", *action.stroke, unit);
+    case ActionKind::insert:
+      return "taken off by hand";
     default:
       return "free " + turn_text(action.interval.from_deg, action.interval.to_deg);
   }
@@ -132,7 +135,7 @@ void draw_own_directions(const PanelContext& context) {
   for (std::size_t k = 0; k < own.size(); ++k) {
     const bool taken =
         is_settled(actions) && std::ranges::any_of(actions.plan->actions, [&](const SideAction& action) {
-          return glm::dot(action.direction, glm::normalize(own[k])) > 1.0 - 1e-9;
+          return is_along(action, glm::normalize(own[k]));
         });
     ImGui::SameLine(0.0F, ui.px(4));
     ImGui::PushID(static_cast<int>(k));
@@ -148,6 +151,11 @@ void draw_own_directions(const PanelContext& context) {
       break;
     }
   }
+}
+
+/// The colour of an action's body.
+void draw_swatch(const Ui& ui, ImU32 colour, const glm::vec2& middle) {
+  ImGui::GetWindowDrawList()->AddCircleFilled(im(middle), 4.0F * ui.scale, colour);
 }
 
 std::string tip_text(const AppState& state, std::size_t undercut) {
@@ -326,6 +334,8 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
+    draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
+                {start.x + ui.px(k_columns[3].at) - ui.px(10), start.y + 0.5F * height});
     cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     if (left_over) detail += " · the rest is left";

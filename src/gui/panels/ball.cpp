@@ -1,4 +1,7 @@
 // The direction ball: the directions as the camera sees the part, to grab and to read.
+#include <array>
+#include <utility>
+
 #include <glm/geometric.hpp>
 
 #include "gui/draw/widgets.hpp"
@@ -50,6 +53,21 @@ void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
   context.edits.settings.direction = direction;
 }
 
+/// The arrow keys, as they move the direction where no control has the keyboard.
+void nudge_ball(const PanelContext& context) {
+  constexpr double k_step_deg = 1.0;
+  const Camera& camera = context.state.camera;
+  Keyboard& keyboard = context.ui.memory->keyboard;
+  Direction& direction = context.edits.settings.direction;
+  const std::array<std::pair<ControlKey, glm::dvec3>, 4> steps = {{{ControlKey::left, -camera.right()},
+                                                                   {ControlKey::right, camera.right()},
+                                                                   {ControlKey::up, camera.up()},
+                                                                   {ControlKey::down, -camera.up()}}};
+  for (const auto& [key, toward] : steps) {
+    if (keyboard.takes(key)) direction = nudged(direction.unit(), toward, camera.toward_viewer(), k_step_deg);
+  }
+}
+
 }  // namespace
 
 void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
@@ -57,6 +75,8 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   ImGui::InvisibleButton("ball", ImVec2(size, size));
   ui.memory->controls["ball"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
   const glm::vec2 min = from_im(ImGui::GetItemRectMin());
+  const ScreenBox box{min, from_im(ImGui::GetItemRectMax())};
+  if (has_keyboard(ui, "ball", box)) nudge_ball(context);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Ball ball{list, context.state.camera, min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)};
   drag_ball(context, drag, ball);

@@ -6,6 +6,7 @@
 
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/view/side_actions.hpp"
 #include "render/view_colours.hpp"
 
 namespace moldlight::gui {
@@ -62,7 +63,10 @@ void draw_look_panel(const PanelContext& context) {
       if (is_switch || is_among(k_map_look_options, option)) continue;
       if (option.key == "section_at" && look.section == Section::off) continue;
       if (option.key == "section_turn" && look.section != Section::along) continue;
-      option_row(ui, option, look, {.lengths = &lengths});
+      RowOptions row{.lengths = &lengths};
+      if (option.key == "open_mold")
+        row.text = [&](double open) { return opening_text(context.state, open); };
+      option_row(ui, option, look, row);
       if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }

@@ -68,6 +68,7 @@ struct RowOptions {
                                                              // of a value out of range
   const PartLengths* lengths = nullptr;                      // lengths are written beside texels
   std::string unset = {};                                    // stands for a number that is not set
+  std::function<std::string(double)> text = {};              // what a slider says of its value
 };
 
 /// "Clearance, mm": what a field for a number is called.
@@ -92,7 +93,9 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOpt
   const bool modified = before != standard;
   std::optional<std::string> after;  // what was entered
   const auto number_row = [&](double number, int decimals, SliderSpec spec) {
-    spec.text = [&](double v) { return value_text({v, decimals, option.unit}, row.lengths); };
+    spec.text = [&](double v) {
+      return row.text ? row.text(v) : value_text({v, decimals, option.unit}, row.lengths);
+    };
     const float width = ImGui::GetContentRegionAvail().x;
     if (row.refused ? number_field(ui, option.key.data(), number,
                                    {number_label(option.label, option.unit), decimals, width})

@@ -40,17 +40,18 @@ struct Legend {
 struct Line {
   glm::vec2 min{0.0F};
   float right = 0.0F, top = 0.0F;
+  bool pressed = false;  // with the keyboard
 };
 
 /// Leaves a place in front for a mark.
 Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
-  ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_legend_row)));
-  const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  const Pressable row = pressable(ui, id, {ImGui::GetContentRegionAvail().x, ui.px(k_legend_row)});
+  const auto& [min, max] = row.box;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered()) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
+  if (row.hovered) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
   const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
   draw_text(list, {ui.fonts.body, colour}, {min.x + ui.px(26), top}, name);
-  return {min, max.x - ui.px(6), top};
+  return {min, max.x - ui.px(6), top, row.pressed};
 }
 
 void draw_region(const PanelContext& context, const Legend& legend, Region region) {
@@ -65,7 +66,7 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top, grouped(legend.column.text(area)));
   tooltip(ui, facts(region).title,
           fmt::format("{}\n{} {}", facts(region).meaning, real_text(area), legend.unit));
-  copy_menu(ui, name.c_str(), real_text(area));
+  copy_menu(ui, name.c_str(), real_text(area), line.pressed);
 }
 
 void draw_total(const PanelContext& context, const Legend& legend) {
@@ -79,7 +80,7 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right, line.top, legend.unit);
   draw_text_to({ui.fonts.body, ui.colours->muted}, line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
-  copy_menu(ui, "total", real_text(legend.result.total_area));
+  copy_menu(ui, "total", real_text(legend.result.total_area), line.pressed);
 }
 
 /// How far the figures may be trusted: the row says no more than that the check passed, unless something is
@@ -110,7 +111,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   if (doubt.readout > 0.0)
     text += fmt::format("\nThe readout's undercut is {} from that of exact regions.", figure(doubt.readout));
   tooltip(ui, "How far the figures may be trusted", text);
-  copy_menu(ui, "trust", real_text(visible));
+  copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
 
 /// What the picture's regions are told by.

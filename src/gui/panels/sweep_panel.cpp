@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <imgui_internal.h>
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
@@ -111,6 +112,15 @@ std::vector<const DirectionFigure*> fitting_columns(const Ui& ui, const SweepRes
   return figures;
 }
 
+/// Sorts by the present column, or the other way round where the table is sorted by it.
+void turn_sorting(bool sorted) {
+  const int column = ImGui::TableGetColumnIndex();
+  const ImGuiTableSortSpecs* const sorting = ImGui::TableGetSortSpecs();
+  const bool rises = sorted && sorting->Specs->SortDirection == ImGuiSortDirection_Ascending;
+  ImGui::TableSetColumnSortDirection(
+      column, rises ? ImGuiSortDirection_Descending : ImGuiSortDirection_Ascending, false);
+}
+
 void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
   struct Heading {
     std::string_view name, help;
@@ -144,8 +154,12 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
     draw_text(*ImGui::GetWindowDrawList(),
               {ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
               cell + glm::vec2(inset, ui.px(3)), heading.name);
-    ui.memory->controls[fmt::format("sort by {}", heading.name)] = {from_im(ImGui::GetItemRectMin()),
-                                                                    from_im(ImGui::GetItemRectMax())};
+    const std::string name = fmt::format("sort by {}", heading.name);
+    const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+    ui.memory->controls[name] = box;
+    const bool sorts = (heading.flags & k_not) == 0;
+    if (sorts && has_keyboard(ui, name, box) && ui.memory->keyboard.takes(ControlKey::press))
+      turn_sorting(sorted);
     if (!heading.help.empty()) tooltip(ui, {}, heading.help);
   }
   ImGui::PopStyleVar();

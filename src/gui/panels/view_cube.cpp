@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,8 @@
 namespace moldlight::gui {
 
 namespace {
+
+constexpr double k_least_facing = 0.25;  // of a face whose name is read
 
 struct Side {
   std::string_view name;
@@ -100,11 +103,20 @@ void draw_view_cube(const PanelContext& context) {
     list.AddQuadFilled(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]),
                        under_mouse ? ui.colours->accent : lit);
     list.AddQuad(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]), IM_COL32(0, 0, 0, 60), 1.0F);
-    if (face.facing > 0.25) {
+    if (face.facing > k_least_facing) {
       draw_name(list, {ui.fonts.small, under_mouse ? ui.colours->on_accent : ui.colours->text}, face,
                 side.name);
     }
-    if (under_mouse && clicked) context.edits.ask(&Commands::look_from, standard_orientation(side.view));
+    glm::vec2 low = corners[0], high = corners[0];
+    for (const glm::vec2& each : corners) {
+      low = glm::min(low, each);
+      high = glm::max(high, each);
+    }
+    ui.memory->controls[std::string(side.name)] = {low, high};
+    const bool pressed = face.facing > k_least_facing && has_keyboard(ui, side.name, {low, high}) &&
+                         ui.memory->keyboard.takes(ControlKey::press);
+    if (pressed || (under_mouse && clicked))
+      context.edits.ask(&Commands::look_from, standard_orientation(side.view));
   }
   ImGui::End();
 }

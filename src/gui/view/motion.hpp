@@ -76,6 +76,23 @@ class EasedNumber {
   double from_ = 0.0, to_ = 0.0, start_s_ = -std::numeric_limits<double>::infinity();
 };
 
+/// What goes out and comes back, again and again.
+class Loop {
+ public:
+  void start(double now_s) { start_s_ = now_s; }
+  /// [0, 1], from 0 on.
+  [[nodiscard]] double at(double now_s) const {
+    return 0.5 - 0.5 * std::cos(2.0 * glm::pi<double>() * (now_s - start_s_) / k_period_s);
+  }
+
+  /// Between frames of what moves slowly.
+  static constexpr double k_frame_s = 1.0 / 30.0;
+
+ private:
+  static constexpr double k_period_s = 3.2;
+  double start_s_ = 0.0;
+};
+
 /// The pulse of the undercut's colour when an undercut appears.
 class UndercutGlow {
  public:

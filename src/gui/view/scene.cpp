@@ -44,7 +44,9 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
   if (fine && settings.samples) compare_with(settings.samples);
   if (settings.view.settings.parting_line) find_parting_line();
   drawn_ = true;
-  return view_.draw(target, maps_.subject(), settings.view);
+  View view = settings.view;
+  view.body_motions = settings.bodies;
+  return view_.draw(target, maps_.subject(), view);
 }
 
 void Scene::compare_with(const std::shared_ptr<const PieceSamples>& samples) {
@@ -99,6 +101,12 @@ void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<C
   span_ = span;
 }
 
+void Scene::take_bodies(const std::shared_ptr<const ActionBodies>& bodies) {
+  if (bodies == bodies_) return;
+  bodies_ = bodies;
+  view_.set_bodies(bodies ? std::span<const ViewBody>(bodies->bodies) : std::span<const ViewBody>());
+}
+
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
   if (!drawn_) return std::nullopt;
   return view_.pick(pixel);
@@ -120,10 +128,8 @@ MapTextures Scene::map_pictures(int size_px) {
   return {plus_->texture(), minus_->texture()};
 }
 
-Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, const EditedSettings& settings,
-                 const FreeArea& area) {
-  const glm::dvec3& direction = settings.direction.unit();
-  const double open_mold = settings.look.open_mold;
+std::vector<glm::vec3> points_to_show(std::span<const glm::vec3> extremes, const glm::dvec3& direction,
+                                      double open_mold) {
   std::vector<glm::vec3> points(extremes.begin(), extremes.end());
   if (open_mold > 0.0) {
     const std::size_t count = points.size();
@@ -137,6 +143,10 @@ Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes, cons
   // The arrows and their names are to be seen too.
   for (const glm::dvec3& toward : {direction, -direction})
     points.emplace_back(parting_arrow(extremes, toward, open_mold).tip);
+  return points;
+}
+
+Camera fitted_to(const Camera& camera, std::span<const glm::vec3> points, const FreeArea& area) {
   const glm::ivec2 free = glm::max(area.max - area.min, glm::ivec2(64));
   Camera fit = fitted(camera, points, free, k_fill);
   // The free area's picture, seen as a part of the window's.

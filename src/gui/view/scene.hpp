@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "classify/map_comparison.hpp"
 #include "classify/picture_maps.hpp"
@@ -26,6 +27,7 @@ struct SceneSettings {
   bool direction_moves = false;                 // maps may be coarser than the method's
   bool maps_looked_at = false;                  // they are to be the method's own once the direction rests
   std::shared_ptr<const SplitMesh> split;       // for the query; none where it is not known yet
+  std::vector<glm::dmat4> bodies;               // where those that the scene has taken are drawn
   std::shared_ptr<const PieceSamples> samples;  // of it, where maps looked at are to be compared with it
 };
 
@@ -41,6 +43,8 @@ class Scene {
   void choose_face(const std::optional<std::uint32_t>& face);
   /// Marks what is in a point's way, and the way there; and the span in a section.
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
+  /// The solids that a view's marks may place.
+  void take_bodies(const std::shared_ptr<const ActionBodies>& bodies);
   /// The plane that cuts the part; nothing where no section is chosen.
   [[nodiscard]] std::optional<CutPlane> section(const LookSettings& look, const glm::dvec3& direction) {
     return sections_.plane(look, direction);
@@ -81,15 +85,18 @@ class Scene {
   std::uint64_t compared_maps_ = 0;                   // revision
   std::shared_ptr<const SplitMesh> parting_line_of_;  // of which the line was found
   std::optional<gl::ColourTarget> plus_, minus_;
+  std::shared_ptr<const ActionBodies> bodies_;
   std::optional<Blocker> blocker_;  // that are shown
   std::optional<CutSpan> span_;
   bool thumbnails_stale_ = true;
   bool drawn_ = false;
 };
 
-/// The camera with its orientation and projection, so that the part fills the free area; opened halves
-/// included.
-[[nodiscard]] Camera fitted_to(const Camera& camera, std::span<const glm::vec3> extremes,
-                               const EditedSettings& settings, const FreeArea& area);
+/// What a picture of the part is to show: its outermost points, in halves that have opened so far along the
+/// direction (unit), and their arrows.
+[[nodiscard]] std::vector<glm::vec3> points_to_show(std::span<const glm::vec3> extremes,
+                                                    const glm::dvec3& direction, double open_mold);
+/// The camera with its orientation and projection, so that the points fill the free area.
+[[nodiscard]] Camera fitted_to(const Camera& camera, std::span<const glm::vec3> points, const FreeArea& area);
 
 }  // namespace moldlight::gui

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
+#include "actions/action_body.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/ui.hpp"
 
@@ -16,10 +18,14 @@ namespace {
 
 constexpr double k_same_place = 0.02;  // of the greater of two undercuts' sizes
 constexpr double k_same_cosine = 1.0 - 1e-9;
+constexpr double k_least_reach = 0.2;  // of what is seen around an undercut, unit frame
 constexpr double k_least_share = 0.2;  // of the slider, for what moves at all
 
 bool is_straight(const SideAction& action) { return !action.about; }
-bool goes_first(const SideAction& action) { return action.kind != ActionKind::lifter && action.travel > 0.0; }
+/// Before the halves; lifters and inserts come with the part.
+bool goes_first(const SideAction& action) {
+  return action.kind != ActionKind::lifter && action.kind != ActionKind::insert && action.travel > 0.0;
+}
 
 /// The greatest travels of what moves before the halves, and after them.
 struct Ways {
@@ -80,7 +86,8 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   if (const SideAction* action = chosen_action(state)) {
     if (!is_straight(*action)) return std::nullopt;
     arrow.direction = action->direction;
-    if (action->kind != ActionKind::lifter) arrow.free = action->interval;
+    if (action->kind == ActionKind::slide || action->kind == ActionKind::inclined)
+      arrow.free = action->interval;
   } else {
     // Outward from the part's middle, as a hand would begin.
     const glm::dvec3& d = state.settings.direction.unit();
@@ -106,6 +113,10 @@ void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec
   }
 }
 
+bool is_along(const SideAction& action, const glm::dvec3& direction) {
+  return !action.about && glm::dot(action.direction, direction) > k_same_cosine;
+}
+
 std::optional<std::size_t> own_direction(const ActionSettings& settings, const glm::dvec3& direction) {
   for (std::size_t k = 0; k < settings.side_directions.size(); ++k) {
     if (glm::dot(glm::normalize(settings.side_directions[k]), direction) > k_same_cosine) return k;
@@ -122,6 +133,58 @@ OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open) {
   return {.slides = done(0.0, ends[0]), .halves = done(ends[0], ends[1]), .lifters = done(ends[1], ends[2])};
 }
 
+std::vector<glm::dmat4> body_places(const AppState& state, double open, double share) {
+  const auto& plan = state.actions.plan;
+  const auto& bodies = state.actions.bodies;
+  const SideAction* const chosen = chosen_action(state);
+  if (!state.model || !plan || !bodies || (open == 0.0 && chosen == nullptr)) return {};
+  const UnitFrame& frame = state.model->frame;
+  const OpenedMold opened = opened_mold(plan.get(), frame.diagonal, open);
+  const glm::dmat4 model_from_unit =
+      glm::scale(glm::translate(glm::dmat4(1.0), frame.center), glm::dvec3(frame.diagonal));
+  const glm::dmat4 unit_from_model = glm::inverse(model_from_unit);
+  std::vector<glm::dmat4> places;
+  for (const std::size_t k : bodies->actions) {
+    const SideAction& action = plan->actions[k];
+    const bool first = goes_first(action);
+    const double moved = open == 0.0 ? share : first ? opened.slides : opened.lifters;
+    const double way = first ? (action.core_side ? 1.0 : -1.0) * opened.halves * k_mold_travel : 0.0;
+    const glm::dmat4 place = unit_from_model * action_motion(action, moved) * model_from_unit;
+    const bool shown = open > 0.0 || &action == chosen;
+    places.push_back(shown ? glm::translate(glm::dmat4(1.0), way * state.settings.direction.unit()) * place
+                           : glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)));
+  }
+  return places;
+}
+
+std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut) {
+  const ActionPlan& plan = *state.actions.plan;
+  const UnitFrame& frame = state.model->frame;
+  const UndercutReport& patch = plan.patches[undercut];
+  const double size = std::max(patch.undercut.size_across, patch.undercut.size_along) / frame.diagonal;
+  const glm::vec3 centre = frame.to_unit(patch.undercut.centre);
+  const auto reach = static_cast<float>(std::max(0.6 * size, k_least_reach));
+  std::vector<glm::vec3> points;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-reach, reach}) {
+      points.push_back(centre);
+      points.back()[axis] += side;
+    }
+  }
+  const SideAction* const action = action_of(plan, undercut);
+  if (action == nullptr || !state.actions.bodies) return points;
+  const ActionBodies& bodies = *state.actions.bodies;
+  const auto body = std::ranges::find(bodies.actions, static_cast<std::size_t>(action - plan.actions.data()));
+  if (body == bodies.actions.end()) return points;
+  const glm::vec3 out(action->about ? glm::dvec3(0.0) : action->travel / frame.diagonal * action->direction);
+  for (const ViewVertex& vertex :
+       bodies.bodies[static_cast<std::size_t>(body - bodies.actions.begin())].vertices) {
+    points.push_back(vertex.position);
+    points.push_back(vertex.position + out);
+  }
+  return points;
+}
+
 std::string opening_text(const AppState& state, double open) {
   const double diagonal = state.model->frame.diagonal;
   const ActionPlan* const plan = state.actions.plan.get();
@@ -131,8 +194,9 @@ std::string opening_text(const AppState& state, double open) {
     return fmt::format("{}{}{} {}", what, what.empty() ? "" : " ", grouped(fmt::format("{:.1f}", way)),
                        length_unit(state.model->part));
   };
-  if (ways.first == 0.0 && ways.last == 0.0) return text("", opened.halves * k_mold_travel * diagonal);
-  if (opened.lifters > 0.0) return text("lifters", opened.lifters * ways.last);
+  if (open == 0.0 || (ways.first == 0.0 && ways.last == 0.0))
+    return text("", opened.halves * k_mold_travel * diagonal);
+  if (opened.lifters > 0.0) return text("ejection", opened.lifters * ways.last);
   if (opened.halves > 0.0 || ways.first == 0.0)
     return text("halves", opened.halves * k_mold_travel * diagonal);
   return text("slides", opened.slides * ways.first);

@@ -23,12 +23,14 @@ struct SideArrow {
 };
 /// Of the undercut that is looked at; nothing for what turns or is stripped.
 [[nodiscard]] std::optional<SideArrow> side_arrow(const AppState& state);
-/// Length of the arrow, unit frame.
-inline constexpr double k_side_arrow_length = 0.16;
+/// Length of the arrow, unit frame: the same on the screen however near the part is seen.
+[[nodiscard]] inline double side_arrow_length(const Camera& camera) { return 0.17 * camera.height; }
 
 /// Adds a direction for the actions to take, in place of `former` where that is one that the user has given.
 void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec3>& former,
                          const glm::dvec3& direction);
+/// Whether an action moves along this direction (unit), to rounding.
+[[nodiscard]] bool is_along(const SideAction& action, const glm::dvec3& direction);
 /// The direction among the user's own that this is; nothing where it is none.
 [[nodiscard]] std::optional<std::size_t> own_direction(const ActionSettings& settings,
                                                        const glm::dvec3& direction);
@@ -43,6 +45,13 @@ struct OpenedMold {
 /// 1]; halves alone where there is no plan. Each gets a share of the way as long as its own, but a fifth at
 /// least.
 [[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open);
+/// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
+/// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
+/// None where none is to be seen.
+[[nodiscard]] std::vector<glm::dmat4> body_places(const AppState& state, double open, double share);
+/// What a picture of an undercut is to show, unit frame: it, its action's body in place and out, and the
+/// arrow.
+[[nodiscard]] std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut);
 /// "halves 34.2 mm": what moves then, and how far it has.
 [[nodiscard]] std::string opening_text(const AppState& state, double open);
 

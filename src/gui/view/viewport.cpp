@@ -12,6 +12,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/scene.hpp"
+#include "gui/view/side_arrow.hpp"
 
 namespace moldlight::gui {
 
@@ -65,6 +66,12 @@ void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, 
 std::optional<ViewArrow> Viewport::arrow_in_scene(const AppState& state, const SceneFrame& frame,
                                                   Arrow which) {
   if (which == Arrow::section) return state.cut ? std::optional(section_arrow(*state.cut)) : std::nullopt;
+  if (which == Arrow::side) {
+    const auto side = side_arrow(state);
+    if (!side) return std::nullopt;
+    return ViewArrow{.tail = side->tail,
+                     .tip = side->tail + side_arrow_length(state.camera) * side->direction};
+  }
   if (!state.settings.look.arrows) return std::nullopt;
   const glm::dvec3 direction = state.settings.direction.unit();
   return parting_arrow(state.extremes, which == Arrow::core ? direction : -direction, frame.open_mold);
@@ -104,7 +111,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   if (!dragging() && on_scene) {
-    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
+    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side}) {
       const auto shown = arrow(state, frame, each);
       if (shown && glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) near_tip_ = each;
     }
@@ -122,8 +129,15 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   }
   if (near_tip_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   // A press alone, or a hand that trembles, leaves what it holds as it is.
-  if (drag_ && ImGui::IsMouseDragging(0, k_click_reach))
-    drag_->arrow == Arrow::section ? drag_section(state, frame, edits) : drag_direction(state, frame, edits);
+  if (drag_ && ImGui::IsMouseDragging(0, k_click_reach)) {
+    if (drag_->arrow == Arrow::section) {
+      drag_section(state, frame, edits);
+    } else if (drag_->arrow == Arrow::side) {
+      drag_side(state, frame, edits);
+    } else {
+      drag_direction(state, frame, edits);
+    }
+  }
   move_camera(ui, frame, edits);
 }
 
@@ -183,6 +197,23 @@ void Viewport::drag_direction(const AppState& state, const SceneFrame& frame, Ed
   edits.dragging = true;
 }
 
+void Viewport::drag_side(const AppState& state, const SceneFrame& frame, Edits& edits) const {
+  const auto held = side_arrow(state);
+  if (!held) return;
+  const glm::dvec3& parting = state.settings.direction.unit();
+  const glm::vec2 tip = from_im(ImGui::GetIO().MousePos) + drag_->grip;
+  glm::dvec3 direction =
+      side_direction_at(state.camera, frame.size, {held->tail, parting, held->direction}, tip);
+  if (ImGui::GetIO().KeyCtrl) {
+    const glm::dvec3 near = snapped_to(state.features, direction);
+    const glm::dvec3 level = near - glm::dot(near, parting) * parting;
+    if (glm::length(level) > 1e-3) direction = tidy(level);
+  }
+  give_side_direction(edits.settings.actions, held->direction, direction);
+  edits.action_choices.wish = direction;
+  edits.dragging = true;
+}
+
 void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const {
   if (!state.cut) return;
   const ViewArrow held = section_arrow(*state.cut);
@@ -201,6 +232,7 @@ void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edit
 
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model) return;
+  draw_side_arrow(ui, state, frame.size, drag_ ? drag_->arrow == Arrow::side : near_tip_ == Arrow::side);
   for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
     const auto shown = arrow(state, frame, each);
     if (!shown) continue;

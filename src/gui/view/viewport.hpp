@@ -39,7 +39,7 @@ class Viewport {
   void give_up_drag() { drag_.reset(); }
 
  private:
-  enum class Arrow : std::uint8_t { core, cavity, section };
+  enum class Arrow : std::uint8_t { core, cavity, section, side };
   struct ArrowDrag {
     Arrow arrow = Arrow::core;
     bool front = true;     // it was grabbed on the viewer's side
@@ -49,6 +49,7 @@ class Viewport {
   void start(const AppState& state, const SceneFrame& frame, int button);
   void move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const;
   void drag_direction(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+  void drag_side(const AppState& state, const SceneFrame& frame, Edits& edits) const;
   void drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const;
   static std::optional<ViewArrow> arrow_in_scene(const AppState& state, const SceneFrame& frame, Arrow which);
   static std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, Arrow which);

@@ -1,0 +1,228 @@
+// Side actions in the window, on the shipped lid: the list, the body that moves, directions and pins by hand.
+#include "gui/view/side_actions.hpp"
+
+#include <filesystem>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <gtest/gtest.h>
+
+#include "gui/offscreen.hpp"
+#include "gui/panels/verdict.hpp"
+#include "io/mesh_writer.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/shared_parts.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int k_escape = 256, k_delete = 261;
+
+class SideActions : public ::testing::Test {
+ protected:
+  SideActions() : window(options()) {}
+
+  static OffscreenOptions options() {
+    OffscreenOptions options;
+    options.size = {1280, 720};
+    options.user.window.quick_sweep = false;
+    options.reading.unit = "mm";
+    return options;
+  }
+  void open_lid() {
+    const std::string path = folder.file("lid.stl");
+    fs::copy_file(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl", path);
+    open(path);
+  }
+  void open(const std::string& path) {
+    window.app().open(path);
+    window.wait_until_loaded();
+    window.wait_until_measured();
+    click("fold actions");
+    window.settle();
+  }
+
+  [[nodiscard]] const AppState& state() const { return window.state(); }
+  [[nodiscard]] const ActionPlan& plan() const { return *state().actions.plan; }
+  [[nodiscard]] const ActionSettings& settings() const { return state().settings.actions; }
+  [[nodiscard]] std::string sentence() const { return verdict_of(state()).sentence; }
+
+  void move_to(const glm::vec2& place) {
+    window.move_mouse(place);
+    window.frames(2);
+  }
+  void click(const std::string& control) {
+    move_to(window.control(control).centre());
+    window.set_button(0, true);
+    window.frame();
+    window.set_button(0, false);
+    window.frames(3);
+  }
+  void key(const KeyPress& press) {
+    window.press_key(press);
+    window.frame();
+    window.hold_modifiers(false, false, false);
+    window.frames(3);
+  }
+  void drag(const glm::vec2& from, const glm::vec2& to) {
+    move_to(from);
+    window.set_button(0, true);
+    window.frames(2);
+    for (int step = 1; step <= 8; ++step) {
+      window.move_mouse(from + (to - from) * (0.125F * static_cast<float>(step)));
+      window.frame();
+    }
+    window.set_button(0, false);
+    window.frames(3);
+  }
+  /// The picture some frames after a row was clicked, the mouse in a corner.
+  std::vector<std::uint8_t> picture_after(const char* row, int frames) {
+    click(row);
+    move_to({4, 700});
+    window.frames(frames);
+    return window.pixels();
+  }
+
+  moldlight::test::ScratchFolder folder;
+  OffscreenWindow window;
+};
+
+TEST_F(SideActions, AreToldInTheVerdictAndListed) {
+  open_lid();
+  EXPECT_NE(sentence().find(" · 1 slide, 2 lifters"), std::string::npos) << sentence();
+  ASSERT_GE(plan().patches.size(), 3U);
+  for (std::size_t k = 1; k <= plan().patches.size(); ++k)
+    EXPECT_TRUE(window.app().controls().contains("undercut " + std::to_string(k)) || k > 6) << k;
+  const auto texts = window.app().texts();
+  const auto told = [&](std::string_view text) {
+    return std::ranges::any_of(texts, [&](const DrawnText& each) { return each.text.starts_with(text); });
+  };
+  EXPECT_TRUE(told("lifter"));
+  EXPECT_TRUE(told("stroke 17.1 mm"));
+  EXPECT_TRUE(told("free −1.0 to 1.0°"));
+}
+
+TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
+  open_lid();
+  const glm::dquat before = state().camera.orientation;
+  const auto first = picture_after("undercut 1", 40);
+  EXPECT_NE(state().camera.orientation, before) << "flies there";
+  EXPECT_EQ(state().action_choices.chosen, 0U);
+  window.frames(24);
+  const auto later = window.pixels();
+  EXPECT_NE(first, later) << "it moves";
+  click("undercut 1");
+  EXPECT_FALSE(state().action_choices.chosen) << "a second click ends it";
+  EXPECT_EQ(picture_after("undercut 1", 40), first) << "the same after the same time";
+  key({.key = k_escape});
+  EXPECT_FALSE(state().action_choices.chosen);
+}
+
+TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
+  open_lid();
+  const glm::vec2 slider = window.control("Open the mold").centre();
+  const auto open_to = [&](float share) {
+    const ScreenBox box = window.control("Open the mold");
+    drag(slider, {glm::mix(box.min.x, box.max.x, share), slider.y});
+    return body_places(state(), state().settings.look.open_mold, 0.0);
+  };
+  const double diagonal = state().model->frame.diagonal;
+  const auto opened = [&] { return opened_mold(&plan(), diagonal, state().settings.look.open_mold); };
+  const auto early = open_to(0.08F);
+  ASSERT_FALSE(early.empty());
+  EXPECT_GT(opened().slides, 0.0);
+  EXPECT_EQ(opened().halves, 0.0);
+  window.frames(60);  // no double click
+  open_to(0.99F);
+  EXPECT_GT(opened().lifters, 0.9);
+  EXPECT_EQ(opened().halves, 1.0);
+}
+
+TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
+  open_lid();
+  const std::string free = sentence();
+  click("pin 3");
+  click("none");
+  ASSERT_EQ(settings().pins.size(), 1U);
+  window.wait_until_measured();
+  ASSERT_TRUE(plan().patches[2].pin);
+  EXPECT_EQ(action_of(plan(), 2), nullptr);
+  EXPECT_EQ(sentence().find("1 slide"), std::string::npos) << sentence();
+
+  key({.key = 'B'});
+  key({.key = 'Z', .ctrl = true});
+  window.wait_until_measured();
+  EXPECT_TRUE(settings().pins.empty());
+  EXPECT_EQ(sentence(), free);
+  click("bookmark");
+  click("go");
+  key({.key = k_escape});
+  window.wait_until_measured();
+  ASSERT_EQ(settings().pins.size(), 1U) << "the bookmark restores it";
+  EXPECT_TRUE(plan().patches[2].pin);
+
+  click("pin 3");
+  click("automatic");
+  EXPECT_TRUE(settings().pins.empty());
+}
+
+TEST_F(SideActions, ShowWhatTheirSettingsDo) {
+  open_lid();
+  const auto stroke = [&] { return *action_of(plan(), 0)->stroke; };
+  const double before = stroke();
+  click("action options");
+  click("lifter_angle_deg");
+  window.frames(3);
+  window.type("16");
+  window.frames(2);
+  key({.key = 257});
+  window.wait_until_measured();
+  EXPECT_EQ(settings().lifter_angle_deg, 16.0);
+  EXPECT_NEAR(stroke(), before * std::tan(glm::radians(8.0)) / std::tan(glm::radians(16.0)), 1e-6);
+  key({.key = 'Z', .ctrl = true});
+  EXPECT_EQ(settings().lifter_angle_deg, 8.0);
+}
+
+TEST_F(SideActions, TakeADirectionThatIsDraggedAndFree) {
+  // A groove across which a slide may turn by nearly half a turn.
+  moldlight::test::SolidBuilder solid;
+  solid.extrude({{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 10}, {20, 10}, {20, 15}, {0, 15}}, {}, 60.0);
+  const TriangleMesh mesh = solid.mesh();
+  const std::vector<Region> regions(mesh.facets.size(), Region::both);
+  const std::string path = folder.file("groove.stl");
+  write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
+  open(path);
+  ASSERT_EQ(plan().actions.size(), 1U);
+  click("undercut 1");
+  window.settle();
+  ASSERT_TRUE(side_arrow(state())->free);
+  EXPECT_GT(side_arrow(state())->free->to_deg, 80.0);
+  // From above it turns as the hand does.
+  key({.key = '7'});
+  window.frames(30);
+  const glm::vec2 tip = window.control("side arrow").centre();
+  drag(tip, tip + glm::vec2(-40.0F, -60.0F));
+  ASSERT_EQ(settings().side_directions.size(), 1U);
+  const glm::dvec3 wish = settings().side_directions.front();
+  EXPECT_NEAR(wish.z, 0.0, 1e-9) << "across the parting direction";
+  EXPECT_GT(std::abs(glm::degrees(std::atan2(wish.y, wish.x))), 10.0);
+  window.wait_until_measured();
+  EXPECT_GT(glm::dot(plan().actions.front().direction, wish), 1.0 - 1e-9);
+  EXPECT_EQ(state().action_choices.chosen, 0U) << "it is still looked at";
+  key({.key = 'Z', .ctrl = true});
+  EXPECT_TRUE(settings().side_directions.empty()) << "a drag is one step";
+  key({.key = 'Y', .ctrl = true});
+  EXPECT_EQ(settings().side_directions.size(), 1U);
+  key({.key = k_delete});
+  EXPECT_TRUE(settings().side_directions.empty());
+  key({.key = 'Z', .ctrl = true});
+  window.wait_until_measured();
+  click("by hand 1");
+  EXPECT_TRUE(settings().side_directions.empty());
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test
