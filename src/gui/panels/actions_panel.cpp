@@ -153,6 +153,16 @@ void draw_own_directions(const PanelContext& context) {
   }
 }
 
+/// What releases the rest of an undercut that no action releases whole.
+std::string others_text(const ActionPlan& plan, std::size_t undercut, const SideAction& first) {
+  std::string text;
+  for (const SideAction& action : plan.actions) {
+    if (&action != &first && std::ranges::find(action.patches, undercut) != action.patches.end())
+      text += fmt::format(" · and {}", facts(action.kind).singular);
+  }
+  return text;
+}
+
 /// The colour of an action's body.
 void draw_swatch(const Ui& ui, ImU32 colour, const glm::vec2& middle) {
   ImGui::GetWindowDrawList()->AddCircleFilled(im(middle), 4.0F * ui.scale, colour);
@@ -166,7 +176,8 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   if (const SideAction* action = action_of(plan, undercut)) {
     tip += fmt::format(" · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
                        with_minus(short_direction_text(action->direction)), action->travel, unit,
-                       detail_text(*action, unit), shared_text(*action, undercut));
+                       detail_text(*action, unit),
+                       shared_text(*action, undercut) + others_text(plan, undercut, *action));
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
   return tip + "\nClick to look at it and see its action move.";
@@ -338,7 +349,8 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
                 {start.x + ui.px(k_columns[3].at) - ui.px(10), start.y + 0.5F * height});
     cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
-    if (left_over) detail += " · the rest is left";
+    detail += others_text(plan, undercut, *action);
+    if (left_over) detail += " · some is left";
     cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
   } else {
     const float x = start.x + ui.px(k_columns[3].at);

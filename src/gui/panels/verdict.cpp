@@ -44,11 +44,19 @@ std::string undercut_text(const Part& part, const SweepCandidate& candidate) {
   return fmt::format("{} {}", grouped(column.text(undercut_area(candidate))), powered_unit(part, 2));
 }
 
+namespace {
+
+std::string taken_text(const ActionPlan& plan) {
+  return plan.actions.empty() ? "no side action releases them" : actions_text(plan);
+}
+
+}  // namespace
+
 bool has_undercuts(const AppState& state) { return state.figures.shown && !is_free(*state.figures.shown); }
 
 std::string actions_summary(const AppState& state) {
   const ActionPlan& plan = *state.actions.plan;
-  std::string text = plan.actions.empty() ? "no side action releases them" : actions_text(plan);
+  std::string text = taken_text(plan);
   if (plan.unreleased_area > 0.0 && !plan.actions.empty())
     text += fmt::format(" · {} {} left", grouped(fmt::format("{:.3g}", plan.unreleased_area)),
                         powered_unit(state.model->part, 2));
@@ -68,7 +76,7 @@ Verdict verdict_of(const AppState& state) {
                                  grouped(FigureColumn(here.total_area).text(here.areas[Region::undercut])),
                                  powered_unit(state.model->part, 2));
   if (const ActionsState& actions = state.actions; is_settled(actions) && !actions.plan->patches.empty())
-    verdict.sentence += " · " + actions_summary(state);
+    verdict.sentence += " · " + taken_text(*actions.plan);
   const SweepState& sweep = state.sweep;
   if (sweep.running) {
     verdict.best = "looking for the best direction …";
@@ -109,8 +117,9 @@ void draw_verdict(const PanelContext& context) {
   draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
             at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size)),
             fitted(ui.fonts.strong, first, room));
-  draw_text(list, {ui.fonts.body, faded(ui.colours->text, alpha)}, at + glm::vec2(ui.px(26), ui.px(21)),
-            fitted(ui.fonts.body, second, room));
+  const SizedFont& font = text_size(ui.fonts.body, second).x <= room ? ui.fonts.body : ui.fonts.small;
+  draw_text(list, {font, faded(ui.colours->text, alpha)}, at + glm::vec2(ui.px(26), ui.px(21)),
+            fitted(font, second, room));
   if (!verdict.best.empty()) {
     ImGui::Indent(ui.px(26));
     const float button_width = verdict.better ? ui.px(72) : 0.0F;

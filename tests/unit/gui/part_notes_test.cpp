@@ -17,7 +17,12 @@ TEST(PartNotes, AreReadBackAsTheyWereWritten) {
   notes.settings.look.regions_by = RegionsBy::maps;
   notes.settings.look.mark_difference = true;
   notes.unit = "in";
+  notes.settings.actions.clearance_mm = 5.0;
+  notes.settings.actions.side_directions = {{0.6, 0.0, 0.8}};
+  notes.settings.actions.pins = {{.point = {1, 2.5, -3}, .area = 12.75, .kind = ActionKind::lifter},
+                                 {.point = {0.1, 0, 0}, .area = 3, .kind = std::nullopt}};
   notes.bookmarks.push_back({.note = "hook", .direction = {0, 1, 0}});
+  notes.bookmarks.push_back({.note = "slide", .direction = {1, 0, 0}, .actions = notes.settings.actions});
   EXPECT_EQ(parse_part_notes(part_notes_json(notes, "part.stl"), {}), notes);
 }
 
