@@ -11,7 +11,7 @@ constexpr ImU32 rgba(std::uint32_t rgb, int alpha = 255) {
 }
 
 constexpr ThemeColours k_dark = {
-    .panel = rgba(0x1A1C1F, 224),
+    .panel = rgba(0x1A1C1F, 232),
     .panel_border = rgba(0xFFFFFF, 20),
     .popup = rgba(0x202327, 250),
     .text = rgba(0xE9EBEE),
@@ -28,7 +28,7 @@ constexpr ThemeColours k_dark = {
 };
 
 constexpr ThemeColours k_light = {
-    .panel = rgba(0xFCFCFD, 228),
+    .panel = rgba(0xFCFCFD, 238),
     .panel_border = rgba(0x000000, 24),
     .popup = rgba(0xFFFFFF, 252),
     .text = rgba(0x1B1D20),

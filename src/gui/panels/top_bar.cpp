@@ -104,8 +104,9 @@ void draw_right(const PanelContext& context) {
 void draw_top_bar(const PanelContext& context) {
   const Ui& ui = context.ui;
   const ImGuiIO& io = ImGui::GetIO();
-  const bool near =
-      io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model || ui.memory->popups.any();
+  // The part may reach behind the bar where an undercut is seen from near.
+  const bool near = io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model ||
+                    ui.memory->popups.any() || context.state.action_choices.chosen;
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x, ui.px(k_bar_height)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);

@@ -65,12 +65,15 @@ void draw_name(ImDrawList& list, const Lettering& lettering, const Face& face, s
   const glm::vec2 corner = face.centre - 0.5F * size;
   list.AddText(lettering.font.font, lettering.font.size, im(corner), lettering.colour, name.data(),
                name.data() + name.size());
+  glm::vec2 low = face.centre, high = face.centre;
   for (int k = first; k < list.VtxBuffer.Size; ++k) {
     ImVec2& at = list.VtxBuffer[k].pos;
     const glm::vec2 on_face((at.x - face.centre.x) / face.half, (face.centre.y - at.y) / face.half);
     at = im(face.centre + on_face.x * face.right + on_face.y * face.up);
+    low = glm::min(low, from_im(at));
+    high = glm::max(high, from_im(at));
   }
-  note_text(list, lettering.colour, {corner, corner + size}, name);
+  note_text(list, lettering.colour, {low, high}, name);
 }
 
 }  // namespace

@@ -121,7 +121,11 @@ void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size
       action != nullptr ? std::string(facts(action->kind).singular) : "drag to try a direction";
   if (held) name = with_minus(short_direction_text(arrow->direction));
   const glm::vec2 room = 0.5F * tag_size(ui, name);
-  draw_tag(ui, at + forward * (ui.px(8) + glm::dot(glm::abs(forward), room)), name, ui.colours->text);
+  const glm::vec2 middle = at + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
+  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
+  const bool inside = glm::all(glm::greaterThan(middle - room, glm::vec2(0.0F))) &&
+                      glm::all(glm::lessThan(middle + room, window));
+  if (inside) draw_tag(ui, middle, name, ui.colours->text);
 }
 
 }  // namespace moldlight::gui

@@ -57,7 +57,10 @@ void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, 
   const glm::vec2 room = 0.5F * tag_size(ui, name);
   glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  draw_tag(ui, middle, name, colour);
+  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
+  const bool inside = glm::all(glm::greaterThan(middle - room, glm::vec2(0.0F))) &&
+                      glm::all(glm::lessThan(middle + room, window));
+  if (inside) draw_tag(ui, middle, name, colour);
 }
 
 }  // namespace
