@@ -56,10 +56,12 @@ class WindowSceneries : public WindowWithPart {
         {"a side action", click_on("undercut 1"), [] {}},
         {"its pin", click_on("pin 1"), press(k_escape)},
         {"options of side actions", click_on("action options"),
-         [click_on, press] {
+         [this, click_on, press] {
            click_on("action options")();
            click_on("fold actions")();
            press(k_escape)();
+           press('F')();
+           window.settle();
          }},
         {"batch",
          [this] {

@@ -11,7 +11,7 @@ constexpr ImU32 rgba(std::uint32_t rgb, int alpha = 255) {
 }
 
 constexpr ThemeColours k_dark = {
-    .panel = rgba(0x1A1C1F, 232),
+    .panel = rgba(0x1A1C1F, 240),
     .panel_border = rgba(0xFFFFFF, 20),
     .popup = rgba(0x202327, 250),
     .text = rgba(0xE9EBEE),
