@@ -72,11 +72,14 @@ Verdict verdict_of(const AppState& state) {
     verdict.sentence = "Two-plate mold: no undercut";
     return verdict;
   }
-  verdict.sentence = fmt::format("{}, {} {}", undercuts_text(state.figures.undercuts),
+  const ActionsState& actions = state.actions;
+  const bool planned = is_settled(actions) && !actions.plan->patches.empty();
+  // As the list of side actions counts them, once there is one.
+  const std::size_t count = planned ? actions.plan->patches.size() : state.figures.undercuts;
+  verdict.sentence = fmt::format("{}, {} {}", undercuts_text(count),
                                  grouped(FigureColumn(here.total_area).text(here.areas[Region::undercut])),
                                  powered_unit(state.model->part, 2));
-  if (const ActionsState& actions = state.actions; is_settled(actions) && !actions.plan->patches.empty())
-    verdict.sentence += " · " + taken_text(*actions.plan);
+  if (planned) verdict.sentence += " · " + taken_text(*actions.plan);
   const SweepState& sweep = state.sweep;
   if (sweep.running) {
     verdict.best = "looking for the best direction …";
