@@ -56,7 +56,8 @@ void ActionFinder::update(const AppState& state, ActionsState& actions, bool mov
     ++actions.revision;
   }
   actions.running = job_.running() ? std::optional(job_.status()) : std::nullopt;
-  actions.awaited = state.model && figures.error.empty() && (!asked_ || job_.running());
+  // Not while a hand holds what would change it.
+  actions.awaited = state.model && figures.error.empty() && (asked_ ? job_.running() : !moving);
 }
 
 }  // namespace moldlight::gui
