@@ -15,9 +15,10 @@ constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr std::size_t k_quick_samples = 24;   // which tell soon that a lifter is hopeless
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
 constexpr double k_same_elevation_deg = 0.01;
-constexpr std::size_t k_lifters = 3;   // of an undercut that are looked at closely
-constexpr int k_most_parts = 3;        // of an undercut that nothing releases whole
-constexpr double k_least_part = 0.05;  // of its area: less is not worth an action
+constexpr std::size_t k_lifters = 3;     // of an undercut that are looked at closely
+constexpr int k_most_parts = 3;          // of an undercut that nothing releases whole
+constexpr double k_least_part = 0.05;    // of its area: less is not worth an action
+constexpr double k_worth_lifting = 1.1;  // what a lifter must free of it, of what a slide does
 
 double area_of(std::span<const UndercutSample> samples) {
   double area = 0.0;
@@ -216,7 +217,8 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
       most = freed;
       found = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
     }
-    if (const auto lifter = lifters ? most_clearing(rest, tried, most) : std::nullopt) found = lifter;
+    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most) : std::nullopt)
+      found = lifter;
     if (!found) break;
     Pull& best = *found;
     const bool lifts = best.kind == ActionKind::lifter;
