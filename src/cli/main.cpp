@@ -118,8 +118,9 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   // TBB counts on a thread a core, and fails where it cannot have them beside those of a sweep.
   const int cores = usable_cores(), wanted = 2 * cores + 1;
   const bool alone = cores == 1 || startable_threads(wanted) < wanted;
-  // Never taken back: TBB would start its threads then.
-  [[maybe_unused]] static const auto* k_limit = new tbb::global_control(
+  // Never taken back: TBB would start its threads then. Volatile, since it is never read, and yet to be
+  // found.
+  [[maybe_unused]] static const tbb::global_control* volatile k_limit = new tbb::global_control(
       tbb::global_control::max_allowed_parallelism, alone ? 1 : static_cast<std::size_t>(cores));
   return request.body(console, progress);
 }
