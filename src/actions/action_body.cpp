@@ -61,7 +61,7 @@ class BodyMaker {
     const double diagonal = model_.frame.diagonal;
     double length = k_thickness * diagonal;
     if (leaves) {
-      length = reach(model_.part.mesh.vertices) - least_reach(surface.mesh.vertices) + k_beyond * diagonal;
+      length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
     } else if (std::isfinite(action_.clear_to)) {
       length = std::clamp(action_.clear_to - action_.travel, k_least_thickness * diagonal, length);
     }
@@ -93,12 +93,6 @@ class BodyMaker {
     return surface;
   }
 
-  [[nodiscard]] double reach(std::span<const glm::dvec3> points) const {
-    double greatest = -k_never;
-    for (const glm::dvec3& point : points)
-      greatest = std::max(greatest, glm::dot(point - model_.frame.center, action_.direction));
-    return greatest;
-  }
   [[nodiscard]] double least_reach(std::span<const glm::dvec3> points) const {
     double least = k_never;
     for (const glm::dvec3& point : points)

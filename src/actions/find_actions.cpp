@@ -272,13 +272,19 @@ class Finder {
     add_revolved(ActionKind::strip, ring->core_side, about, {k});
   }
 
-  /// What nothing releases whole becomes an atom for each part that a pull frees, and one for what none does.
-  void split_the_rest() {
-    progress_.report("splitting what no single action releases", 0.6);
+  /// 1 for each atom that a thread or a ring releases.
+  [[nodiscard]] std::vector<char> revolved_atoms() const {
     std::vector<char> revolved(atoms_.size(), 0);
     for (const Column& column : revolved_) {
       for (const std::size_t k : column.atoms) revolved[k] = 1;
     }
+    return revolved;
+  }
+
+  /// What nothing releases whole becomes an atom for each part that a pull frees, and one for what none does.
+  void split_the_rest() {
+    progress_.report("splitting what no single action releases", 0.6);
+    const std::vector<char> revolved = revolved_atoms();
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {
       const Atom& atom = atoms_[k];
@@ -291,10 +297,7 @@ class Finder {
   /// For what no action of the mold releases.
   void find_inserts() {
     progress_.report("looking for loose inserts", 0.7);
-    std::vector<char> revolved(atoms_.size(), 0);
-    for (const Column& column : revolved_) {
-      for (const std::size_t k : column.atoms) revolved[k] = 1;
-    }
+    const std::vector<char> revolved = revolved_atoms();
     ActionSettings all_round = settings_;
     all_round.incline_deg = 90.0;
     const std::vector<PullCandidate> sphere = pull_sphere();
