@@ -207,21 +207,31 @@ void PlaneMesh::legalize(std::vector<Edge> edges) {
   }
 }
 
-std::optional<PlaneMesh::Edge> PlaneMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
-  // Around a, one way and then the other.
+template <typename Visit>
+void PlaneMesh::visit_around(std::uint32_t point, const Visit& visit) const {
+  // One way and, where the border ends that, the other.
   for (const bool forward : {true, false}) {
-    std::uint32_t triangle = triangle_at_[a];
+    std::uint32_t triangle = triangle_at_[point];
     const std::uint32_t first = triangle;
     do {
       const Triangle& t = triangles_[triangle];
-      const std::uint32_t k = t.corners[0] == a ? 0 : t.corners[1] == a ? 1 : 2;
-      if (t.corners[next(k)] == b) return Edge{triangle, k};
-      if (t.corners[last(k)] == b) return Edge{triangle, last(k)};
+      const std::uint32_t k = t.corners[0] == point ? 0 : t.corners[1] == point ? 1 : 2;
+      if (visit(Edge{triangle, k})) return;
       triangle = t.across[forward ? last(k) : k];
     } while (triangle != k_none && triangle != first);
-    if (triangle == first) break;
+    if (triangle == first) return;
   }
-  return std::nullopt;
+}
+
+std::optional<PlaneMesh::Edge> PlaneMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
+  std::optional<Edge> found;
+  visit_around(a, [&](const Edge& at) {
+    const Triangle& t = triangles_[at.triangle];
+    if (t.corners[next(at.side)] == b) found = at;
+    if (!found && t.corners[last(at.side)] == b) found = Edge{at.triangle, last(at.side)};
+    return found.has_value();
+  });
+  return found;
 }
 
 std::optional<PlaneMesh::Obstacle> PlaneMesh::add_segment(std::uint32_t a, std::uint32_t b,
@@ -239,24 +249,24 @@ std::optional<PlaneMesh::Obstacle> PlaneMesh::add_segment(std::uint32_t a, std::
   // The triangle at a through whose far side the segment leaves.
   const glm::dvec2 &from = points_[a], &to = points_[b];
   std::optional<Edge> leaves;
-  for (const bool forward : {true, false}) {
-    std::uint32_t triangle = triangle_at_[a];
-    const std::uint32_t first = triangle;
-    do {
-      const Triangle& t = triangles_[triangle];
-      const std::uint32_t k = t.corners[0] == a ? 0 : t.corners[1] == a ? 1 : 2;
-      const std::uint32_t right = t.corners[next(k)], left = t.corners[last(k)];
-      const int of_right = side_of(from, to, points_[right]), of_left = side_of(from, to, points_[left]);
-      const auto ahead = [&](std::uint32_t p) {
-        return (points_[p].x - from.x) * (to.x - from.x) + (points_[p].y - from.y) * (to.y - from.y) > 0.0;
-      };
-      if (of_right == 0 && ahead(right)) return Obstacle{.point = right};
-      if (of_left == 0 && ahead(left)) return Obstacle{.point = left};
-      if (of_right < 0 && of_left > 0) leaves = Edge{triangle, next(k)};
-      triangle = t.across[forward ? last(k) : k];
-    } while (!leaves && triangle != k_none && triangle != first);
-    if (leaves || triangle == first) break;
-  }
+  std::optional<std::uint32_t> meets;
+  const auto ahead = [&](std::uint32_t p) {
+    return (points_[p].x - from.x) * (to.x - from.x) + (points_[p].y - from.y) * (to.y - from.y) > 0.0;
+  };
+  visit_around(a, [&](const Edge& at) {
+    const Triangle& t = triangles_[at.triangle];
+    const std::uint32_t right = t.corners[next(at.side)], left = t.corners[last(at.side)];
+    const int of_right = side_of(from, to, points_[right]), of_left = side_of(from, to, points_[left]);
+    if (of_right == 0 && ahead(right)) {
+      meets = right;
+    } else if (of_left == 0 && ahead(left)) {
+      meets = left;
+    } else if (of_right < 0 && of_left > 0) {
+      leaves = Edge{at.triangle, next(at.side)};
+    }
+    return meets.has_value() || leaves.has_value();
+  });
+  if (meets) return Obstacle{.point = *meets};
   if (!leaves) return Obstacle{};
   std::vector<std::array<std::uint32_t, 2>> crossed;  // from right to left
   for (Edge edge = *leaves;;) {

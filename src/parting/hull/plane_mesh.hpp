@@ -71,6 +71,10 @@ class PlaneMesh {
   void flip(const Edge& edge);
   void split_triangle(std::uint32_t triangle, std::uint32_t point, std::vector<Edge>& edges);
   void split_side(const Edge& edge, std::uint32_t point, std::vector<Edge>& edges);
+  /// Calls visit(edge) for the triangles around a point, each by the side that begins there, until it returns
+  /// true.
+  template <typename Visit>
+  void visit_around(std::uint32_t point, const Visit& visit) const;
   [[nodiscard]] std::optional<Edge> edge_between(std::uint32_t a, std::uint32_t b) const;
   void note(std::uint32_t triangle);
   [[nodiscard]] std::optional<Edge> segment_towards(std::uint32_t triangle, const glm::dvec2& at) const;
