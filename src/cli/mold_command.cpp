@@ -1,7 +1,6 @@
 // moldlight mold: the parting line of one direction, and the two mold halves.
 #include <memory>
 
-#include "classify/figures.hpp"
 #include "classify/headless.hpp"
 #include "cli/flags.hpp"
 #include "io/png.hpp"
@@ -30,27 +29,10 @@ struct MoldFlags {
 std::string why_not(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
                     const WrittenMold& written) {
   if (!written.refusal.empty()) return refusal_text(model, halves, written);
-  if (halves.inserts.empty() || flags.settings.fill_undercut) return {};
-  std::string places;
-  for (std::size_t k = 0; k < std::min<std::size_t>(halves.inserts.size(), 3); ++k)
-    places += fmt::format("{}{}", k == 0 ? "" : "; ", figures(insert_place(halves, k), model.frame.diagonal));
-  return fmt::format(
-      "no halves are written: undercuts keep {} {} in {} place{} from both, at {}{}; --fill-undercut leaves "
-      "them to "
-      "inserts, moldlight actions finds side actions",
-      figure(halves.insert_volume), powered_unit(model.part, 3), halves.inserts.size(),
-      halves.inserts.size() == 1 ? "" : "s", places, halves.inserts.size() > 3 ? "; …" : "");
-}
-
-WrittenLines written_lines(const PartModel& model, const Assignment& assignment, const PartingLine& line) {
-  WrittenLines lines{
-      .loops = {}, .direction = assignment.direction, .unit = model.part.unit, .name = part_name(model.part)};
-  for (const PartingLoop& loop : line.loops) {
-    WrittenLoop written{.kind = loop_name(loop.kind), .points = {}};
-    for (const VertexIndex vertex : loop.vertices) written.points.push_back(assignment.mesh.vertices[vertex]);
-    lines.loops.push_back(std::move(written));
-  }
-  return lines;
+  const std::string unfilled = unfilled_text(model, flags.settings, halves);
+  if (unfilled.empty()) return {};
+  return "no halves are written: " + unfilled +
+         "; --fill-undercut leaves them to inserts, moldlight actions finds side actions";
 }
 
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
@@ -71,7 +53,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& warning : assignment.warnings) console.warning(warning);
   const PartingLine line = parting_line(assignment);
   progress.report("writing", 0.0);
-  for (const std::string& path : flags.lines) write_lines(path, written_lines(*model, assignment, line));
+  for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
   const MoldHalves halves =
       make_halves(*model, assignment.direction, assignment.height, flags.settings, progress);
   WrittenMold written = written_mold(halves);

@@ -174,20 +174,18 @@ std::vector<MoldSide> cut_sides(const Assignment& assignment, const Costs& costs
 }
 
 /// Costs of the faces that a half is to form at the other; a warning for those that it cannot.
-void add_wishes(const PartModel& model, const MoldSettings& settings, std::span<const SideWish> wishes,
-                Assignment& assignment, Costs& costs) {
+void add_wishes(const PartModel& model, const MoldSettings& settings, Assignment& assignment, Costs& costs) {
   std::vector<std::uint8_t> wished(model.part.mesh.facets.size(), 0);  // 1: core, 2: cavity
-  if (const auto cosmetic = parse_cosmetic(settings.cosmetic)) {
+  if (!settings.cosmetic.empty()) {
     const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
-    for (const std::uint32_t face : cosmetic->faces) {
-      if (face >= faces.count())
-        throw UsageError(
-            fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
-      for (const FacetIndex facet : faces.facets(face)) wished[facet] = cosmetic->core ? 1 : 2;
+    for (const CosmeticFaces& half : parse_cosmetic(settings.cosmetic)) {
+      for (const std::uint32_t face : half.faces) {
+        if (face >= faces.count())
+          throw UsageError(
+              fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
+        for (const FacetIndex facet : faces.facets(face)) wished[facet] = half.core ? 1 : 2;
+      }
     }
-  }
-  for (const SideWish& wish : wishes) {
-    for (const FacetIndex facet : wish.facets) wished[facet] = wish.core ? 1 : 2;
   }
   double refused = 0.0;
   for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
@@ -257,7 +255,7 @@ std::string_view side_name(MoldSide side) {
 }
 
 Assignment assign_sides(const PartModel& model, const Query& query, const MoldSettings& settings,
-                        const Progress& progress, std::span<const SideWish> wishes) {
+                        const Progress& progress) {
   Query soft = query;
   soft.method.tau_deg = std::max(query.method.tau_deg, settings.soft_deg);
   const ExactQuery exact = exact_query(model, soft);
@@ -291,7 +289,7 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   }
   Costs costs = costs_of(model, result);
   if (settings.parting_height) costs.per_side = k_given_weight / model.frame.diagonal;
-  add_wishes(model, settings, wishes, result, costs);
+  add_wishes(model, settings, result, costs);
 
   const std::vector<double> heights =
       settings.parting_height ? std::vector<double>{*settings.parting_height} : level_heights(model, result);

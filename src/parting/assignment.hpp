@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -45,15 +44,8 @@ struct Assignment {
   [[nodiscard]] double area(MoldSide side) const { return areas[static_cast<std::size_t>(side)]; }
 };
 
-/// Faces moved by hand to a half: a piece of a facet listed here goes there if it may.
-struct SideWish {
-  std::vector<FacetIndex> facets;
-  bool core = false;
-};
-
 /// Throws UsageError for faces that the part has not, Cancelled.
 [[nodiscard]] Assignment assign_sides(const PartModel& model, const Query& query,
-                                      const MoldSettings& settings, const Progress& progress,
-                                      std::span<const SideWish> wishes = {});
+                                      const MoldSettings& settings, const Progress& progress);
 
 }  // namespace moldlight

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "classify/figures.hpp"
 #include "io/atomic_file.hpp"
 #include "io/part_formats.hpp"
 #include "mesh/length_unit.hpp"
@@ -188,6 +189,17 @@ const WrittenFormat<WrittenLines>& format_of(const std::string& path) {
 }
 
 }  // namespace
+
+WrittenLines lines_to_write(const PartModel& model, const Assignment& assignment, const PartingLine& line) {
+  WrittenLines lines{
+      .loops = {}, .direction = assignment.direction, .unit = model.part.unit, .name = part_name(model.part)};
+  for (const PartingLoop& loop : line.loops) {
+    WrittenLoop written{.kind = loop_name(loop.kind), .points = {}};
+    for (const VertexIndex vertex : loop.vertices) written.points.push_back(assignment.mesh.vertices[vertex]);
+    lines.loops.push_back(std::move(written));
+  }
+  return lines;
+}
 
 std::span<const WrittenFormat<WrittenLines>> line_formats() {
   static constexpr WrittenFormat<WrittenLines> k_formats[] = {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "io/mesh_writer.hpp"
+#include "parting/loops.hpp"
 
 namespace moldlight {
 
@@ -24,6 +25,9 @@ struct WrittenLines {
   std::string unit;               // "mm", …; may be empty
   std::string name;               // of the part
 };
+
+[[nodiscard]] WrittenLines lines_to_write(const PartModel& model, const Assignment& assignment,
+                                          const PartingLine& line);
 
 [[nodiscard]] std::span<const WrittenFormat<WrittenLines>> line_formats();
 

@@ -187,6 +187,18 @@ std::string refusal_text(const PartModel& model, const MoldHalves& halves, const
       halves.refused_at ? fmt::format(", near {}", figures(*halves.refused_at, model.frame.diagonal)) : "");
 }
 
+std::string unfilled_text(const PartModel& model, const MoldSettings& settings, const MoldHalves& halves) {
+  constexpr std::size_t k_most_places = 3;
+  if (halves.inserts.empty() || settings.fill_undercut) return {};
+  std::string places;
+  for (std::size_t k = 0; k < std::min(halves.inserts.size(), k_most_places); ++k)
+    places += fmt::format("{}{}", k == 0 ? "" : "; ", figures(insert_place(halves, k), model.frame.diagonal));
+  return fmt::format("undercuts keep {} {} in {} place{} from both halves, at {}{}",
+                     figure(halves.insert_volume), powered_unit(model.part, 3), halves.inserts.size(),
+                     halves.inserts.size() == 1 ? "" : "s", places,
+                     halves.inserts.size() > k_most_places ? "; …" : "");
+}
+
 nlohmann::ordered_json mold_json(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
   Json json;

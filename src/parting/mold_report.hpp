@@ -28,6 +28,11 @@ struct MoldReport {
 [[nodiscard]] std::string refusal_text(const PartModel& model, const MoldHalves& halves,
                                        const WrittenMold& written);
 
+/// Undercuts that the halves cannot form and that are not left to inserts, with their places; empty where
+/// there are none.
+[[nodiscard]] std::string unfilled_text(const PartModel& model, const MoldSettings& settings,
+                                        const MoldHalves& halves);
+
 /// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.
 [[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
 

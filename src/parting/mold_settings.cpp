@@ -1,6 +1,9 @@
 #include "parting/mold_settings.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
@@ -10,6 +13,24 @@ namespace moldlight {
 namespace {
 
 constexpr double k_margin_share = 0.15;  // of the part's diagonal
+
+/// "core:1,2".
+CosmeticFaces parse_half(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view half = text.substr(0, colon);
+  if (colon == std::string_view::npos || (half != "core" && half != "cavity"))
+    throw UsageError(fmt::format("--cosmetic: '{}' is not core:FACES or cavity:FACES", text));
+  CosmeticFaces cosmetic{.core = half == "core", .faces = {}};
+  for (std::string_view rest = text.substr(colon + 1);;) {
+    const std::size_t comma = rest.find(',');
+    const auto face = number_from<std::uint32_t>(rest.substr(0, comma));
+    if (!face)
+      throw UsageError(fmt::format("--cosmetic: '{}' is not the number of a face", rest.substr(0, comma)));
+    cosmetic.faces.push_back(*face);
+    if (comma == std::string_view::npos) return cosmetic;
+    rest.remove_prefix(comma + 1);
+  }
+}
 
 }  // namespace
 
@@ -34,7 +55,8 @@ std::span<const Option<MoldSettings>> mold_options() {
                      text.empty() ? std::nullopt : std::optional(parse_real({text, "--parting-height"}));
                }}},
       {"cosmetic", "--cosmetic", "Cosmetic faces", "",
-       "Faces that the core or the cavity is to form, as --faces of classify numbers them.",
+       "Faces that the core or the cavity is to form, as --faces of classify numbers them; of both halves "
+       "with a slash between: core:1,2/cavity:3.",
        TextKind<S>{.name = "core|cavity:FACES",
                    .get = [](const S& s) { return s.cosmetic; },
                    .set =
@@ -60,22 +82,37 @@ std::span<const Option<MoldSettings>> mold_options() {
   return k_options;
 }
 
-std::optional<CosmeticFaces> parse_cosmetic(std::string_view text) {
-  if (text.empty()) return std::nullopt;
-  const std::size_t colon = text.find(':');
-  const std::string_view half = text.substr(0, colon);
-  if (colon == std::string_view::npos || (half != "core" && half != "cavity"))
-    throw UsageError(fmt::format("--cosmetic: '{}' is not core:FACES or cavity:FACES", text));
-  CosmeticFaces cosmetic{.core = half == "core", .faces = {}};
-  for (std::string_view rest = text.substr(colon + 1);;) {
-    const std::size_t comma = rest.find(',');
-    const auto face = number_from<std::uint32_t>(rest.substr(0, comma));
-    if (!face)
-      throw UsageError(fmt::format("--cosmetic: '{}' is not the number of a face", rest.substr(0, comma)));
-    cosmetic.faces.push_back(*face);
-    if (comma == std::string_view::npos) return cosmetic;
-    rest.remove_prefix(comma + 1);
+std::vector<CosmeticFaces> parse_cosmetic(std::string_view text) {
+  std::vector<CosmeticFaces> cosmetic;
+  while (!text.empty()) {
+    const std::size_t end = text.find('/');
+    cosmetic.push_back(parse_half(text.substr(0, end)));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
+  return cosmetic;
+}
+
+std::vector<std::uint32_t> cosmetic_faces(std::string_view text, bool core) {
+  std::vector<std::uint32_t> faces;
+  for (const CosmeticFaces& half : parse_cosmetic(text)) {
+    if (half.core == core) faces.insert(faces.end(), half.faces.begin(), half.faces.end());
+  }
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+std::string cosmetic_with(std::string_view text, std::uint32_t face, std::optional<bool> core) {
+  std::string with;
+  for (const bool half : {true, false}) {
+    std::vector<std::uint32_t> faces = cosmetic_faces(text, half);
+    std::erase(faces, face);
+    if (core == half) faces.insert(std::ranges::lower_bound(faces, face), face);
+    if (!faces.empty())
+      with +=
+          fmt::format("{}{}:{}", with.empty() ? "" : "/", half ? "core" : "cavity", fmt::join(faces, ","));
+  }
+  return with;
 }
 
 double block_margin(const MoldSettings& settings, double diagonal) {

@@ -16,7 +16,7 @@ namespace moldlight {
 struct MoldSettings {
   double soft_deg = 2.0;                 // walls with less draft may go to either half, [0, 10]
   std::optional<double> parting_height;  // along d, of the part's coordinates; none: found
-  std::string cosmetic;                  // "core:1,2" or "cavity:1,2": faces that this half must form
+  std::string cosmetic;                  // "core:1,2/cavity:3": faces that each half must form
   double margin = 0.0;                   // of the block around the part; unset: 15 % of the part's diagonal
   double shrink_pct = 0.0;               // of the molded part against the mold, [0, 20]
   double slope_deg = 60.0;               // the parting surface is at most so steep, [15, 85]
@@ -28,13 +28,17 @@ struct MoldSettings {
 
 [[nodiscard]] std::span<const Option<MoldSettings>> mold_options();
 
-/// What `cosmetic` asks for.
+/// What `cosmetic` asks for: faces of the half that forms them.
 struct CosmeticFaces {
-  bool core = false;  // the half that forms them
+  bool core = false;
   std::vector<std::uint32_t> faces;
 };
 /// None for an empty text; throws UsageError.
-[[nodiscard]] std::optional<CosmeticFaces> parse_cosmetic(std::string_view text);
+[[nodiscard]] std::vector<CosmeticFaces> parse_cosmetic(std::string_view text);
+/// A half's faces, rising.
+[[nodiscard]] std::vector<std::uint32_t> cosmetic_faces(std::string_view text, bool core);
+/// The text with this face at that half alone, or at none.
+[[nodiscard]] std::string cosmetic_with(std::string_view text, std::uint32_t face, std::optional<bool> core);
 
 /// Margin of a block around a part of this diagonal, both in the same unit.
 [[nodiscard]] double block_margin(const MoldSettings& settings, double diagonal);

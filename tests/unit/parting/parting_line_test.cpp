@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "mesh/faces.hpp"
 #include "parting/loops.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
@@ -97,16 +98,30 @@ TEST(PartingLine, GivesCosmeticFacesToTheirHalf) {
   EXPECT_THROW(static_cast<void>(parse_cosmetic("core:1,x")), UsageError);
 }
 
-TEST(PartingLine, TakesTheFacesThatAHandMoves) {
+TEST(PartingLine, TakesCosmeticFacesOfBothHalves) {
   const auto model = model_of(test::box_mesh({0, 0, 0}, {4, 3, 2}));
-  std::vector<FacetIndex> all(model->part.mesh.facets.size());
-  for (FacetIndex k = 0; k < all.size(); ++k) all[k] = k;
-  for (const bool core : {false, true}) {
-    const SideWish wish{.facets = all, .core = core};
-    const Assignment assignment =
-        assign_sides(*model, {glm::dvec3(0, 0, 1), {}}, {}, Progress{}, std::span(&wish, 1));
-    EXPECT_NEAR(assignment.area(core ? MoldSide::core : MoldSide::cavity), 40.0, 1e-9);
+  const Faces faces = part_faces(model->part, model->geometry, model->adjacency);
+  std::vector<std::uint32_t> walls;  // of 3 by 2, then of 4 by 2
+  for (const double nx : {1.0, 0.0}) {
+    for (std::uint32_t face = 0; face < faces.count(); ++face) {
+      const glm::dvec3 normal = model->geometry.normals[faces.facets(face).front()];
+      if (normal.z == 0.0 && std::abs(normal.x) == nx) walls.push_back(face);
+    }
   }
+  ASSERT_EQ(walls.size(), 4U);
+  MoldSettings settings;
+  for (std::size_t k = 0; k < 4; ++k) settings.cosmetic = cosmetic_with(settings.cosmetic, walls[k], k < 2);
+  const auto area_of_core = [&] {
+    return assign_sides(*model, {glm::dvec3(0, 0, 1), {}}, settings, Progress{}).area(MoldSide::core);
+  };
+  EXPECT_NEAR(area_of_core(), 12.0 + 12.0, 1e-9) << settings.cosmetic;
+  settings.cosmetic = cosmetic_with(settings.cosmetic, walls[0], false);
+  EXPECT_NEAR(area_of_core(), 12.0 + 6.0, 1e-9) << settings.cosmetic;
+
+  EXPECT_EQ(cosmetic_with("cavity:3/core:5,1", 2, true), "core:1,2,5/cavity:3");
+  EXPECT_EQ(cosmetic_with("core:1/cavity:3", 3, true), "core:1,3");
+  EXPECT_EQ(cosmetic_with("core:1", 1, std::nullopt), "");
+  EXPECT_EQ(cosmetic_faces("core:7,2,2/cavity:1", true), (std::vector<std::uint32_t>{2, 7}));
 }
 
 TEST(PartingLine, OfACupIsItsRim) {
