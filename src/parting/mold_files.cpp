@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "io/solid_writer.hpp"
+#include "parting/hull/tidy_solid.hpp"
 
 namespace moldlight {
 
@@ -19,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_most_fold = 1e-8;  // of the block's rectangle
+/// So many steps of rounding may a surface move where needles are taken out of it.
+constexpr double k_rounding_steps = 0.5;
 
 /// Rounded to single precision, with equal vertices joined and facets gone that have two of one.
 TriangleMesh rounded(const TriangleMesh& mesh, const auto& place) {
@@ -42,6 +45,21 @@ TriangleMesh rounded(const TriangleMesh& mesh, const auto& place) {
   return result;
 }
 
+/// Between two numbers of single precision as large as the mesh's coordinates.
+double rounding_step(const TriangleMesh& mesh) {
+  double most = 0.0;
+  for (const glm::dvec3& v : mesh.vertices)
+    most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return most * 0x1p-23;
+}
+
+bool in_lid(const TriangleMesh& mesh, FacetIndex facet, const glm::dvec3& lid, double top) {
+  for (int c = 0; c < 3; ++c) {
+    if (glm::dot(mesh.corner(facet, c), lid) != top) return false;
+  }
+  return true;
+}
+
 /// What of a half faces along its pull and is not its lid, and what its facets do not cover, seen along
 /// `up`; as a share of the rectangle.
 double fold_of(const TriangleMesh& mesh, const glm::dvec3& lid, double rectangle) {
@@ -54,6 +72,20 @@ double fold_of(const TriangleMesh& mesh, const glm::dvec3& lid, double rectangle
   return std::max(std::abs(facing - rectangle), std::abs(away - rectangle)) / rectangle;
 }
 
+/// Share of a half's area that leans along its pull although it is not the lid.
+double leaning_of(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
+  double leaning = 0.0, all = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const glm::dvec3 normal = glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
+                                         mesh.corner(facet, 2) - mesh.corner(facet, 0));
+    const double area = glm::length(normal);
+    all += area;
+    const bool leans = glm::dot(normal, lid) > k_leaning_sine * area;
+    if (leans && !in_lid(mesh, facet, lid, top)) leaning += area;
+  }
+  return all > 0.0 ? leaning / all : 0.0;
+}
+
 std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
   mold.part_frame = part_frame;
   mold.bodies.clear();
@@ -61,17 +93,17 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
   };
   const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
-  const auto add = [&](const std::string& name, const MoldBody& body) {
+  const auto add = [&](const std::string& name, const MoldBody& body, const glm::dvec3& pull) {
     WrittenBody written{.name = name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
-    const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
-    written.closed = check.open_edges == 0;
-    written.crowded_edges = check.crowded_edges;
+    tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
+    written.closed = check_body(written.mesh.vertices, written.mesh.facets).open_edges == 0;
+    if (written.closed) written.crowded_edges = split_touching(written.mesh);
     mold.bodies.push_back(std::move(written));
   };
-  add("core", halves.core);
-  add("cavity", halves.cavity);
+  add("core", halves.core, up);
+  add("cavity", halves.cavity, -up);
   for (std::size_t k = 0; k < halves.inserts.size(); ++k)
-    add(fmt::format("insert_{}", k + 1), halves.inserts[k]);
+    add(fmt::format("insert_{}", k + 1), halves.inserts[k], glm::dvec3(0.0));
   for (std::size_t k = 0; k < 2; ++k) {
     // As large as the lid, rounded as it is.
     WrittenBody& half = mold.bodies[k];
@@ -80,13 +112,12 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     for (const glm::dvec3& v : half.mesh.vertices) top = std::max(top, glm::dot(v, lid));
     double rectangle = 0.0;
     for (FacetIndex facet = 0; facet < half.mesh.facets.size(); ++facet) {
-      bool in_lid = true;
-      for (int c = 0; c < 3; ++c) in_lid = in_lid && glm::dot(half.mesh.corner(facet, c), lid) == top;
-      if (in_lid)
+      if (in_lid(half.mesh, facet, lid, top))
         rectangle += 0.5 * glm::dot(lid, glm::cross(half.mesh.corner(facet, 1) - half.mesh.corner(facet, 0),
                                                     half.mesh.corner(facet, 2) - half.mesh.corner(facet, 0)));
     }
     half.undercut = rectangle > 0.0 ? fold_of(half.mesh, lid, rectangle) : 1.0;
+    half.leaning = leaning_of(half.mesh, lid, top);
     if (half.undercut > k_most_fold)
       return fmt::format("in single precision {:.2g} of the {} would fold over itself", half.undercut,
                          half.name);

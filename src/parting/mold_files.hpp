@@ -15,8 +15,9 @@ struct WrittenBody {
   TriangleMesh mesh;
   double volume = 0.0;
   bool closed = false;
-  std::size_t crowded_edges = 0;  // used by four facets or more
+  std::size_t crowded_edges = 0;  // in which it touches itself; the mesh has them apart
   double undercut = 0.0;  // of a half: what faces away from its pull, as a share of the block's rectangle
+  double leaning = 0.0;   // of a half: what leans so by more than 0.01 degrees, as a share of its area
 };
 
 /// The bodies in the frame of the files, rounded to single precision and tested in it. In the part's own

@@ -25,12 +25,15 @@ namespace {
 struct Attempt {
   double tolerance, upright;
 };
-constexpr Attempt k_attempts[] = {{1e-7, 1.0}, {1e-7, 0.1}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
-                                  {1e-9, 0.1}, {1e-7, 0.0}, {1e-6, 0.1}, {4e-6, 0.1}};
+constexpr Attempt k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
+                                  {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
+                                  {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
 /// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
 /// in an edge.
-constexpr std::size_t k_most_for_beauty = 4;
+constexpr std::size_t k_most_for_beauty = 5;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
+/// More than this, in cubes of the diagonal, is not rounding that the ends' places may make good.
+constexpr double k_most_restored = 1e-8;
 /// What is thinner on average than this share of the diagonal, half the usual lateral tolerance, is no
 /// insert: the plastic fills it.
 constexpr double k_speck_thickness = 0.5 / 2048.0;
@@ -108,8 +111,7 @@ MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& face
   const BodyCheck check = check_body(vertices, facets);
   MoldBody body{.mesh = body_mesh(vertices, facets),
                 .volume = check.volume * scale * scale * scale,
-                .open_edges = check.open_edges,
-                .crowded_edges = check.crowded_edges};
+                .open_edges = check.open_edges};
   for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
   return body;
 }
@@ -197,6 +199,8 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   if (!sheets.stand_in_columns(attempt.tolerance))
     return SurfaceFault{"the ends of the part's surface do not come to rest"};
   if (auto fault = residual(sheets, diagonal)) return fault;
+  sheets.keep_volume(centred_volume(model.part.mesh, model.frame.center) / (diagonal * diagonal * diagonal),
+                     k_most_restored);
 
   const double margin = block_margin(settings, diagonal) / diagonal;
   glm::dvec3 low(INFINITY), high(-INFINITY);
@@ -285,8 +289,12 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   halves.tolerance = attempt.tolerance;
   const WrittenMold written = written_mold(halves);
   if (!written.refusal.empty()) return SurfaceFault{written.refusal};
-  for (std::size_t k = 0; k < 2; ++k)
-    (k == 0 ? halves.core : halves.cavity).crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
+  for (std::size_t k = 0; k < 2; ++k) {
+    MoldBody& half = k == 0 ? halves.core : halves.cavity;
+    half.crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
+    half.crowded_edges = written.bodies[k].crowded_edges;
+    half.leaning = written.bodies[k].leaning;
+  }
   return std::nullopt;
 }
 
@@ -323,8 +331,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
       if (!first) first = fault;
       continue;
     }
-    if (!best || attempted.blemishes() < best->blemishes()) best = std::move(attempted);
-    if (best->blemishes() == 0) break;
+    if (!best || attempted.cleaner_than(*best)) best = std::move(attempted);
+    if (best->blemishes() == 0 && !best->leans()) break;
   }
   if (best) return *best;
   halves.refusal = first->what;

@@ -3,6 +3,7 @@
 // and is not the part is left to inserts. Each result carries its certificate.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,11 @@ namespace moldlight {
 struct MoldBody {
   TriangleMesh mesh;
   double volume = 0.0;
-  std::size_t open_edges = 0, crowded_edges = 0;  // crowded: of four facets or more, where it touches itself
-  std::size_t crossed_facets = 0;                 // of a half, in single precision: by rounding
+  std::size_t open_edges = 0;
+  // Of a half, in single precision: by rounding.
+  std::size_t crowded_edges = 0;  // in which it touches itself
+  std::size_t crossed_facets = 0;
+  double leaning = 0.0;  // share of its area that leans along its pull by more than 0.01 degrees
 };
 
 /// Lengths in the part's unit, without the shrinkage but for bodies.
@@ -51,6 +55,14 @@ struct MoldHalves {
   /// What a certified half may have of faults by rounding.
   [[nodiscard]] std::size_t blemishes() const {
     return core.crossed_facets + cavity.crossed_facets + core.crowded_edges + cavity.crowded_edges;
+  }
+  /// Whether rounding leaves walls with an undercut.
+  [[nodiscard]] bool leans() const {
+    constexpr double k_most_leaning = 5e-7;
+    return std::max(core.leaning, cavity.leaning) > k_most_leaning;
+  }
+  [[nodiscard]] bool cleaner_than(const MoldHalves& other) const {
+    return leans() != other.leans() ? other.leans() : blemishes() < other.blemishes();
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
 };

@@ -1,5 +1,7 @@
 // Real parts with known pulls: the pull is among the candidates and among the best of a sweep, also for the
 // part in any other position.
+#include "support/known_pulls.hpp"
+
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -15,27 +17,9 @@
 namespace moldlight {
 namespace {
 
-struct KnownPull {
-  const char* file;
-  glm::dvec3 direction;
-};
-
-const KnownPull k_shared_pulls[] = {{"lego_brick_2x4.stl", {0, 0, 1}},
-                                    {"m5_stackchan_basecover.stl", {0, 0, 1}},
-                                    {"m5_stackchan_basecover_tilted.stl", {0.36, 0.48, 0.8}},
-                                    {"so101_trigger.stl", {0, 0, 1}},
-                                    {"m5_base26_main.stl", {0, 0, 1}},
-                                    {"odri_hip_cover_64k.stl", {0, 0, 1}},
-                                    {"odri_pulley_t30_output.stl", {0, 0, 1}},
-                                    {"m5_building_block_link.stl", {0, 0, 1}},
-                                    {"so100_lego_gauge.stl", {0, 0, 1}},
-                                    {"m5_rfid2_face_shell.stl", {0, 0, 1}},
-                                    {"numpystl_rear_case.stl", {0, 1, 0}}};
-
-const KnownPull k_demo_pulls[] = {{"enclosure_lid.stl", {0, 0, 1}},
-                                  {"bottle_cap.stl", {0, 0, 1}},
-                                  {"cable_clip.stl", {0, 1, 0}},
-                                  {"tilted_bracket.stl", {0.48, -0.36, 0.8}}};
+using test::k_demo_pulls;
+using test::k_shared_pulls;
+using test::KnownPull;
 
 constexpr std::uintmax_t k_most_bytes_for_sweep = 500'000;
 

@@ -1,10 +1,12 @@
 // Mold halves of real parts along their axes: those that come are what their certificate says, by means that
 // made none of it; how many are refused, and why.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -16,6 +18,8 @@
 #include "mesh/health.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
+#include "support/exact_crossing.hpp"
+#include "support/known_pulls.hpp"
 #include "support/manifest.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shared_parts.hpp"
@@ -25,73 +29,107 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> part_files() {
-  std::vector<fs::path> files;
+struct PartFile {
+  fs::path path;
+  std::vector<glm::dvec3> directions;  // three axes, and the known pull where it is none of them
+  glm::dvec3 pull{0, 0, 1};            // known, or z
+};
+
+PartFile part_file(const fs::path& path, std::span<const test::KnownPull> pulls) {
+  PartFile part{.path = path, .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const test::KnownPull& known : pulls) {
+    if (path.filename() != known.file) continue;
+    part.pull = known.direction;
+    if (std::ranges::find(part.directions, part.pull) == part.directions.end())
+      part.directions.push_back(part.pull);
+  }
+  return part;
+}
+
+/// `most_facets`: larger ones take as long as all others.
+std::vector<PartFile> part_files(std::size_t most_facets = 70000) {
+  std::vector<fs::path> demos;
   for (const auto& entry : fs::directory_iterator(test::asset_folder() / "parts"))
-    files.push_back(entry.path());
-  std::ranges::sort(files);
+    demos.push_back(entry.path());
+  std::ranges::sort(demos);
+  std::vector<PartFile> files;
+  for (const fs::path& path : demos) files.push_back(part_file(path, test::k_demo_pulls));
   if (const auto shared = test::shared_folder()) {
     for (const test::ManifestRow& row : test::read_manifest()) {
-      const bool large = row.facets.value_or(0) > 70000;  // they take as long as all others
-      if (!row.file.starts_with("bad/") && row.facets.value_or(0) > 0 && !large)
-        files.push_back(*shared / "parts" / row.file);
+      if (!row.file.starts_with("bad/") && row.facets.value_or(0) > 0 && *row.facets <= most_facets)
+        files.push_back(part_file(*shared / "parts" / row.file, test::k_shared_pulls));
     }
   }
   return files;
 }
 
-glm::dvec3 axis_direction(int axis) {
-  glm::dvec3 d(0.0);
-  d[axis] = 1.0;
-  return d;
+std::string row_name(const PartFile& file, const glm::dvec3& d) {
+  return fmt::format("{} along {}, {}, {}", file.path.filename().string(), d.x, d.y, d.z);
+}
+
+MoldHalves halves_of(const PartModel& model, const glm::dvec3& d) {
+  return make_halves(model, d, glm::dot(model.frame.center, d), {}, Progress{});
 }
 
 struct Tally {
-  std::size_t rows = 0, made = 0, crowded = 0, crossed = 0, steep = 0;
+  std::size_t rows = 0, made = 0, touching = 0, crossed = 0, steep = 0;
   double worst_gap = 0.0, worst_undercut = 0.0;
   std::vector<double> times_ms;
   std::map<std::string, std::size_t> refusals;
 };
 
+/// Edges with another count of facets than two, of vertices that are apart and of those that are not in one
+/// place.
+std::size_t edges_not_of_two(const TriangleMesh& mesh) {
+  std::map<std::array<double, 3>, VertexIndex> known;
+  std::vector<VertexIndex> place;
+  for (const glm::dvec3& v : mesh.vertices)
+    place.push_back(known.try_emplace({v.x, v.y, v.z}, static_cast<VertexIndex>(place.size())).first->second);
+  std::size_t others = 0;
+  for (const bool welded : {false, true}) {
+    std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+    for (const auto& facet : mesh.facets) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex a = facet[k], b = facet[(k + 1) % 3];
+        ++uses[welded ? std::minmax(place[a], place[b]) : std::minmax(a, b)];
+      }
+    }
+    others += static_cast<std::size_t>(
+        std::ranges::count_if(uses, [](const auto& use) { return use.second != 2; }));
+  }
+  return others;
+}
+
 void check_bodies(const MoldHalves& halves, const WrittenMold& written, const std::string& name,
                   Tally& tally) {
   const glm::dvec3 up = written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);
-  bool crowded = false;
+  bool touches = false;
   for (std::size_t k = 0; k < written.bodies.size(); ++k) {
     const WrittenBody& body = written.bodies[k];
     EXPECT_TRUE(body.closed) << name << " " << body.name;
-    crowded = crowded || (k < 2 && body.crowded_edges > 0);
     if (k >= 2) continue;
+    EXPECT_EQ(edges_not_of_two(body.mesh), 0U) << name << " " << body.name;
+    touches = touches || body.crowded_edges > 0;
     EXPECT_LE(body.undercut, 1e-8) << name << " " << body.name;
     EXPECT_NEAR(signed_volume(body.mesh) / body.volume, 1.0, 1e-4) << name << " " << body.name;
     const double undercut = test::undercut_share(body.mesh, k == 0 ? up : -up, 0.01);
     tally.worst_undercut = std::max(tally.worst_undercut, undercut);
-    EXPECT_LE(undercut, 3e-6) << name << " " << body.name;
-    // As a printer slices it.
-    const Bounds box = bounds(body.mesh);
-    for (int axis = 0; axis < 3; ++axis) {
-      const int layers = 50;
-      for (int layer = 1; layer < layers && axis == 2; ++layer) {
-        const double z = box.min.z + (box.max.z - box.min.z) * layer / layers;
-        EXPECT_EQ(test::open_outlines(body.mesh, z), 0U) << name << " " << body.name << " at " << z;
-      }
-    }
+    EXPECT_LE(undercut, 1e-6) << name << " " << body.name;
   }
-  tally.crowded += crowded ? 1 : 0;
+  tally.touching += touches ? 1 : 0;
 }
 
 TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
   Tally tally;
-  for (const fs::path& file : part_files()) {
-    const auto model = load_part(file.string(), {}, Progress{});
+  for (const PartFile& file : part_files()) {
+    const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     static_cast<void>(model->exact(Progress{}));
-    for (int axis = 0; axis < 3; ++axis) {
-      const glm::dvec3 d = axis_direction(axis);
-      const std::string name = fmt::format("{} along {}", file.filename().string(), "xyz"[axis]);
+    for (const glm::dvec3& d : file.directions) {
+      const std::string name = row_name(file, d);
       ++tally.rows;
       const Stopwatch watch;
-      const MoldHalves halves = make_halves(*model, d, glm::dot(model->frame.center, d), {}, Progress{});
+      const MoldHalves halves = halves_of(*model, d);
       tally.times_ms.push_back(watch.elapsed_ms());
       const WrittenMold written = written_mold(halves);
       if (!written.refusal.empty()) {
@@ -107,64 +145,94 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
     }
   }
   std::cout << fmt::format(
-      "{} parts along axes, {} with halves, {} of them with edges of four facets, {} with facets that cross "
-      "by rounding, {} with a parting surface "
-      "steeper "
-      "than asked somewhere; volumes at most {:.1e} of the block apart, undercut at most {:.1e} of a half; "
-      "median "
-      "{:.0f} ms, longest {:.0f} ms\n",
-      tally.rows, tally.made, tally.crowded, tally.crossed, tally.steep, tally.worst_gap,
+      "{} rows of parts and directions, {} with halves, {} of them with a half that touches itself in an "
+      "edge, "
+      "{} with facets that cross by rounding, {} with a parting surface steeper than asked somewhere; "
+      "volumes "
+      "at most {:.1e} of the block apart, undercut at most {:.1e} of a half; median {:.0f} ms, longest "
+      "{:.0f} "
+      "ms\n",
+      tally.rows, tally.made, tally.touching, tally.crossed, tally.steep, tally.worst_gap,
       tally.worst_undercut, median(tally.times_ms), *std::ranges::max_element(tally.times_ms));
   for (const auto& [refusal, count] : tally.refusals) std::cout << "refused: " << refusal << "\n";
-  EXPECT_GE(tally.made * 100, tally.rows * 95);
+  EXPECT_GE(tally.made * 100, tally.rows * 97);
 }
 
-/// Ten rows: no two facets of a body cross, and a random point lies in exactly one of block's halves, part
-/// and inserts.
+/// Ten rows, of other directions one after the other: no two facets of a half cross, and a random point lies
+/// in exactly one of block's halves, part and inserts.
 TEST(MoldHalvesOfParts, FillTheBlockOnce) {
-  std::size_t rows = 0, misplaced = 0, crossed = 0, by_rounding = 0;
+  std::size_t rows = 0, misplaced = 0, crossing = 0, by_rounding = 0;
   constexpr std::size_t k_points = 100000;
-  for (const fs::path& file : part_files()) {
+  for (const PartFile& file : part_files(25000)) {
     if (rows >= 10) break;
-    const auto model = load_part(file.string(), {}, Progress{});
-    if (!model->health.closed || model->health.facets > 25000) continue;
-    const glm::dvec3 d = axis_direction(2);
-    const MoldHalves halves = make_halves(*model, d, glm::dot(model->frame.center, d), {}, Progress{});
-    if (!halves.made()) continue;
+    const auto model = load_part(file.path.string(), {}, Progress{});
+    if (!model->health.closed) continue;
+    const glm::dvec3 d = file.directions[(rows + by_rounding) % file.directions.size()];
+    const MoldHalves halves = halves_of(*model, d);
+    const WrittenMold written = written_mold(halves);
+    if (!written.refusal.empty()) continue;
     if (halves.core.crossed_facets + halves.cavity.crossed_facets > 0) {
       ++by_rounding;
       continue;
     }
     ++rows;
-    std::vector<TriangleMesh> bodies = {halves.core.mesh, halves.cavity.mesh, model->part.mesh};
-    for (glm::dvec3& vertex : bodies[2].vertices) vertex = halves.frame.to_mold(vertex - halves.centre);
-    for (const MoldBody& insert : halves.inserts) bodies.push_back(insert.mesh);
+    std::vector<TriangleMesh> bodies;
+    for (const WrittenBody& body : written.bodies) bodies.push_back(body.mesh);
+    for (std::size_t k = 0; k < 2; ++k) crossing += test::exactly_crossing_pairs(bodies[k]);
+    bodies.push_back(model->part.mesh);
+    if (!written.part_frame) {
+      for (glm::dvec3& vertex : bodies.back().vertices) vertex = halves.frame.to_mold(vertex - halves.centre);
+    }
     const std::size_t wrong = test::misplaced_points(bodies, k_points, 11);
-    // Voids thinner than a tolerance are in no body; the report tells their volume.
+    // Voids thinner than a tolerance are in no body; the report tells their volume. Single precision moves
+    // walls by a ten-millionth.
     const double in_specks = k_points * std::abs(halves.specks_volume) / halves.block_volume;
-    EXPECT_LE(static_cast<double>(wrong), in_specks < 1e-3 ? 0.0 : 3.0 + 3.0 * in_specks) << file;
+    EXPECT_LE(static_cast<double>(wrong), in_specks < 1e-3 ? 1.0 : 3.0 + 3.0 * in_specks)
+        << row_name(file, d);
     misplaced += wrong;
-    for (std::size_t k = 0; k < 2; ++k) crossed += test::crossed_facets(bodies[k]);
   }
   std::cout << fmt::format(
-      "{} parts along z: {} of {} points in none or several bodies, {} facets that cross others; {} parts "
-      "left out, whose report tells of facets that cross by rounding\n",
-      rows, misplaced, rows * k_points, crossed, by_rounding);
-  EXPECT_EQ(crossed, 0U);
+      "{} rows: {} of {} points in none or several bodies, {} pairs of facets that cross; {} rows left out, "
+      "whose report tells of facets that cross by rounding\n",
+      rows, misplaced, rows * k_points, crossing, by_rounding);
+  EXPECT_EQ(crossing, 0U);
+  EXPECT_GE(rows, 3U);
+}
+
+/// Every 0.2 of the part's unit, or a thousandth of its height where that is more.
+TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
+  std::size_t rows = 0, sections = 0;
+  for (const PartFile& file : part_files(20000)) {
+    const auto model = load_part(file.path.string(), {}, Progress{});
+    if (!model->health.closed) continue;
+    const WrittenMold written = written_mold(halves_of(*model, file.pull));
+    if (!written.refusal.empty()) continue;
+    ++rows;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Bounds box = bounds(written.bodies[k].mesh);
+      const double height = box.max.z - box.min.z;
+      const test::SectionCheck check =
+          test::check_sections(written.bodies[k].mesh, std::clamp(0.2, height / 1000.0, height / 20.0));
+      EXPECT_EQ(check.open, 0U) << file.path << " " << written.bodies[k].name;
+      EXPECT_EQ(check.crossing, 0U) << file.path << " " << written.bodies[k].name;
+      sections += check.sections;
+    }
+  }
+  std::cout << fmt::format("{} parts along their pulls, {} sections\n", rows, sections);
   EXPECT_GE(rows, 4U);
 }
 
 TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
   std::size_t rows = 0, free_of_actions = 0, as_asked = 0;
   std::vector<double> times_ms;
-  for (const fs::path& file : part_files()) {
-    const auto model = load_part(file.string(), {}, Progress{});
+  for (const PartFile& file : part_files()) {
+    const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     static_cast<void>(model->exact(Progress{}));
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string name = fmt::format("{} along {}", file.filename().string(), "xyz"[axis]);
+    for (const glm::dvec3& d : file.directions) {
+      const std::string name = row_name(file, d);
       const Stopwatch watch;
-      const Assignment assignment = assign_sides(*model, {axis_direction(axis), {}}, {}, Progress{});
+      const Assignment assignment = assign_sides(*model, {d, {}}, {}, Progress{});
       const PartingLine line = parting_line(assignment);
       times_ms.push_back(watch.elapsed_ms());
       ++rows;

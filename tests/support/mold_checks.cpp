@@ -1,10 +1,13 @@
 #include "support/mold_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "mesh/facet_geometry.hpp"
 #include "mesh/unit_frame.hpp"
@@ -105,20 +108,99 @@ std::size_t misplaced_points(std::span<const TriangleMesh> bodies, std::size_t c
   return misplaced;
 }
 
-std::size_t open_outlines(const TriangleMesh& body, double z) {
-  // Each facet that the plane crosses gives a directed line from one of its edges to another: as often as one
-  // leaves an edge, another has to come to it.
-  std::map<std::pair<VertexIndex, VertexIndex>, int> ends;
+namespace {
+
+/// A line of a section, between the edges of a facet.
+struct SectionLine {
+  glm::dvec2 from, to;
+  std::array<std::uint64_t, 2> edges;
+};
+
+/// Where a plane meets an edge, the same from both of its facets.
+glm::dvec2 edge_at(const TriangleMesh& body, VertexIndex a, VertexIndex b, double z) {
+  const glm::dvec3 &low = body.vertices[std::min(a, b)], &high = body.vertices[std::max(a, b)];
+  const double share = (z - low.z) / (high.z - low.z);
+  return glm::dvec2(low) + share * (glm::dvec2(high) - glm::dvec2(low));
+}
+
+double distance_to_line(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
+  const glm::dvec2 along = b - a;
+  const double length = glm::length(along);
+  return length > 0.0 ? (along.x * (p.y - a.y) - along.y * (p.x - a.x)) / length : 0.0;
+}
+
+/// Pairs that cross, each end on its own side of the other by more than `slack`.
+std::size_t crossing_lines(std::vector<SectionLine>& lines, double slack) {
+  std::ranges::sort(lines, {}, [](const SectionLine& line) { return std::min(line.from.x, line.to.x); });
+  std::size_t crossing = 0;
+  std::vector<std::size_t> active;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const SectionLine& p = lines[k];
+    const double left = std::min(p.from.x, p.to.x);
+    std::erase_if(active,
+                  [&](std::size_t other) { return std::max(lines[other].from.x, lines[other].to.x) < left; });
+    for (const std::size_t other : active) {
+      const SectionLine& q = lines[other];
+      if (std::max(p.from.y, p.to.y) < std::min(q.from.y, q.to.y) ||
+          std::max(q.from.y, q.to.y) < std::min(p.from.y, p.to.y))
+        continue;
+      const auto between = [&](const SectionLine& line, const SectionLine& ends) {
+        const double one = distance_to_line(line.from, line.to, ends.from),
+                     two = distance_to_line(line.from, line.to, ends.to);
+        return one * two < 0.0 && std::min(std::abs(one), std::abs(two)) > slack;
+      };
+      crossing += between(p, q) && between(q, p) ? 1 : 0;
+    }
+    active.push_back(k);
+  }
+  return crossing;
+}
+
+}  // namespace
+
+SectionCheck check_sections(const TriangleMesh& body, double spacing) {
+  const Bounds box = bounds(body);
+  const auto count = static_cast<std::size_t>((box.max.z - box.min.z) / spacing);
+  const auto height = [&](std::size_t k) { return box.min.z + (static_cast<double>(k) + 0.5) * spacing; };
+  SectionCheck check{.sections = count};
+  std::vector<std::vector<SectionLine>> sections(count);
   for (const auto& facet : body.facets) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexIndex from = facet[k], to = facet[(k + 1) % 3];
-      const bool rises = body.vertices[from].z <= z && body.vertices[to].z > z,
-                 falls = body.vertices[from].z > z && body.vertices[to].z <= z;
-      if (rises || falls) ends[std::minmax(from, to)] += rises ? 1 : -1;
+    double low = INFINITY, high = -INFINITY;
+    for (const VertexIndex v : facet) {
+      low = std::min(low, body.vertices[v].z);
+      high = std::max(high, body.vertices[v].z);
+    }
+    const double first = std::floor((low - box.min.z) / spacing - 0.5);
+    for (std::size_t k = first > 0.0 ? static_cast<std::size_t>(first) : 0; k < count && height(k) < high;
+         ++k) {
+      const double z = height(k);
+      SectionLine line{};
+      int ends = 0;
+      for (std::size_t side = 0; side < 3; ++side) {
+        const VertexIndex from = facet[side], to = facet[(side + 1) % 3];
+        const bool rises = body.vertices[from].z <= z && body.vertices[to].z > z,
+                   falls = body.vertices[from].z > z && body.vertices[to].z <= z;
+        if (!rises && !falls) continue;
+        const std::uint64_t key = std::uint64_t{std::min(from, to)} << 32U | std::max(from, to);
+        (rises ? line.from : line.to) = edge_at(body, from, to, z);
+        line.edges[rises ? 0 : 1] = key;
+        ++ends;
+      }
+      if (ends == 2) sections[k].push_back(line);
     }
   }
-  return static_cast<std::size_t>(
-      std::ranges::count_if(ends, [](const auto& end) { return end.second != 0; }));
+  const double slack = 1e-6 * glm::distance(box.min, box.max);
+  for (std::vector<SectionLine>& lines : sections) {
+    // Each edge is left as often as it is reached.
+    std::map<std::uint64_t, int> ends;
+    for (const SectionLine& line : lines) {
+      ++ends[line.edges[0]];
+      --ends[line.edges[1]];
+    }
+    for (const auto& [edge, sum] : ends) check.open += sum != 0 ? 1 : 0;
+    check.crossing += crossing_lines(lines, slack);
+  }
+  return check;
 }
 
 }  // namespace moldlight::test

@@ -25,7 +25,13 @@ namespace moldlight::test {
 [[nodiscard]] std::size_t misplaced_points(std::span<const TriangleMesh> bodies, std::size_t count,
                                            std::uint32_t seed);
 
-/// What is wrong with the outlines of a body at a height: chains that do not close.
-[[nodiscard]] std::size_t open_outlines(const TriangleMesh& body, double z);
+/// A body cut at heights as a printer slices it.
+struct SectionCheck {
+  std::size_t sections = 0;
+  std::size_t open = 0;      // places where an outline does not go on
+  std::size_t crossing = 0;  // pairs of an outline's lines that cross by more than rounding
+};
+/// Cuts along z, `spacing` apart, from half of it above the lowest point.
+[[nodiscard]] SectionCheck check_sections(const TriangleMesh& body, double spacing);
 
 }  // namespace moldlight::test

@@ -26,6 +26,7 @@ glm::dvec2 on_grid(const glm::dvec2& at) {
 
 Column Sheets::add_column(const glm::dvec2& at) {
   columns.push_back(on_grid(at));
+  moved.push_back(0.0);
   return static_cast<Column>(columns.size() - 1);
 }
 
@@ -111,6 +112,8 @@ void Sheets::make_columns(double tolerance) {
     const SheetVertex vertex = ends_at[k];
     if (column[root] == k_no_column) column[root] = add_column(glm::dvec2(vertices[ends_at[root]]));
     column_of[vertex] = column[root];
+    moved[column[root]] =
+        std::max(moved[column[root]], glm::distance(columns[column[root]], glm::dvec2(vertices[vertex])));
     vertices[vertex].x = columns[column[root]].x;
     vertices[vertex].y = columns[column[root]].y;
   }
@@ -148,6 +151,7 @@ bool Sheets::insert_columns(double tolerance) {
     std::vector<SheetVertex>& on_edge = on_edges[edge_key(low, high)];
     for (const auto& [share, column] : passed) {
       if (!on_edge.empty() && column_of[on_edge.back()] == column) continue;
+      moved[column] = std::max(moved[column], glm::distance(a + share * (b - a), columns[column]));
       on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
     }
   }
@@ -206,6 +210,51 @@ void Sheets::weld_columns(double tolerance) {
     const auto& [a, b, c] = facet.corners;
     return a == b || b == c || c == a;
   });
+}
+
+double Sheets::volume() const {
+  long double sum = 0.0L;
+  for (const SheetFacet& facet : facets) {
+    if (facet.sheet == Sheet::parting) continue;
+    const glm::dvec3 &a = vertices[facet.corners[0]], &b = vertices[facet.corners[1]],
+                     &c = vertices[facet.corners[2]];
+    const double seen = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    sum += static_cast<long double>(seen * (a.z + b.z + c.z)) / 6.0L;
+  }
+  return static_cast<double>(sum);
+}
+
+void Sheets::keep_volume(double wished, double most) {
+  const double lacking = wished - volume();
+  if (lacking == 0.0 || std::abs(lacking) > most) return;
+  // How the volume changes with a column's place; upright surface adds nothing to it.
+  std::vector<glm::dvec2> gradient(columns.size(), glm::dvec2(0.0));
+  for (const SheetFacet& facet : facets) {
+    if (facet.sheet == Sheet::parting) continue;
+    double height = 0.0;
+    for (const SheetVertex v : facet.corners) height += vertices[v].z / 6.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Column column = column_of[facet.corners[k]];
+      if (column == k_no_column) continue;
+      const glm::dvec3 along = vertices[facet.corners[(k + 2) % 3]] - vertices[facet.corners[(k + 1) % 3]];
+      gradient[column] += height * glm::dvec2(-along.y, along.x);
+    }
+  }
+  double reach = 0.0;
+  for (Column column = 0; column < columns.size(); ++column)
+    reach += moved[column] * glm::length(gradient[column]);
+  if (reach <= 0.0) return;
+  const double share = std::clamp(lacking / reach, -0.5, 0.5);
+  for (Column column = 0; column < columns.size(); ++column) {
+    const double steep = glm::length(gradient[column]);
+    if (moved[column] > 0.0 && steep > 0.0)
+      columns[column] = on_grid(columns[column] + share * moved[column] / steep * gradient[column]);
+  }
+  for (SheetVertex vertex = 0; vertex < vertices.size(); ++vertex) {
+    if (column_of[vertex] == k_no_column) continue;
+    vertices[vertex].x = columns[column_of[vertex]].x;
+    vertices[vertex].y = columns[column_of[vertex]].y;
+  }
 }
 
 bool Sheets::stand_in_columns(double tolerance) {

@@ -50,6 +50,7 @@ class Sheets {
   std::vector<Column> column_of;  // one a vertex; k_no_column inside a sheet
   std::vector<SheetFacet> facets;
   std::vector<glm::dvec2> columns;  // on a grid of 2^-45
+  std::vector<double> moved;        // how far at most the ends in each column were moved to stand in it
 
   /// Puts the ends of the sheets into columns: ends nearer than `tolerance` share one; edges that pass a
   /// column that near get a vertex there; vertices of a column that near become one. False where that does
@@ -77,6 +78,12 @@ class Sheets {
 
   /// Makes one of the vertices of a column that are nearer than `tolerance`.
   void weld_columns(double tolerance);
+
+  /// What the sheets of the part enclose with the upright surface between their ends.
+  [[nodiscard]] double volume() const;
+  /// Moves columns, each by the same share, up to a half, of what its ends were moved already, so that the
+  /// sheets of the part enclose this volume again, or nearly; nothing where they lack more than `most`.
+  void keep_volume(double wished, double most);
 
  private:
   void make_columns(double tolerance);

@@ -1,0 +1,32 @@
+// What rounding to single precision leaves in a closed solid, and taking it out: fins without thickness,
+// needles where the surface is flat, and edges in which the solid touches itself.
+#pragma once
+
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace moldlight {
+
+/// Sine of the angle, 0.01 degrees, from which a facet that leans along a half's pull counts as undercut.
+inline constexpr double k_leaning_sine = 1.7453e-4;
+
+struct TidyQuery {
+  double tolerance = 0.0;  // how far the surface may move: a few steps of rounding, in the mesh's unit
+  glm::dvec3 pull{0.0};    // of a half, unit: no flip may let more of it face along the pull; 0: none
+};
+
+/// Drops pairs of facets with the same corners that face away from each other, and flips edges between facets
+/// that are flat within the tolerance where that makes the least angle greater (Lawson 1977). The solid stays
+/// closed; the result depends on nothing but the mesh.
+void tidy_solid(TriangleMesh& mesh, const TidyQuery& query);
+
+/// Splits vertices so that every edge has two facets and the facets of every vertex hang together: where more
+/// than two meet in an edge, those with material between them stay together, and all such pairs but one get a
+/// vertex on the edge, so that no edge has more than two facets for readers that join equal vertices either.
+/// Returns how many edges had more.
+std::size_t split_touching(TriangleMesh& mesh);
+
+}  // namespace moldlight
