@@ -27,8 +27,8 @@ struct MoldFlags {
 
 /// Why files that were asked for are not written: what the halves cannot form, or that there are none.
 std::string why_not(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
-                    const WrittenMold& written) {
-  if (!written.refusal.empty()) return refusal_text(model, halves, written);
+                    const WrittenMold& written, std::string_view loop) {
+  if (!written.refusal.empty()) return refusal_text(model, halves, written, loop);
   const std::string unfilled = unfilled_text(model, flags.settings, halves);
   if (unfilled.empty()) return {};
   return "no halves are written: " + unfilled +
@@ -57,7 +57,9 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   const MoldHalves halves =
       make_halves(*model, assignment.direction, assignment.height, flags.settings, progress);
   WrittenMold written = written_mold(halves);
-  const std::string refusal = why_not(flags, *model, halves, written);
+  const std::string refusal =
+      why_not(flags, *model, halves, written,
+              halves.refused_at ? loop_near(assignment, line, *halves.refused_at) : std::string());
   if (!flags.folder.empty() && refusal.empty())
     write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
   if (!flags.image.empty()) {

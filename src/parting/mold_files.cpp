@@ -72,6 +72,20 @@ double fold_of(const TriangleMesh& mesh, const glm::dvec3& lid, double rectangle
   return std::max(std::abs(facing - rectangle), std::abs(away - rectangle)) / rectangle;
 }
 
+/// The middle of the facet by which a half folds over itself most, seen along its pull.
+glm::dvec3 folded_at(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
+  double most = -INFINITY;
+  glm::dvec3 place(0.0);
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const double seen = glm::dot(lid, glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
+                                                 mesh.corner(facet, 2) - mesh.corner(facet, 0)));
+    if (seen <= most || in_lid(mesh, facet, lid, top)) continue;
+    most = seen;
+    place = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+  }
+  return place;
+}
+
 /// Share of a half's area that leans along its pull although it is not the lid.
 double leaning_of(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
   double leaning = 0.0, all = 0.0;
@@ -93,10 +107,16 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
   };
   const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
+  std::optional<glm::dvec3> open_at;
+  const auto in_part = [&](const glm::dvec3& at) {
+    return part_frame ? at / halves.scale : halves.centre + halves.frame.to_part(at) / halves.scale;
+  };
   const auto add = [&](const std::string& name, const MoldBody& body, const glm::dvec3& pull) {
     WrittenBody written{.name = name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
     tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
-    written.closed = check_body(written.mesh.vertices, written.mesh.facets).open_edges == 0;
+    const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
+    written.closed = check.open_edges == 0;
+    if (check.open_at) open_at = check.open_at;
     if (written.closed) written.crowded_edges = split_touching(written.mesh);
     mold.bodies.push_back(std::move(written));
   };
@@ -118,13 +138,18 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     }
     half.undercut = rectangle > 0.0 ? fold_of(half.mesh, lid, rectangle) : 1.0;
     half.leaning = leaning_of(half.mesh, lid, top);
-    if (half.undercut > k_most_fold)
+    if (half.undercut > k_most_fold) {
+      mold.refused_at = in_part(folded_at(half.mesh, lid, top));
       return fmt::format("in single precision {:.2g} of the {} would fold over itself", half.undercut,
                          half.name);
+    }
   }
   for (const WrittenBody& body : mold.bodies) {
-    if (!body.closed) return fmt::format("in single precision the {} would not be closed", body.name);
+    if (body.closed) continue;
+    mold.refused_at = in_part(*open_at);
+    return fmt::format("in single precision the {} would not be closed", body.name);
   }
+  mold.refused_at.reset();
   return {};
 }
 
@@ -134,6 +159,7 @@ WrittenMold written_mold(const MoldHalves& halves) {
   WrittenMold mold;
   if (!halves.made()) {
     mold.refusal = halves.refusal;
+    mold.refused_at = halves.refused_at;
     return mold;
   }
   if (axis_of(halves.frame.z) >= 0 && fill(mold, halves, true).empty()) return mold;

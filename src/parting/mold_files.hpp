@@ -26,7 +26,8 @@ struct WrittenBody {
 struct WrittenMold {
   std::vector<WrittenBody> bodies;  // core, cavity, inserts
   bool part_frame = false;
-  std::string refusal;  // why they cannot be written; empty where they can
+  std::string refusal;                   // why they cannot be written; empty where they can
+  std::optional<glm::dvec3> refused_at;  // in the part's coordinates
 };
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 

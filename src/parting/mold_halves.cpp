@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/defect_edges.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
@@ -71,7 +72,7 @@ Sheets part_sheets(const SplitMesh& split, const MoldHalves& halves, double diag
 }
 
 /// Where the ends of the upper and the lower sheet do not sum up to nothing over a segment.
-std::optional<SurfaceFault> residual(const Sheets& sheets, double diagonal) {
+std::optional<MoldFault> residual(const Sheets& sheets, double diagonal) {
   double length = 0.0, longest = 0.0;
   glm::dvec3 place(0.0);
   for (const SegmentEdges& segment : sheets.by_segment(sheets.ends(k_upper | k_lower))) {
@@ -85,16 +86,16 @@ std::optional<SurfaceFault> residual(const Sheets& sheets, double diagonal) {
     place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
   }
   if (length <= 0.0) return std::nullopt;
-  return SurfaceFault{
+  return MoldFault{
       fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
-                  "of its length: bodies overlap or touch there, or the surface is folded; try one body "
-                  "(--body) or --repair full",
+                  "of its length: bodies overlap or touch there, or the surface is folded",
                   length * diagonal),
-      place};
+      k_mend_surface, place};
 }
 
 struct GraphTest {
-  double covered = 0.0, folded = 0.0;
+  double covered = 0.0, folded = 0.0, most = 0.0;
+  glm::dvec3 place{0.0};  // of the facet that is folded most
 };
 /// Facets as seen along z, those that face along `sign` and the others.
 GraphTest graph_test(const std::vector<glm::dvec3>& vertices, const Facets& facets, double sign) {
@@ -103,6 +104,9 @@ GraphTest graph_test(const std::vector<glm::dvec3>& vertices, const Facets& face
     const glm::dvec3 &a = vertices[i], &b = vertices[j], &c = vertices[k];
     const double seen = 0.5 * sign * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     (seen < 0.0 ? test.folded : test.covered) += std::abs(seen);
+    if (-seen <= test.most) continue;
+    test.most = -seen;
+    test.place = (a + b + c) / 3.0;
   }
   return test;
 }
@@ -177,6 +181,19 @@ void measure_surface(const Sheets& sheets, double diagonal, double slope_deg, Mo
   halves.steepest_deg = glm::degrees(steepest);
 }
 
+/// Where ends were moved farthest to stand in columns.
+std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
+  std::optional<glm::dvec3> place;
+  double most = -1.0;
+  for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
+    const Column column = sheets.column_of[v];
+    if (column == k_no_column || sheets.moved[column] <= most) continue;
+    most = sheets.moved[column];
+    place = sheets.vertices[v];
+  }
+  return place;
+}
+
 /// Facets that cross others.
 std::size_t crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
   const UnitFrame frame = unit_frame(bounds(mesh));
@@ -191,13 +208,14 @@ std::size_t crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
 }
 
 /// Fills `halves`; says why not, and where in the mold's frame.
-std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& model, double height,
-                                       const MoldSettings& settings, const Attempt& attempt,
-                                       MoldHalves& halves, const Progress& progress) {
+std::optional<MoldFault> try_halves(const SplitMesh& split, const PartModel& model, double height,
+                                    const MoldSettings& settings, const Attempt& attempt, MoldHalves& halves,
+                                    const Progress& progress) {
   const double diagonal = model.frame.diagonal;
   Sheets sheets = part_sheets(split, halves, diagonal, attempt);
-  if (!sheets.stand_in_columns(attempt.tolerance))
-    return SurfaceFault{"the ends of the part's surface do not come to rest"};
+  if (const auto place = sheets.stand_in_columns(attempt.tolerance))
+    return MoldFault{"facets are so small or so close to each other that their ends cannot be told apart",
+                     k_avoid_rounding, place};
   if (auto fault = residual(sheets, diagonal)) return fault;
   sheets.keep_volume(centred_volume(model.part.mesh, model.frame.center) / (diagonal * diagonal * diagonal),
                      k_most_restored);
@@ -230,12 +248,15 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   measure_surface(sheets, diagonal, settings.slope_deg, halves);
 
   Facets core, cavity, fill;
-  const bool closes =
-      close_upright(sheets, {.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, core) &&
-      close_upright(sheets, {.sheets = k_lower | k_parting, .turned = k_lower}, cavity);
-  if (!closes) return SurfaceFault{"the walls between the heights of the outline do not close"};
-  if (!close_upright(sheets, {.sheets = k_hidden, .turned = k_hidden}, fill))
-    return SurfaceFault{"the walls of the inserts do not close"};
+  for (const auto& [body, bounded] :
+       {std::pair{BodySheets{.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, &core},
+        {BodySheets{.sheets = k_lower | k_parting, .turned = k_lower}, &cavity},
+        {BodySheets{.sheets = k_hidden, .turned = k_hidden}, &fill}}) {
+    if (const auto place = close_upright(sheets, body, *bounded))
+      return MoldFault{
+          bounded == &fill ? "the walls of an insert do not close" : "the walls of a half do not close",
+          k_avoid_rounding, place};
+  }
   const GraphTest above = graph_test(sheets.vertices, core, -1.0),
                   below = graph_test(sheets.vertices, cavity, 1.0);
   const double rectangle = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
@@ -244,15 +265,19 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
                               std::abs(below.covered - below.folded - rectangle)) /
                      rectangle;
   if (halves.fold_area > k_most_fold || halves.cover_gap > k_most_fold)
-    return SurfaceFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
-                                    std::max(halves.fold_area, halves.cover_gap))};
+    return MoldFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
+                                 std::max(halves.fold_area, halves.cover_gap)),
+                     k_avoid_rounding, above.most > below.most ? above.place : below.place};
   add_block(sheets, block, true, core);
   add_block(sheets, block, false, cavity);
 
   const double scale = diagonal * halves.scale, cube = scale * scale * scale;
   halves.core = scaled_body(sheets.vertices, core, scale);
   halves.cavity = scaled_body(sheets.vertices, cavity, scale);
-  if (halves.core.open_edges + halves.cavity.open_edges > 0) return SurfaceFault{"a half is not closed"};
+  for (const Facets* half : {&core, &cavity}) {
+    if (const BodyCheck check = check_body(sheets.vertices, *half); check.open_at)
+      return MoldFault{"a half is not closed", k_avoid_rounding, check.open_at};
+  }
   halves.block_volume = rectangle * (block.high - block.low) * cube;
   const double grown = halves.scale * halves.scale * halves.scale;
   halves.part_volume = centred_volume(model.part.mesh, model.frame.center) * grown;
@@ -265,8 +290,7 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
     if (2.0 * std::abs(body.volume) > k_speck_thickness * scale * area) {
       // Material that is there twice would be an insert inside out.
       if (body.volume < 0.0)
-        return SurfaceFault{"bodies of the part overlap there; try one of them (--body) or --repair full",
-                            bounds(body.mesh).center() / scale};
+        return MoldFault{"bodies of the part overlap", k_mend_surface, bounds(body.mesh).center() / scale};
       halves.inserts.push_back(std::move(body));
     } else {
       halves.specks_volume += body.volume;
@@ -277,9 +301,10 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
                        halves.insert_volume) /
                       halves.block_volume;
   if (std::abs(halves.volume_gap) > k_most_gap)
-    return SurfaceFault{
+    return MoldFault{
         fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
-                    std::abs(halves.volume_gap))};
+                    std::abs(halves.volume_gap)),
+        k_avoid_rounding, most_moved(sheets)};
   for (ContactWall& contact : halves.contacts) {
     contact.place = halves.centre + diagonal * halves.frame.to_part(contact.place);
     contact.height *= diagonal;
@@ -288,7 +313,12 @@ std::optional<SurfaceFault> try_halves(const SplitMesh& split, const PartModel& 
   }
   halves.tolerance = attempt.tolerance;
   const WrittenMold written = written_mold(halves);
-  if (!written.refusal.empty()) return SurfaceFault{written.refusal};
+  if (!written.refusal.empty()) {
+    MoldFault fault{written.refusal, k_avoid_rounding};
+    if (written.refused_at)
+      fault.place = halves.frame.to_mold(*written.refused_at - halves.centre) / diagonal;
+    return fault;
+  }
   for (std::size_t k = 0; k < 2; ++k) {
     MoldBody& half = k == 0 ? halves.core : halves.cavity;
     half.crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
@@ -311,14 +341,18 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
   halves.centre = model.frame.center;
   halves.scale = 1.0 / (1.0 - 0.01 * settings.shrink_pct);
   if (!model.health.closed) {
-    halves.refusal =
-        "the part is not closed, so that it has no inside; moldlight info tells where, --repair full mends "
-        "small holes";
+    halves.refusal = "the part is not closed, so that it has no inside";
+    halves.change = "close it: --repair full mends small holes, moldlight info lists all of them";
+    for (const EdgeDefect kind : {EdgeDefect::open, EdgeDefect::inconsistent, EdgeDefect::nonmanifold}) {
+      const auto chains = defect_chains(model.part.mesh, kind);
+      if (halves.refused_at || chains.empty()) continue;
+      halves.refused_at = chains.front().bounds.center();
+    }
     return halves;
   }
   const ExactSplit split =
       exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
-  std::optional<SurfaceFault> first;
+  std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
   std::size_t tried = 0;
   for (const Attempt& attempt : k_attempts) {
@@ -336,6 +370,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
   }
   if (best) return *best;
   halves.refusal = first->what;
+  halves.change = first->change;
   if (first->place)
     halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(*first->place);
   return halves;

@@ -30,7 +30,8 @@ struct MoldBody {
 /// Lengths in the part's unit, without the shrinkage but for bodies.
 struct MoldHalves {
   std::string refusal;                   // why there are none, in a sentence; empty where there are
-  std::optional<glm::dvec3> refused_at;  // in the part's coordinates, where a place is known
+  std::string change;                    // what helps then
+  std::optional<glm::dvec3> refused_at;  // in the part's coordinates; none where it is all of the part
 
   MoldFrame frame;
   glm::dvec3 centre{0.0};  // of the part, in its coordinates; the origin of the bodies

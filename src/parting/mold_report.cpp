@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
@@ -75,9 +76,20 @@ Json contacts_json(const MoldHalves& halves) {
   return list;
 }
 
-Json refusal_json(const MoldHalves& halves, const WrittenMold& written) {
-  if (written.refusal.empty()) return {};
-  return {{"why", written.refusal}, {"place", halves.refused_at ? point_json(*halves.refused_at) : Json()}};
+/// The loop at which the halves were refused.
+std::string refused_loop(const MoldReport& report) {
+  const auto& place = report.halves.refused_at;
+  return place ? loop_near(report.assignment, report.line, *place) : std::string();
+}
+
+Json refusal_json(const MoldReport& report) {
+  const MoldHalves& halves = report.halves;
+  if (report.written.refusal.empty()) return {};
+  const std::string loop = refused_loop(report);
+  return {{"why", report.written.refusal},
+          {"place", halves.refused_at ? point_json(*halves.refused_at) : Json()},
+          {"loop", loop.empty() ? Json() : Json(loop)},
+          {"change", halves.change}};
 }
 
 void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& json) {
@@ -117,7 +129,7 @@ void add_halves(const MoldReport& report, Json& json) {
   json["halves"] = Json();
   json["inserts"] = Json::array();
   json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
-  json["refused"] = refusal_json(halves, written);
+  json["refused"] = refusal_json(report);
   if (!made || written.bodies.size() < 2) return;
   json["halves"] = {{"core", half_json(written.bodies[0], halves.core)},
                     {"cavity", half_json(written.bodies[1], halves.cavity)},
@@ -139,7 +151,8 @@ std::string halves_table(const MoldReport& report) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
   const Part& part = report.model.part;
-  if (!written.refusal.empty()) return "\n" + refusal_text(report.model, halves, written) + "\n";
+  if (!written.refusal.empty())
+    return "\n" + refusal_text(report.model, halves, written, refused_loop(report)) + "\n";
   const std::string area_unit = powered_unit(part, 2), volume_unit = powered_unit(part, 3);
   std::string text;
   const auto out = std::back_inserter(text);
@@ -180,11 +193,27 @@ std::string halves_table(const MoldReport& report) {
 
 }  // namespace
 
-std::string refusal_text(const PartModel& model, const MoldHalves& halves, const WrittenMold& written) {
+std::string loop_near(const Assignment& assignment, const PartingLine& line, const glm::dvec3& place) {
+  double least = INFINITY;
+  std::size_t nearest = 0;
+  for (std::size_t k = 0; k < line.loops.size(); ++k) {
+    for (const VertexIndex vertex : line.loops[k].vertices) {
+      const double away = glm::distance(assignment.mesh.vertices[vertex], place);
+      if (away >= least) continue;
+      least = away;
+      nearest = k;
+    }
+  }
+  return line.loops.empty() ? "" : fmt::format("{} {}", loop_name(line.loops[nearest].kind), nearest + 1);
+}
+
+std::string refusal_text(const PartModel& model, const MoldHalves& halves, const WrittenMold& written,
+                         std::string_view loop) {
   if (written.refusal.empty()) return {};
-  return fmt::format(
-      "no halves: {}{}", written.refusal,
-      halves.refused_at ? fmt::format(", near {}", figures(*halves.refused_at, model.frame.diagonal)) : "");
+  std::string text = "no halves: " + written.refusal;
+  if (halves.refused_at) text += ", near " + figures(*halves.refused_at, model.frame.diagonal);
+  if (!loop.empty()) text += fmt::format(", at loop {}", loop);
+  return halves.change.empty() ? text : text + "; " + halves.change;
 }
 
 std::string unfilled_text(const PartModel& model, const MoldSettings& settings, const MoldHalves& halves) {

@@ -24,9 +24,15 @@ struct MoldReport {
   std::vector<InsertActions> by_action = {};  // one an insert then
 };
 
-/// "no halves: …, near 1, 2, 3"; empty where there are halves.
+/// "shut-off 3": the loop of a part's parting line that runs nearest to a place, numbered as the report lists
+/// them; empty where there is none.
+[[nodiscard]] std::string loop_near(const Assignment& assignment, const PartingLine& line,
+                                    const glm::dvec3& place);
+
+/// "no halves: …, near 1, 2, 3, at shut-off 3; …": why, where, at which loop, and what to change; empty where
+/// there are halves.
 [[nodiscard]] std::string refusal_text(const PartModel& model, const MoldHalves& halves,
-                                       const WrittenMold& written);
+                                       const WrittenMold& written, std::string_view loop = {});
 
 /// Undercuts that the halves cannot form and that are not left to inserts, with their places; empty where
 /// there are none.

@@ -73,7 +73,7 @@ class Columns {
 
 }  // namespace
 
-bool close_upright(const Sheets& sheets, const BodySheets& body, Facets& facets) {
+std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& body, Facets& facets) {
   for (const SheetFacet& facet : sheets.facets) {
     if ((Sheets::bit(facet.sheet) & body.sheets) == 0) continue;
     const auto& [a, b, c] = facet.corners;
@@ -81,7 +81,7 @@ bool close_upright(const Sheets& sheets, const BodySheets& body, Facets& facets)
   }
   const std::vector<SheetEdge> edges = sheets.ends(body.sheets, body.turned);
   const Columns columns(sheets, edges);
-  bool closes = true;
+  std::optional<glm::dvec3> fault;
   for (SegmentEdges& segment : sheets.by_segment(edges)) {
     std::ranges::sort(segment.edges, [&](const SegmentEdge& x, const SegmentEdge& y) {
       return height_of(sheets, x) < height_of(sheets, y);
@@ -93,16 +93,16 @@ bool close_upright(const Sheets& sheets, const BodySheets& body, Facets& facets)
       if (open == 0) continue;
       const auto at_a = columns.between(low.a, high.a), at_b = columns.between(low.b, high.b);
       if (at_a.empty() || at_b.empty()) {
-        closes = false;
+        fault = sheets.vertices[low.a];
         continue;
       }
       for (int copy = 0; copy < std::abs(open); ++copy)
         add_strip(sheets.vertices, at_a, at_b, open < 0, facets);
     }
     if (!segment.edges.empty()) open -= segment.edges.back().sign;
-    closes = closes && open == 0;
+    if (open != 0) fault = sheets.vertices[segment.edges.front().a];
   }
-  return closes;
+  return fault;
 }
 
 void add_block(Sheets& sheets, const BlockHeights& heights, bool up, Facets& facets) {
@@ -171,6 +171,7 @@ BodyCheck check_body(const std::vector<glm::dvec3>& vertices, const Facets& face
     int sum = 0, count = 0;
     for (; k < uses.size() && uses[k].key == key; ++k, ++count) sum += uses[k].sense;
     check.open_edges += sum != 0 ? 1 : 0;
+    if (sum != 0) check.open_at = 0.5 * (vertices[key >> 32U] + vertices[key & 0xffffffffU]);
     check.crowded_edges += sum == 0 && count > 2 ? 1 : 0;
   }
   return check;

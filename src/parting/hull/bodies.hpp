@@ -1,6 +1,7 @@
 // Closed bodies from sheets: what is upright follows from where the sheets end.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -15,9 +16,10 @@ struct BodySheets {
 };
 
 /// The sheets and the only upright surface that has their ends: on every segment, from below upwards, as many
-/// walls as the ends below it leave open. False where the ends over a segment do not sum up to nothing.
-[[nodiscard]] bool close_upright(const Sheets& sheets, const BodySheets& body,
-                                 std::vector<std::array<SheetVertex, 3>>& facets);
+/// walls as the ends below it leave open. A place where the ends over a segment do not sum up to nothing;
+/// none where they do everywhere.
+[[nodiscard]] std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& body,
+                                                      std::vector<std::array<SheetVertex, 3>>& facets);
 
 /// A box around the rectangle from `low` to `high` above and below the parting surface, without the surface.
 struct BlockHeights {
@@ -29,8 +31,9 @@ void add_block(Sheets& sheets, const BlockHeights& heights, bool up,
 
 /// What is wrong with a body's facets as a surface, and what it holds.
 struct BodyCheck {
-  std::size_t open_edges = 0;     // run through more often one way than the other
-  std::size_t crowded_edges = 0;  // used by more than two facets
+  std::size_t open_edges = 0;         // run through more often one way than the other
+  std::size_t crowded_edges = 0;      // used by more than two facets
+  std::optional<glm::dvec3> open_at;  // the middle of an open edge
   double volume = 0.0;
 };
 [[nodiscard]] BodyCheck check_body(const std::vector<glm::dvec3>& vertices,

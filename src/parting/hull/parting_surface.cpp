@@ -30,18 +30,19 @@ struct Outline {
 };
 
 /// The segments at which the upper sheet ends as a whole.
-std::optional<SurfaceFault> find_outline(const Sheets& sheets, Outline& outline) {
+std::optional<MoldFault> find_outline(const Sheets& sheets, Outline& outline) {
   for (const SegmentEdges& segment : sheets.by_segment(sheets.ends(Sheets::bit(Sheet::upper)))) {
     int sum = 0;
     for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
     if (sum == 0) continue;
     if (std::abs(sum) > 1)
-      return SurfaceFault{"what is seen from above lies over itself",
-                          sheets.vertices[segment.edges.front().a]};
+      return MoldFault{"what is seen from above lies over itself", k_mend_surface,
+                       sheets.vertices[segment.edges.front().a]};
     outline.segments.push_back({segment.a, segment.b});
   }
   if (outline.segments.empty())
-    return SurfaceFault{"the part is too thin or too far apart to have an outline along the direction"};
+    return MoldFault{"the part is too thin to be seen along the direction, so that it has no outline",
+                     "choose a direction across the part's faces, not along them"};
   return std::nullopt;
 }
 
@@ -312,7 +313,7 @@ void cut_segments(Sheets& sheets, std::vector<SegmentCut> cuts) {
   sheets.divide_edges(on_edges);
 }
 
-std::optional<SurfaceFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish) {
+std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish) {
   std::optional<Plane> plane;
   for (int round = 0;; ++round) {
     Outline outline;
@@ -323,7 +324,7 @@ std::optional<SurfaceFault> add_parting_surface(Sheets& sheets, const SurfaceWis
     if (cuts.empty()) break;
     if (round == k_most_rounds) {
       const glm::dvec2& at = sheets.columns[cuts.front().at];
-      return SurfaceFault{"the outline crosses itself", glm::dvec3(at, wish.height)};
+      return MoldFault{"the outline crosses itself", k_mend_surface, glm::dvec3(at, wish.height)};
     }
     cut_segments(sheets, std::move(cuts));
     sheets.weld_columns(wish.tolerance);

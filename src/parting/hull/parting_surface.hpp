@@ -2,11 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "parting/hull/mold_fault.hpp"
 #include "parting/hull/sheets.hpp"
 
 namespace moldlight {
@@ -20,16 +20,10 @@ struct SurfaceWish {
   double cone_margin = 0.0;  // over 0: cones in the corners, sized for a block with this margin
 };
 
-/// Why there is no surface, and where.
-struct SurfaceFault {
-  std::string what;
-  std::optional<glm::dvec3> place = {};
-};
-
 /// Adds the sheet `parting` between the block's rectangle and the outline of the sheet `upper`, which stand
 /// in columns. Its heights keep between what is below and what is above at the outline where the slope
 /// allows. Edges that would cross others over a segment get a vertex there.
-[[nodiscard]] std::optional<SurfaceFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish);
+[[nodiscard]] std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish);
 
 /// Columns put on segments.
 struct SegmentCut {

@@ -119,7 +119,7 @@ void Sheets::make_columns(double tolerance) {
   }
 }
 
-bool Sheets::insert_columns(double tolerance) {
+std::optional<glm::dvec3> Sheets::insert_columns(double tolerance) {
   std::vector<SheetEdge> edges;
   for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden}) {
     const auto more = ends(bit(sheet));
@@ -155,9 +155,9 @@ bool Sheets::insert_columns(double tolerance) {
       on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
     }
   }
-  if (on_edges.empty()) return false;
+  if (on_edges.empty()) return std::nullopt;
   divide_edges(on_edges);
-  return true;
+  return vertices.back();
 }
 
 void Sheets::divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const {
@@ -257,15 +257,16 @@ void Sheets::keep_volume(double wished, double most) {
   }
 }
 
-bool Sheets::stand_in_columns(double tolerance) {
+std::optional<glm::dvec3> Sheets::stand_in_columns(double tolerance) {
   make_columns(tolerance);
   weld_columns(tolerance);
+  std::optional<glm::dvec3> place;
   for (int round = 0; round < k_most_rounds; ++round) {
-    const bool more = insert_columns(tolerance);
+    place = insert_columns(tolerance);
     weld_columns(tolerance);
-    if (!more) return true;
+    if (!place) break;
   }
-  return false;
+  return place;
 }
 
 }  // namespace moldlight

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -53,9 +54,9 @@ class Sheets {
   std::vector<double> moved;        // how far at most the ends in each column were moved to stand in it
 
   /// Puts the ends of the sheets into columns: ends nearer than `tolerance` share one; edges that pass a
-  /// column that near get a vertex there; vertices of a column that near become one. False where that does
-  /// not come to an end.
-  [[nodiscard]] bool stand_in_columns(double tolerance);
+  /// column that near get a vertex there; vertices of a column that near become one. A place where that does
+  /// not come to an end; none where it does.
+  [[nodiscard]] std::optional<glm::dvec3> stand_in_columns(double tolerance);
 
   /// Ends of the sheets taken together, a bit of `sheets` each (1 << sheet), those in `turned` turned over;
   /// in order of their vertices.
@@ -87,7 +88,8 @@ class Sheets {
 
  private:
   void make_columns(double tolerance);
-  [[nodiscard]] bool insert_columns(double tolerance);
+  /// A vertex that was put on an edge; none where there was none to put.
+  [[nodiscard]] std::optional<glm::dvec3> insert_columns(double tolerance);
   void divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const;
 };
 

@@ -7,7 +7,9 @@
 
 #include "mesh/health.hpp"
 #include "mesh/orient.hpp"
+#include "parting/hull/parting_surface.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/mold_report.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
@@ -152,23 +154,112 @@ TEST(MoldHalves, AreTheSameTwice) {
   EXPECT_EQ(one.core.mesh.facets, two.core.mesh.facets);
 }
 
-TEST(MoldHalves, OfAnOpenPartAreRefused) {
-  TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 1, 1});
-  box.facets.pop_back();
-  const MoldHalves halves = halves_of(model_of(box), {0, 0, 1}, 0.5);
+/// Why, where, at which loop, and what to change.
+void expect_refused(const MoldHalves& halves, std::string_view why, const glm::dvec3& place, double slack) {
   EXPECT_FALSE(halves.made());
-  EXPECT_NE(halves.refusal.find("not closed"), std::string::npos);
-  EXPECT_NE(written_mold(halves).refusal, "");
+  EXPECT_NE(halves.refusal.find(why), std::string::npos) << halves.refusal;
+  EXPECT_NE(halves.change, "") << halves.refusal;
+  ASSERT_TRUE(halves.refused_at.has_value()) << halves.refusal;
+  EXPECT_LE(glm::distance(*halves.refused_at, place), slack) << halves.refusal;
 }
 
-TEST(MoldHalves, OfBodiesThatOverlapAreRefusedWithThePlace) {
+TEST(MoldHalvesRefused, OfAnOpenPartTellWhereItIsOpen) {
+  TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 1, 1});
+  glm::dvec3 hole(0.0);
+  for (int k = 0; k < 3; ++k) hole += box.corner(static_cast<FacetIndex>(box.facets.size() - 1), k) / 3.0;
+  box.facets.pop_back();
+  const auto model = model_of(box);
+  const MoldHalves halves = halves_of(model, {0, 0, 1}, 0.5);
+  expect_refused(halves, "not closed", hole, 0.3);
+  const WrittenMold written = written_mold(halves);
+  EXPECT_EQ(written.refusal, halves.refusal);
+  const Assignment assignment = assign_sides(*model, {glm::dvec3(0, 0, 1), {}}, {}, Progress{});
+  const PartingLine line = parting_line(assignment);
+  const std::string loop = loop_near(assignment, line, *halves.refused_at);
+  const std::string text = refusal_text(*model, halves, written, loop);
+  EXPECT_NE(text.find(", near "), std::string::npos) << text;
+  EXPECT_NE(text.find("at loop outer 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("--repair full"), std::string::npos) << text;
+}
+
+TEST(MoldHalvesRefused, OfBodiesThatOverlap) {
   const MoldHalves halves = halves_of(
       model_of(test::joined(test::box_mesh({0, 0, 0}, {2, 2, 2}), test::box_mesh({1, 1, 1}, {3, 3, 3}))),
       {0, 0, 1}, 1.0);
+  expect_refused(halves, "overlap", glm::dvec3(1.5), 1e-6);
+}
+
+TEST(MoldHalvesRefused, OfAPartThatIsAllButEdgeOn) {
+  const MoldHalves halves = halves_of(model_of(test::box_mesh({0, 0, 0}, {1e-11, 1, 1})), {0, 0, 1}, 0.5);
   EXPECT_FALSE(halves.made());
-  EXPECT_NE(halves.refusal.find("overlap"), std::string::npos) << halves.refusal;
-  ASSERT_TRUE(halves.refused_at.has_value());
-  EXPECT_NEAR(glm::distance(*halves.refused_at, glm::dvec3(1.5)), 0.0, 1e-6);
+  EXPECT_NE(halves.refusal.find("too thin"), std::string::npos) << halves.refusal;
+  EXPECT_NE(halves.change.find("direction"), std::string::npos) << halves.change;
+}
+
+/// Sheets of a square that is seen from above, each wrong in its own way.
+TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
+  const auto square = [](Sheet sheet, double z, bool up, Sheets& sheets) {
+    const auto first = static_cast<SheetVertex>(sheets.vertices.size());
+    for (const glm::dvec2& at : {glm::dvec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
+      sheets.vertices.emplace_back(at, z);
+    sheets.column_of.resize(sheets.vertices.size(), k_no_column);
+    for (const std::array<SheetVertex, 3>& c : {std::array<SheetVertex, 3>{0, 1, 2}, {0, 2, 3}}) {
+      const SheetVertex a = first + c[0], b = first + c[1], d = first + c[2];
+      sheets.facets.push_back({up ? std::array{a, b, d} : std::array{a, d, b}, sheet});
+    }
+  };
+  const auto on_rim = [](const std::optional<glm::dvec3>& place) {
+    return place && (place->x == 0.0 || place->x == 1.0 || place->y == 0.0 || place->y == 1.0);
+  };
+  SurfaceWish wish{.low = {-1, -1}, .high = {2, 2}};
+  Sheets twice;
+  square(Sheet::upper, 1.0, true, twice);
+  square(Sheet::upper, 2.0, true, twice);
+  ASSERT_FALSE(twice.stand_in_columns(1e-7).has_value());
+  const auto over = add_parting_surface(twice, wish);
+  ASSERT_TRUE(over.has_value());
+  EXPECT_NE(over->what.find("over itself"), std::string::npos) << over->what;
+  EXPECT_TRUE(on_rim(over->place));
+  EXPECT_NE(over->change, "");
+
+  Sheets open;
+  square(Sheet::upper, 1.0, true, open);
+  ASSERT_FALSE(open.stand_in_columns(1e-7).has_value());
+  std::vector<std::array<SheetVertex, 3>> facets;
+  const auto gap = close_upright(
+      open, {.sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower), .turned = 0}, facets);
+  EXPECT_TRUE(on_rim(gap));
+  square(Sheet::lower, 0.0, false, open);
+  ASSERT_FALSE(open.stand_in_columns(1e-7).has_value());
+  facets.clear();
+  EXPECT_FALSE(close_upright(open,
+                             {.sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower), .turned = 0},
+                             facets)
+                   .has_value());
+  EXPECT_NEAR(check_body(open.vertices, facets).volume, 1.0, 1e-12);
+  facets.pop_back();
+  EXPECT_TRUE(check_body(open.vertices, facets).open_at.has_value());
+}
+
+/// What the certificate in single precision finds wrong with bodies that are.
+TEST(MoldHalvesRefused, WhereTheFilesWouldBeWrong) {
+  const MoldHalves sound = halves_of(model_of(test::box_mesh({1, 2, 3}, {5, 5, 5})), {0, 0, 1}, 3.5);
+  ASSERT_TRUE(sound.made());
+  EXPECT_EQ(written_mold(sound).refusal, "");
+  MoldHalves folded = sound;
+  folded.core.mesh = test::joined(sound.core.mesh, test::box_mesh({-1, -1, 0}, {1, 1, 0.5}));
+  const WrittenMold over = written_mold(folded);
+  EXPECT_NE(over.refusal.find("fold over itself"), std::string::npos) << over.refusal;
+  ASSERT_TRUE(over.refused_at.has_value());
+  EXPECT_LE(glm::distance(*over.refused_at, sound.centre), 1.5);
+  MoldHalves open = sound;
+  MoldBody hollow{.mesh = test::box_mesh({0, 0, 0}, {1, 1, 1})};
+  hollow.mesh.facets.pop_back();
+  open.inserts.push_back(hollow);
+  const WrittenMold gap = written_mold(open);
+  EXPECT_NE(gap.refusal.find("insert_1 would not be closed"), std::string::npos) << gap.refusal;
+  ASSERT_TRUE(gap.refused_at.has_value());
+  EXPECT_LE(glm::distance(*gap.refused_at, sound.centre + 0.5), 1.0);
 }
 
 }  // namespace
