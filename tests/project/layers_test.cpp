@@ -28,12 +28,13 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(k_parting, "parting"), k_entry = with(with(k_sweep, "sweep"), "batch"),
-                      k_program = with(k_entry, "gui");
+                      k_sweep = with(with(k_parting, "parting"), "proof"),
+                      k_entry = with(with(k_sweep, "sweep"), "batch"), k_program = with(k_entry, "gui");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
       {"mold", {"base", "mesh"}},
+      {"proof", k_domain},
       {"io", k_domain},
       {"gl", {"base"}},
       {"render", {"base", "mesh", "mold", "gl"}},

@@ -1,0 +1,104 @@
+#include "proof/certain_undercut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_shrink = 1e-5;
+/// Of a draft angle against tau.
+constexpr double k_rounding = 1e-9;
+
+/// The corners of the part of a convex cone in which normal . u >= 0, in their order.
+std::vector<glm::dvec3> clipped(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
+  std::vector<glm::dvec3> kept;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const glm::dvec3 &from = corners[k], &to = corners[(k + 1) % corners.size()];
+    const double a = glm::dot(normal, from), b = glm::dot(normal, to);
+    if (a >= 0.0) kept.push_back(from);
+    if ((a >= 0.0) != (b >= 0.0)) kept.push_back(glm::normalize(from + (a / (a - b)) * (to - from)));
+  }
+  return kept;
+}
+
+}  // namespace
+
+CertainUndercut::CertainUndercut(const ProofPart& part, const ProofQuery& query)
+    : part_(part), tau_rad_(glm::radians(query.tau_deg)), lateral_(query.lateral), cone_(part) {}
+
+bool CertainUndercut::keep(const ConeAnswer& cone, ElementAnswer& answer) const {
+  answer.hidden_at_centre = answer.hidden_at_centre && cone.hit;
+  answer.distance = std::max(answer.distance, cone.distance);
+  return cone.blocked;
+}
+
+bool CertainUndercut::blocked(const Start& start, const SphereCell& cell, double sense,
+                              ElementAnswer& answer) {
+  std::array<glm::dvec3, 3> directions;
+  // The opposite of a triangle runs the other way round.
+  for (std::size_t k = 0; k < 3; ++k) directions[k] = sense * cell.corners()[sense > 0.0 ? k : 2 - k];
+  return keep(cone_.ask({.points = {start.corners.data(), start.count},
+                         .radius = start.radius,
+                         .directions = directions,
+                         .centre = sense * cell.centre()}),
+              answer);
+}
+
+/// Along those directions alone that rise over the facet by tau: they lie on one side of the plane through
+/// the level direction across the cell's middle that rises by tau along that middle.
+bool CertainUndercut::blocked_above(const Start& start, const SphereCell& cell, double sense,
+                                    const glm::dvec3& normal, ElementAnswer& answer) {
+  const glm::dvec3 middle = sense * cell.centre();
+  const glm::dvec3 level = middle - glm::dot(middle, normal) * normal;
+  const double length = glm::length(level);
+  if (length < 1e-6) return false;
+  const glm::dvec3 rising = std::cos(tau_rad_) * normal - std::sin(tau_rad_) / length * level;
+  std::array<glm::dvec3, 3> directions;
+  for (std::size_t k = 0; k < 3; ++k) directions[k] = sense * cell.corners()[sense > 0.0 ? k : 2 - k];
+  const std::vector<glm::dvec3> kept = clipped(directions, rising);
+  if (kept.size() < 3) return true;  // none of them rises so much
+  glm::dvec3 centre(0.0);
+  for (const glm::dvec3& direction : kept) centre += direction;
+  return keep(cone_.ask({.points = {start.corners.data(), start.count},
+                         .radius = start.radius,
+                         .directions = kept,
+                         .centre = glm::normalize(centre)}),
+              answer);
+}
+
+ElementAnswer CertainUndercut::ask(const SurfaceElement& element, const SphereCell& cell) {
+  ElementAnswer answer{.hidden_at_centre = true};
+  const glm::dvec3& normal = part_.geometry.normals[element.facet];
+  const double draft_rad = std::asin(std::clamp(glm::dot(normal, cell.centre()), -1.0, 1.0));
+  const double reach_rad = cell.radius_rad() + k_rounding;
+  Start own{element.corners, element.is_point ? 1U : 3U, 0.0};
+  double area = element.area;
+  if (!element.is_point) {
+    const glm::dvec3 middle = element.middle();
+    for (glm::dvec3& corner : own.corners) corner += k_shrink * (middle - corner);
+    area *= (1.0 - k_shrink) * (1.0 - k_shrink);
+  }
+  bool certain = false;
+  if (std::abs(draft_rad) - reach_rad >= tau_rad_) {
+    certain = blocked(own, cell, draft_rad > 0.0 ? 1.0 : -1.0, answer);
+  } else {
+    Start beside = own;
+    for (glm::dvec3& corner : beside.corners) corner += lateral_ * normal;
+    beside.radius = 2.0 * lateral_ * std::sin(0.5 * tau_rad_);
+    certain = blocked(beside, cell, 1.0, answer);
+    certain = (certain || answer.hidden_at_centre) && blocked(beside, cell, -1.0, answer) && certain;
+    if (certain && draft_rad + reach_rad >= tau_rad_) certain = blocked_above(own, cell, 1.0, normal, answer);
+    if (certain && draft_rad - reach_rad <= -tau_rad_)
+      certain = blocked_above(own, cell, -1.0, normal, answer);
+  }
+  if (certain) answer.certain_area = area;
+  return answer;
+}
+
+}  // namespace moldlight
