@@ -120,6 +120,7 @@ EulerCheck euler_check(const Assignment& a) {
     if (sides.find(piece) != piece) continue;
     check.core_pieces += a.sides[piece] == MoldSide::core ? 1 : 0;
     check.cavity_pieces += a.sides[piece] == MoldSide::cavity ? 1 : 0;
+    check.action_pieces += a.sides[piece] == MoldSide::action ? 1 : 0;
   }
   check.genus = static_cast<std::int64_t>(check.bodies) - check.part / 2;
   check.expected_loops = static_cast<std::size_t>(
@@ -214,6 +215,29 @@ PartingLoop measured(const Assignment& a, Walk walk, MoldSide side) {
 
 }  // namespace
 
+std::int64_t EulerCheck::twice_handles(MoldSide side) const {
+  const std::size_t pieces = side == MoldSide::core     ? core_pieces
+                             : side == MoldSide::cavity ? cavity_pieces
+                                                        : action_pieces;
+  const std::int64_t characteristic = side == MoldSide::core     ? core
+                                      : side == MoldSide::cavity ? cavity
+                                                                 : action;
+  return 2 * static_cast<std::int64_t>(pieces) - characteristic - borders[static_cast<std::size_t>(side)];
+}
+
+bool EulerCheck::accounted() const {
+  std::int64_t around = 0, twice = 0;
+  for (const MoldSide side : k_mold_sides) {
+    const std::int64_t handles = twice_handles(side);
+    if (handles < 0 || handles % 2 != 0) return false;
+    twice += handles;
+    around += borders[static_cast<std::size_t>(side)];
+  }
+  const auto whole = [](std::size_t count) { return static_cast<std::int64_t>(count); };
+  const std::int64_t more = whole(core_pieces + cavity_pieces + action_pieces) - 2 * whole(bodies);
+  return around == 2 * (genus + whole(bodies)) + 2 * more - twice - touching;
+}
+
 std::string_view loop_name(LoopKind kind) {
   switch (kind) {
     case LoopKind::outer:
@@ -233,6 +257,7 @@ PartingLine parting_line(const Assignment& a) {
   std::map<std::uint32_t, std::uint32_t> body_numbers;
   const auto add = [&](MoldSide side, bool actions_only) {
     for (Walk& walk : walks_around(a, side)) {
+      ++line.euler.borders[static_cast<std::size_t>(side)];
       const std::uint32_t root = bodies.find(a.edges.edges[walk.edges.front()].left);
       PartingLoop loop = measured(a, std::move(walk), side);
       if (actions_only && loop.kind != LoopKind::action) continue;
@@ -243,6 +268,8 @@ PartingLine parting_line(const Assignment& a) {
   };
   add(MoldSide::core, false);
   add(MoldSide::cavity, true);
+  line.euler.borders[static_cast<std::size_t>(MoldSide::action)] =
+      static_cast<std::int64_t>(walks_around(a, MoldSide::action).size());
   std::map<std::uint32_t, PartingLoop*> outer;
   for (PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action) continue;

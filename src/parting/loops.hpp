@@ -2,6 +2,7 @@
 // the whole-number checks on them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,13 +38,23 @@ struct PartingLoop {
 struct EulerCheck {
   std::int64_t part = 0, core = 0, cavity = 0, action = 0;
   std::int64_t touching = 0;  // how often more lines than two meet in a vertex
-  std::size_t bodies = 0, core_pieces = 0, cavity_pieces = 0;  // connected
-  std::int64_t genus = 0;                                      // summed over the bodies
-  std::size_t loops = 0;                                       // of core against cavity
-  std::size_t expected_loops = 0;                              // genus + 1 of every body
+  std::size_t bodies = 0, core_pieces = 0, cavity_pieces = 0, action_pieces = 0;  // connected
+  std::array<std::int64_t, k_side_count> borders{};                               // loops around each side
+  std::int64_t genus = 0;                                                         // summed over the bodies
+  std::size_t loops = 0;                                                          // of core against cavity
+  std::size_t expected_loops = 0;                                                 // genus + 1 of every body
 
   /// What holds for every division of a closed surface.
   [[nodiscard]] bool sums() const { return core + cavity + action == part + touching; }
+
+  /// Handles of a side's surface; what it has with its borders filled. Twice as many, since it is a whole
+  /// number only where borders and characteristic agree.
+  [[nodiscard]] std::int64_t twice_handles(MoldSide side) const;
+
+  /// Whether pieces, handles and borders of the sides account for the loops: borders of core, cavity and
+  /// actions are twice the expected loops, and two more for every piece beyond a core and a cavity of each
+  /// body, two less for every handle of a side, and one less where lines touch.
+  [[nodiscard]] bool accounted() const;
 };
 
 struct PartingLine {

@@ -40,6 +40,14 @@ Json loop_json(const Assignment& assignment, const PartingLoop& loop) {
           {"points", points}};
 }
 
+/// A number of each side.
+template <typename Value>
+Json of_sides(const Value& value) {
+  Json json;
+  for (const MoldSide side : k_mold_sides) json[std::string(side_name(side))] = value(side);
+  return json;
+}
+
 Json euler_json(const EulerCheck& euler) {
   return {{"part", euler.part},
           {"core", euler.core},
@@ -50,6 +58,10 @@ Json euler_json(const EulerCheck& euler) {
           {"bodies", euler.bodies},
           {"core_pieces", euler.core_pieces},
           {"cavity_pieces", euler.cavity_pieces},
+          {"action_pieces", euler.action_pieces},
+          {"borders", of_sides([&](MoldSide side) { return euler.borders[static_cast<std::size_t>(side)]; })},
+          {"handles", of_sides([&](MoldSide side) { return euler.twice_handles(side) / 2; })},
+          {"accounted", euler.accounted()},
           {"loops", euler.loops},
           {"expected_loops", euler.expected_loops},
           {"genus", euler.genus}};
@@ -255,6 +267,27 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   return json;
 }
 
+namespace {
+
+/// What accounts for loops that are fewer or more than the part's handles ask for.
+std::string difference_text(const EulerCheck& e) {
+  if (e.loops == e.expected_loops) return {};
+  const auto several = [](std::int64_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string text = "; the difference is accounted for by ";
+  if (!e.accounted()) text = "; the difference is not accounted for by ";
+  text += fmt::format("{} of core, {} of cavity and {} of side actions",
+                      several(static_cast<std::int64_t>(e.core_pieces), "piece"), e.cavity_pieces,
+                      e.action_pieces);
+  text += fmt::format(" with {}, {} and {} borders", e.borders[0], e.borders[1], e.borders[2]);
+  std::int64_t handles = 0;
+  for (const MoldSide side : k_mold_sides) handles += e.twice_handles(side) / 2;
+  return handles == 0 ? text : text + " and " + several(handles, "handle");
+}
+
+}  // namespace
+
 std::string mold_table(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
   constexpr std::size_t k_most_rows = 20;
@@ -290,10 +323,10 @@ std::string mold_table(const MoldReport& report) {
   const EulerCheck& e = line.euler;
   fmt::format_to(out,
                  "\ncheck {}  Euler characteristics: core {} + cavity {} + actions {} = part {}{}\n"
-                 "check {}  {} loops of core and cavity; genus {} asks for {}\n",
+                 "check {}  {} loops of core and cavity; genus {} asks for {}{}\n",
                  e.sums() ? "✓" : "✗", e.core, e.cavity, e.action, e.part,
                  e.touching == 0 ? "" : fmt::format(" + {} where lines touch", e.touching),
-                 e.loops == e.expected_loops ? "✓" : "✗", e.loops, e.genus, e.expected_loops);
+                 e.accounted() ? "✓" : "✗", e.loops, e.genus, e.expected_loops, difference_text(e));
   return text + halves_table(report);
 }
 

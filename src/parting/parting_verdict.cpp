@@ -34,6 +34,10 @@ std::string count_text(const EulerCheck& euler) {
   if (euler.core_pieces > euler.bodies) why += fmt::format(" the core is in {} pieces,", euler.core_pieces);
   if (euler.cavity_pieces > euler.bodies)
     why += fmt::format(" the cavity is in {} pieces,", euler.cavity_pieces);
+  const auto of_actions = euler.borders[static_cast<std::size_t>(MoldSide::action)];
+  if (euler.action_pieces > 0)
+    why += fmt::format(" side actions form {} of the surface with {},", plural(euler.action_pieces, "piece"),
+                       plural(static_cast<std::size_t>(of_actions), "border"));
   if (!why.empty()) why.pop_back();
   return fmt::format(", {} where the part's {} ask for {}{}{}", plural(euler.loops, "loop"),
                      plural(static_cast<std::size_t>(std::max<std::int64_t>(0, euler.genus)), "handle"),

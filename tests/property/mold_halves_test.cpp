@@ -223,7 +223,7 @@ TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
 }
 
 TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
-  std::size_t rows = 0, free_of_actions = 0, as_asked = 0;
+  std::size_t rows = 0, free_of_actions = 0, as_asked = 0, with_other_count = 0;
   std::vector<double> times_ms;
   for (const PartFile& file : part_files()) {
     const auto model = load_part(file.path.string(), {}, Progress{});
@@ -237,6 +237,8 @@ TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
       times_ms.push_back(watch.elapsed_ms());
       ++rows;
       EXPECT_TRUE(line.euler.sums()) << name;
+      EXPECT_TRUE(line.euler.accounted()) << name << ": " << parting_verdict(assignment, line, 1.0);
+      with_other_count += line.euler.loops != line.euler.expected_loops ? 1 : 0;
       const double slack = 1e-9 * (1.0 + assignment.energy);
       EXPECT_LE(assignment.energy, assignment.energy_to_core + slack) << name;
       EXPECT_LE(assignment.energy, assignment.energy_to_cavity + slack) << name;
@@ -250,11 +252,12 @@ TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
     }
   }
   std::cout << fmt::format(
-      "{} parts along axes, {} without side actions, {} of them with genus + 1 loops; median {:.0f} ms, "
-      "longest "
-      "{:.0f} ms\n",
-      rows, free_of_actions, as_asked, median(times_ms), *std::ranges::max_element(times_ms));
-  EXPECT_GE(as_asked * 100, free_of_actions * 90);
+      "{} rows of parts and directions, {} without side actions, {} of them with genus + 1 loops; {} with "
+      "another count, which their side actions account for; median {:.0f} ms, longest {:.0f} ms\n",
+      rows, free_of_actions, as_asked, with_other_count, median(times_ms),
+      *std::ranges::max_element(times_ms));
+  EXPECT_EQ(as_asked, free_of_actions);
+  EXPECT_LE(*std::ranges::max_element(times_ms), 1000.0);
 }
 
 }  // namespace

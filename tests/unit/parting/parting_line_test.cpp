@@ -37,6 +37,7 @@ Found find(TriangleMesh mesh, const glm::dvec3& direction = {0, 0, 1}, const Mol
   EXPECT_LE(found.assignment.energy, found.assignment.energy_to_core + slack);
   EXPECT_LE(found.assignment.energy, found.assignment.energy_to_cavity + slack);
   EXPECT_TRUE(found.line.euler.sums());
+  EXPECT_TRUE(found.line.euler.accounted());
   double areas = 0.0;
   for (const MoldSide side : k_mold_sides) areas += found.assignment.area(side);
   EXPECT_NEAR(areas, found.model->geometry.total_area, 1e-9 * areas);
