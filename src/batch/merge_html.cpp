@@ -24,10 +24,12 @@ h1 { font-size: 1.2rem; margin: 0; }
 input, select, button { font: inherit; padding: .25rem .5rem; }
 table { border-collapse: collapse; margin-top: .75rem; }
 th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: middle; }
+td { white-space: nowrap; }
 th { position: sticky; top: 0; background: Canvas; padding: 0; }
 th button { border: 0; background: none; font-weight: 600; cursor: pointer; color: inherit; white-space: nowrap; }
 td.text, th.text { text-align: left; }
-td.path { white-space: pre-wrap; overflow-wrap: anywhere; max-width: 32rem; }
+td.path { white-space: pre-wrap; overflow-wrap: anywhere; min-width: 12rem; max-width: 32rem; }
+td.said { white-space: normal; min-width: 12rem; max-width: 32rem; }
 tr.failed td { color: var(--bad); }
 tr.missing td { color: var(--faint); }
 img { width: 120px; height: 90px; object-fit: contain; display: block; }
@@ -46,7 +48,7 @@ constexpr std::string_view k_page_end = R"(
 "use strict";
 const columns = [["#", 0, 0], ["part", 1, 1], ["state", 2, 1], ["undercut", 7, 0, "area"], ["share", 8, 0, "share"],
   ["undercuts", 9, 0], ["side actions", 10, 0], ["not released", 11, 0, "area"], ["area", 6, 0, "area"],
-  ["facets", 5, 0], ["time s", 12, 0, "time"], ["settings", 13, 1], ["reason", 3, 1]];
+  ["facets", 5, 0], ["time s", 12, 0, "time"], ["settings", 13, 1, "said"], ["reason", 3, 1, "said"]];
 const step = 200;
 let shown = step, sorted = 8, down = true, list = [];
 const byId = (id) => document.getElementById(id);
@@ -72,7 +74,7 @@ function choose() {
 }
 function cell(row, column) {
   const td = document.createElement("td");
-  if (column[2]) td.className = column[1] === 1 ? "text path" : "text";
+  if (column[2]) td.className = column[1] === 1 ? "text path" : "text " + (column[3] || "");
   td.textContent = text(row[column[1]], column[3]);
   return td;
 }

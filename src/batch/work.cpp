@@ -19,6 +19,7 @@ constexpr std::array k_works = {
     Work{"actions",
          "/direction",
          {{{"/part/area"}, {"/patches", "area"}, {}, {"/patches"}, {"/actions"}, {"/unreleased/area"}}}},
+    Work{"mold", "/direction", {{{"/part/area"}, {"/assignment/action"}, {}, {}, {}, {}}}},
 };
 
 constexpr std::array<std::string_view, 2> k_without_effect = {"jobs", "time_limit_s"};

@@ -44,7 +44,7 @@ struct Work {
 [[nodiscard]] std::span<const Work> works();
 /// Null where no such subcommand can be the work.
 [[nodiscard]] const Work* work_named(std::string_view command);
-/// "classify, sweep or actions"
+/// "classify, sweep, actions or mold"
 [[nodiscard]] std::string work_names();
 
 /// Settings of reports that change nothing in them but how long they take: no part of a result's key.

@@ -83,6 +83,14 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   return k_criterion_failed;
 }
 
+nlohmann::ordered_json settings(const MoldFlags& flags) {
+  nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
+  json.update(options_json(reading_options(), flags.part.reading));
+  json.update(options_json(mold_options(), flags.settings));
+  json["actions"] = flags.with_actions;
+  return json;
+}
+
 }  // namespace
 
 void add_mold_command(CLI::App& program, Request& request) {
@@ -119,7 +127,7 @@ void add_mold_command(CLI::App& program, Request& request) {
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
   add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look)->needs(image);
   add_method_flags(*command, flags->query.method);
-  set_work(*command, request, flags, run);
+  set_work(*command, request, flags, run, settings);
 }
 
 }  // namespace moldlight::cli

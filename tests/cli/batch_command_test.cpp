@@ -36,11 +36,12 @@ TEST(Batch, ResultsAreThoseOfTheCommandItself) {
   EXPECT_NE(again.out.find("this run: 0 done, 0 failed, 3 passed over"), std::string::npos) << again.out;
 }
 
-TEST(Batch, SweepsAndActionsAreWorkToo) {
+TEST(Batch, SweepsActionsAndMoldsAreWorkToo) {
   const SmallParts parts(2);
   ASSERT_EQ(parts.plan("parts", "sweeps", {"sweep", "--directions", "20", "--top", "1"}).exit_code, 0);
   ASSERT_EQ(parts.plan("parts", "actions", {"actions", "--direction", "z", "--incline", "20"}).exit_code, 0);
-  for (const char* name : {"sweeps", "actions"}) {
+  ASSERT_EQ(parts.plan("parts", "molds", {"mold", "--direction", "z", "--shrink", "0.5"}).exit_code, 0);
+  for (const char* name : {"sweeps", "actions", "molds"}) {
     const auto run = parts.batch("run", {}, name);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(parts.status(name)["done"], 2) << name;
@@ -221,8 +222,8 @@ TEST(Batch, WhatMakesNoSenseIsToldInOneLine) {
       {{"batch", "plan", source, "--out", source, "--", "classify", "--direction", "z"},
        2,
        {"no empty folder"}},
-      {planned(source, {"melt"}), 2, {"melt", "classify, sweep or actions"}},
-      {planned(source, {"view"}), 2, {"view", "classify, sweep or actions"}},
+      {planned(source, {"melt"}), 2, {"melt", "classify, sweep, actions or mold"}},
+      {planned(source, {"view"}), 2, {"view", "classify, sweep, actions or mold"}},
       {planned(source, {"classify"}), 2, {"--direction"}},
       {planned(source, {"classify", "--direction", "0,0,0"}), 2, {"--direction"}},
       {planned(source, {"classify", "--direction", "z", "--colour", "red"}), 2, {"--colour"}},
