@@ -67,7 +67,7 @@ class SlowFrames : public WindowWithPart {
     key({.key = '1'});
     key({.key = 'F'});
     window.move_mouse({2, 2});
-    window.settle();
+    window.frames(4);  // the pictures need not be refined
   }
   /// Gestures drawn from the seed.
   void act(std::uint32_t seed, double frame_s) {
@@ -123,7 +123,9 @@ class SlowFrames : public WindowWithPart {
           break;
       }
     }
-    window.settle();
+    // Until all input has been played, and what it changed is laid out.
+    constexpr int k_last_frames = 30;
+    for (int k = 0; k < k_last_frames; ++k) window.lay_out();
   }
 
   PartNotes notes_ = {.settings = state().settings, .bookmarks = {}};
