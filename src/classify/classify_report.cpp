@@ -166,7 +166,7 @@ std::string classify_table(const PartModel& model, const Classification& result,
                  model.health.closed ? "closed" : "not closed",
                  figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
                  length_unit(model.part));
-  fmt::format_to(out, "direction {}; required draft {}°, lateral tolerance {} {}\n\n",
+  fmt::format_to(out, "direction {}; near-vertical below {}°, lateral tolerance {} {}\n\n",
                  figures(result.direction, 1.0), figure(result.settings.tau_deg),
                  figure(result.lateral_tolerance), length_unit(model.part));
 

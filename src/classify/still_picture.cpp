@@ -164,7 +164,7 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
   LegendContent content;
   content.title = part_name(model.part);
   content.lines.push_back(fmt::format("parting direction {}", figures(result.direction, 1.0)));
-  content.lines.push_back(fmt::format("required draft {}°, lateral tolerance {:.3g} {}",
+  content.lines.push_back(fmt::format("near-vertical below {}°, lateral tolerance {:.3g} {}",
                                       figure(result.settings.tau_deg), result.lateral_tolerance,
                                       length_unit(model.part)));
   const FigureColumn areas(result.total_area);

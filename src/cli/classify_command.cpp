@@ -10,6 +10,8 @@
 #include "cli/flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
+#include "parting/draft/draft_picture.hpp"
+#include "parting/draft/draft_report.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -23,6 +25,8 @@ struct ClassifyFlags {
   OutputPaths files;  // JSON is among the part's flags
   std::string image;
   bool compare_maps = false;
+  DraftSettings draft_settings;
+  std::string draft;  // CSV
   StillSettings still;
 };
 
@@ -34,6 +38,7 @@ void check_files(const ClassifyFlags& flags) {
                  .files = {{"--json", flags.part.json_file()},
                            {"--facets", files.facets},
                            {"--faces", files.faces},
+                           {"--draft", flags.draft},
                            {"--mesh", files.mesh},
                            {"--mesh (its colours)", material_library_path(files.mesh)},
                            {"--borders", files.borders},
@@ -58,7 +63,9 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
   if (looks_at_maps || !flags.image.empty()) context = create_context(query.method.backend);
-  const bool with_split = !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
+  const double required_deg = flags.draft_settings.required_deg;
+  const bool with_split =
+      required_deg > 0.0 || !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
   Classification result;
   if (looks_at_maps) {
     Classifier classifier(*context, model);
@@ -69,14 +76,28 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   }
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
+  std::optional<DraftCheck> draft;
+  if (required_deg > 0.0)
+    draft = check_draft(*model, assign_sides(*model, query, {}, progress), result, required_deg);
 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
-  if (!flags.image.empty())
-    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress));
+  if (!flags.draft.empty()) write_draft_csv(flags.draft, *draft);
+  if (!flags.image.empty()) {
+    const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
+    write_png(flags.image, draft ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
+  }
   put_report(
-      console, flags.part.json, [&] { return classify_json(*model, result); },
-      [&] { return classify_table(*model, result, console.colour()); });
+      console, flags.part.json,
+      [&] {
+        nlohmann::ordered_json json = classify_json(*model, result);
+        if (draft) json["draft"] = draft_json(*draft);
+        return json;
+      },
+      [&] {
+        return classify_table(*model, result, console.colour()) +
+               (draft ? "\n" + draft_lines(*model, *draft) : "");
+      });
   return 0;
 }
 
@@ -84,6 +105,7 @@ nlohmann::ordered_json settings(const ClassifyFlags& flags) {
   nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
   json.update(options_json(reading_options(), flags.part.reading));
   json["compare_maps"] = flags.compare_maps;
+  json.update(options_json(draft_options(), flags.draft_settings));
   return json;
 }
 
@@ -120,6 +142,12 @@ void add_classify_command(CLI::App& program, Request& request) {
   command->add_flag("--compare-maps", flags->compare_maps,
                     "Measure where the regions that the shadow maps show differ from the exact ones, by "
                     "--samples surface samples");
+  CLI::Option* required = add_option_flag(*command, draft_options().front(), flags->draft_settings);
+  add_file_flag(*command, flags->draft,
+                {"--draft", "FILE.csv",
+                 "Write a table of the walls with too little draft: how far to turn each about which line of "
+                 "its foot, and the thickness that it takes"})
+      ->needs(required);
   CLI::Option* image = add_file_flag(
       *command, flags->image,
       {"--image", "FILE.png",

@@ -63,7 +63,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
   content.lines = {
       fmt::format("Undercut by parting direction: {} scored{}", counted(result.evaluated.size(), "direction"),
                   result.complete ? "" : ", not complete"),
-      fmt::format("{} facets, surface {} {}, required draft {}°", model.health.facets,
+      fmt::format("{} facets, surface {} {}, near-vertical below {}°", model.health.facets,
                   figure(model.geometry.total_area), powered_unit(model.part, 2),
                   figure(result.settings.method.tau_deg))};
   content.unit = powered_unit(model.part, 2);

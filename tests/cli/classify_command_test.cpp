@@ -1,4 +1,5 @@
 // What `moldlight classify` puts out.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +65,36 @@ TEST(Classify, JsonHasTheKeysOfTheSchema) {
   EXPECT_EQ(json["settings"]["readout"], "exact");
   for (const char* key : {"kernel", "tolerance", "backend", "renderer"})
     EXPECT_TRUE(json["settings"][key].is_null()) << key;
+}
+
+TEST(Classify, TellsWhereDraftIsMissing) {
+  const SmallPart part;
+  const std::string table = part.output("draft.csv");
+  const auto run = run_moldlight(part.classify({"--json", "-", "--required-draft", "2", "--draft", table}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = json_of(run.out);
+  const Json& draft = json["draft"];
+  EXPECT_EQ(keys(draft), (std::vector<std::string>{"required_deg", "rounding_deg", "below", "reverse",
+                                                   "histogram", "faces"}));
+  // Its walls are upright: the halves form nothing else with too little draft.
+  const double below =
+      draft["below"]["core"]["area"].get<double>() + draft["below"]["cavity"]["area"].get<double>();
+  EXPECT_GT(below, 0.0);
+  EXPECT_EQ(draft["reverse"]["area"], 0.0);
+  double walls = 0.0, binned = 0.0;
+  for (const Json& wall : draft["faces"]) {
+    EXPECT_NEAR(wall["turn_deg"].get<double>(), 2.0, 1e-6);
+    walls += wall["area"].get<double>();
+  }
+  EXPECT_NEAR(walls, below, 1e-9 * below);
+  for (const Json& bin : draft["histogram"]) {
+    if (bin["from_deg"] < 2.0) binned += bin["core"].get<double>() + bin["cavity"].get<double>();
+  }
+  EXPECT_NEAR(binned, below, 1e-9 * below);
+  const std::string text = file_bytes(table);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(text, '\n')), draft["faces"].size() + 1);
+  EXPECT_EQ(run_moldlight(part.classify({"--draft", table})).exit_code, 2) << "it needs the angle";
+  EXPECT_EQ(run_moldlight(part.classify({"--required-draft", "46"})).exit_code, 2);
 }
 
 TEST(Classify, JsonFiguresBelongTogether) {

@@ -1,0 +1,158 @@
+#include "parting/draft/draft_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/check.hpp"
+#include "mesh/faces.hpp"
+#include "mold/draft.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_bin_deg = 0.5, k_binned_deg = 10.0;  // bins are wide beyond that
+/// A wall whose normals differ by more has no straight foot.
+constexpr double k_straight_deg = 0.5;
+
+std::vector<DraftBin> empty_bins() {
+  std::vector<DraftBin> bins = {{-90.0, -k_binned_deg, {}}};
+  const int count = static_cast<int>(2.0 * k_binned_deg / k_bin_deg);
+  for (int k = 0; k < count; ++k)
+    bins.push_back({-k_binned_deg + k * k_bin_deg, -k_binned_deg + (k + 1) * k_bin_deg, {}});
+  bins.push_back({k_binned_deg, 90.0, {}});
+  return bins;
+}
+
+DraftBin& bin_of(std::vector<DraftBin>& bins, double draft_deg) {
+  const double from_first = (draft_deg + k_draft_rounding_deg + k_binned_deg) / k_bin_deg;
+  const double last = static_cast<double>(bins.size() - 1);
+  return bins[static_cast<std::size_t>(std::clamp(std::floor(from_first) + 1.0, 0.0, last))];
+}
+
+/// What one half forms of a face with too little draft, piece by piece.
+struct Shallow {
+  std::vector<PieceIndex> pieces;
+  double area = 0.0, least_deg = 90.0;
+};
+
+WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Shallow& shallow, MoldSide side,
+                  double required_deg) {
+  const glm::dvec3& d = assignment.direction;
+  const double outward = side == MoldSide::core ? 1.0 : -1.0;  // along which the half leaves
+  WallDraft wall;
+  wall.side = side;
+  wall.area = shallow.area;
+  wall.least_deg = shallow.least_deg;
+  double low = INFINITY, high = -INFINITY;
+  glm::dvec3 sum(0.0);
+  for (const PieceIndex piece : shallow.pieces) {
+    sum += twice_piece_area(assignment.mesh, piece);
+    for (const VertexIndex corner : assignment.mesh.pieces[piece].corners) {
+      const double height = outward * glm::dot(assignment.mesh.vertices[corner], d);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  }
+  wall.height = high - low;
+  wall.foot = outward * low;
+  wall.turn_deg = required_deg - shallow.least_deg;
+  wall.thickness =
+      wall.height * (std::tan(glm::radians(required_deg)) - std::tan(glm::radians(shallow.least_deg)));
+
+  const double cosine = std::cos(glm::radians(k_straight_deg)), size = glm::length(sum);
+  const glm::dvec3 normal = size > 0.0 ? sum / size : d, along = glm::cross(d, normal);
+  const bool straight =
+      glm::length(along) > 0.5 && std::ranges::all_of(shallow.pieces, [&](PieceIndex piece) {
+        return glm::dot(model.geometry.normals[assignment.mesh.pieces[piece].facet], normal) >= cosine;
+      });
+  if (!straight) return wall;
+  // The line in which the wall's plane meets the level of the foot.
+  const glm::dvec3 line = glm::normalize(along), up = outward * glm::cross(normal, line);
+  const glm::dvec3& anchor =
+      assignment.mesh.vertices[assignment.mesh.pieces[shallow.pieces.front()].corners[0]];
+  const double climb = glm::dot(up, d) * outward;
+  const glm::dvec3 on_foot =
+      anchor + up * ((low - outward * glm::dot(anchor, d)) / (std::abs(climb) > 0.5 ? climb : 1.0));
+  double first = INFINITY, last = -INFINITY;
+  for (const PieceIndex piece : shallow.pieces) {
+    for (const VertexIndex corner : assignment.mesh.pieces[piece].corners) {
+      const double place = glm::dot(assignment.mesh.vertices[corner] - on_foot, line);
+      first = std::min(first, place);
+      last = std::max(last, place);
+    }
+  }
+  wall.foot_line = {on_foot + first * line, on_foot + last * line};
+  return wall;
+}
+
+ReverseDraft reverse_draft(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction) {
+  ReverseDraft reverse;
+  for (PieceIndex k = 0; k < split.pieces.size(); ++k) {
+    const SplitPiece& piece = split.pieces[k];
+    if (piece.region != Region::core && piece.region != Region::cavity) continue;
+    const double draft = draft_angle_deg(model.geometry.normals[piece.facet], direction);
+    const double lean = piece.region == Region::core ? -draft : draft;
+    if (lean <= k_draft_rounding_deg) continue;
+    reverse.area += 0.5 * glm::length(twice_piece_area(split, k));
+    if (lean <= reverse.worst_deg) continue;
+    reverse.worst_deg = lean;
+    const auto& [a, b, c] = piece.corners;
+    reverse.place = (split.vertices[a] + split.vertices[b] + split.vertices[c]) / 3.0;
+  }
+  return reverse;
+}
+
+}  // namespace
+
+std::span<const Option<DraftSettings>> draft_options() {
+  using S = DraftSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"required_draft_deg", "--required-draft", "Required draft of each half", "deg",
+       "Say where what a half forms has less draft than this, what leans back, and what turning the walls "
+       "would cost.",
+       PositiveKind<S>{[](S& s) -> double& { return s.required_deg; }, k_most_required_deg}},
+  };
+  return k_options;
+}
+
+DraftCheck check_draft(const PartModel& model, const Assignment& assignment, const Classification& result,
+                       double required_deg) {
+  CHECK(result.split != nullptr);
+  DraftCheck check;
+  check.required_deg = required_deg;
+  check.reverse = reverse_draft(model, *result.split, assignment.direction);
+  check.histogram = empty_bins();
+  const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
+  std::map<std::pair<std::uint32_t, MoldSide>, Shallow> shallow;
+  for (PieceIndex k = 0; k < assignment.sides.size(); ++k) {
+    const MoldSide side = assignment.sides[k];
+    if (side == MoldSide::action) continue;
+    const auto half = static_cast<std::size_t>(side);
+    const FacetIndex facet = assignment.mesh.pieces[k].facet;
+    const double upward = draft_angle_deg(model.geometry.normals[facet], assignment.direction);
+    const double draft = side == MoldSide::core ? upward : -upward;
+    const double area = 0.5 * glm::length(twice_piece_area(assignment.mesh, k));
+    if (area <= 0.0) continue;
+    bin_of(check.histogram, draft).area[half] += area;
+    if (draft >= required_deg - k_draft_rounding_deg) continue;
+    check.below[half] += area;
+    Shallow& face = shallow[{faces.of_facet[facet], side}];
+    face.pieces.push_back(k);
+    face.area += area;
+    face.least_deg = std::min(face.least_deg, draft);
+  }
+  for (const auto& [key, face] : shallow) {
+    ++check.faces_below[static_cast<std::size_t>(key.second)];
+    check.walls.push_back(wall_of(model, assignment, face, key.second, required_deg));
+    check.walls.back().face = key.first;
+  }
+  std::ranges::stable_sort(check.walls, std::greater(), &WallDraft::thickness);
+  return check;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,73 @@
+// The draft of what each half forms: how much of it there is, where it is less than asked for or leans the
+// wrong way, and what turning a wall would cost.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "classify/classification.hpp"
+#include "classify/option.hpp"
+#include "classify/part_model.hpp"
+#include "parting/assignment.hpp"
+
+namespace moldlight {
+
+/// Draft that coordinates of a file in single precision cannot tell from that asked for, in degrees.
+inline constexpr double k_draft_rounding_deg = 1e-3;
+
+inline constexpr double k_most_required_deg = 45.0;
+
+struct DraftSettings {
+  double required_deg = 0.0;  // up to k_most_required_deg; 0: draft is not looked at
+};
+[[nodiscard]] std::span<const Option<DraftSettings>> draft_options();
+
+/// Areas of what core and cavity form with a draft from `from_deg` up to `to_deg`, each seen from the half
+/// that forms it: negative where the surface leans against it.
+struct DraftBin {
+  double from_deg = 0.0, to_deg = 0.0;
+  std::array<double, 2> area{};  // of core, of cavity
+};
+
+/// Near-vertical surface that one half alone reaches, and that leans against it.
+struct ReverseDraft {
+  double area = 0.0;
+  double worst_deg = 0.0;           // the greatest lean, positive; 0 where there is none
+  std::optional<glm::dvec3> place;  // of that lean
+};
+
+/// What one half forms of a face with too little draft, and the least that gives it enough: a turn about the
+/// line of its foot, from which the wall recedes into the part along the half's way out.
+struct WallDraft {
+  std::uint32_t face = 0;  // of part_faces()
+  MoldSide side = MoldSide::core;
+  double area = 0.0;       // with too little draft
+  double least_deg = 0.0;  // negative where it leans back
+  double height = 0.0;     // of that surface along the direction
+  double foot = 0.0;       // height of the foot, in the part's coordinates along the direction
+  std::optional<std::array<glm::dvec3, 2>> foot_line = {};  // its ends; none where the wall is bent
+  double turn_deg = 0.0;
+  double thickness = 0.0;  // that the turn takes at the end away from the foot
+};
+
+/// Areas and lengths are in the part's unit. Surface of side actions is not looked at: its draft is that
+/// along their own directions.
+struct DraftCheck {
+  double required_deg = 0.0;
+  std::array<double, 2> below{};             // area with less draft than required, by half
+  std::array<std::size_t, 2> faces_below{};  // faces that have some of it
+  ReverseDraft reverse;
+  std::vector<DraftBin> histogram;  // all that the halves form, from -90 to 90 degrees
+  std::vector<WallDraft> walls;     // those that cost most thickness first
+};
+
+/// `result` is of the assignment's direction, with its split mesh; `required_deg` in (0, 45].
+[[nodiscard]] DraftCheck check_draft(const PartModel& model, const Assignment& assignment,
+                                     const Classification& result, double required_deg);
+
+}  // namespace moldlight

@@ -1,0 +1,101 @@
+#include "parting/draft/draft_report.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "io/atomic_file.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+Json wall_json(const WallDraft& wall) {
+  Json line;
+  if (wall.foot_line) line = {point_json((*wall.foot_line)[0]), point_json((*wall.foot_line)[1])};
+  return {{"face", wall.face},         {"side", side_name(wall.side)},
+          {"area", wall.area},         {"least_deg", wall.least_deg},
+          {"height", wall.height},     {"foot", {{"height", wall.foot}, {"line", line}}},
+          {"turn_deg", wall.turn_deg}, {"thickness", wall.thickness}};
+}
+
+}  // namespace
+
+Json draft_json(const DraftCheck& check) {
+  Json below, bins = Json::array(), walls = Json::array();
+  for (const MoldSide side : {MoldSide::core, MoldSide::cavity}) {
+    const auto half = static_cast<std::size_t>(side);
+    below[side_name(side)] = {{"area", check.below[half]}, {"faces", check.faces_below[half]}};
+  }
+  for (const DraftBin& bin : check.histogram)
+    bins.push_back(
+        {{"from_deg", bin.from_deg}, {"to_deg", bin.to_deg}, {"core", bin.area[0]}, {"cavity", bin.area[1]}});
+  for (const WallDraft& wall : check.walls) walls.push_back(wall_json(wall));
+  return {{"required_deg", check.required_deg},
+          {"rounding_deg", k_draft_rounding_deg},
+          {"below", below},
+          {"reverse",
+           {{"area", check.reverse.area},
+            {"worst_deg", check.reverse.worst_deg},
+            {"place", check.reverse.place ? point_json(*check.reverse.place) : Json()}}},
+          {"histogram", bins},
+          {"faces", walls}};
+}
+
+std::string suggestion(const PartModel& model, const WallDraft& wall) {
+  return fmt::format("turn by {:.2f}° about its foot: {:.3g} {}", wall.turn_deg, wall.thickness,
+                     length_unit(model.part));
+}
+
+std::string draft_lines(const PartModel& model, const DraftCheck& check) {
+  const std::string unit = length_unit(model.part);
+  const auto half = [&](MoldSide side) {
+    const auto k = static_cast<std::size_t>(side);
+    return fmt::format("{} {:.4g} {}² on {} face{}", side_name(side), check.below[k], unit,
+                       check.faces_below[k], check.faces_below[k] == 1 ? "" : "s");
+  };
+  std::string text = fmt::format("draft below {}°: {}, {}\n", check.required_deg, half(MoldSide::core),
+                                 half(MoldSide::cavity));
+  if (check.reverse.area > 0.0) {
+    const glm::dvec3 place = check.reverse.place.value_or(glm::dvec3(0.0));
+    fmt::format_to(std::back_inserter(text),
+                   "reverse draft: {:.4g} {}², at worst {:.3g}° near {:.4g}, {:.4g}, {:.4g}\n",
+                   check.reverse.area, unit, check.reverse.worst_deg, place.x, place.y, place.z);
+  } else {
+    text += "reverse draft: none\n";
+  }
+  if (!check.walls.empty()) {
+    const WallDraft& wall = check.walls.front();
+    fmt::format_to(std::back_inserter(text), "face {} of the {} costs most: {}\n", wall.face,
+                   side_name(wall.side), suggestion(model, wall));
+  }
+  return text;
+}
+
+void write_draft_csv(const std::string& path, const DraftCheck& check) {
+  AtomicFile file(path);
+  file.write(
+      "face,side,area,least_draft_deg,height,turn_deg,thickness,foot_height,foot_x1,foot_y1,foot_z1,foot_x2,"
+      "foot_y2,foot_z2\n");
+  for (const WallDraft& wall : check.walls) {
+    std::string row = fmt::format("{},{},{},{},{},{},{},{}", wall.face, side_name(wall.side), wall.area,
+                                  wall.least_deg, wall.height, wall.turn_deg, wall.thickness, wall.foot);
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (wall.foot_line) {
+        const glm::dvec3& p = (*wall.foot_line)[end];
+        fmt::format_to(std::back_inserter(row), ",{},{},{}", p.x, p.y, p.z);
+      } else {
+        row += ",,,";
+      }
+    }
+    file.write(row += '\n');
+  }
+  file.commit();
+}
+
+}  // namespace moldlight
