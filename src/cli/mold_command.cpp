@@ -59,7 +59,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   WrittenMold written = written_mold(halves);
   const std::string refusal =
       why_not(flags, *model, halves, written,
-              halves.refused_at ? loop_near(assignment, line, *halves.refused_at) : std::string());
+              halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
   if (!flags.folder.empty() && refusal.empty())
     write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
   if (!flags.image.empty()) {

@@ -194,9 +194,7 @@ WrittenLines lines_to_write(const PartModel& model, const Assignment& assignment
   WrittenLines lines{
       .loops = {}, .direction = assignment.direction, .unit = model.part.unit, .name = part_name(model.part)};
   for (const PartingLoop& loop : line.loops) {
-    WrittenLoop written{.kind = loop_name(loop.kind), .points = {}};
-    for (const VertexIndex vertex : loop.vertices) written.points.push_back(assignment.mesh.vertices[vertex]);
-    lines.loops.push_back(std::move(written));
+    lines.loops.push_back({.kind = loop_name(loop.kind), .points = loop.points});
   }
   return lines;
 }

@@ -12,6 +12,7 @@
 #include "mesh/symmetric_eigen.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/map_frame.hpp"
+#include "parting/line_smoothing.hpp"
 
 namespace moldlight {
 
@@ -166,12 +167,35 @@ double flatness_of(const std::vector<glm::dvec3>& points, double length) {
   return greatest;
 }
 
-PartingLoop measured(const Assignment& a, Walk walk, MoldSide side) {
+/// Draft of a piece, either way, in degrees.
+double draft_deg(const Assignment& a, PieceIndex piece) {
+  const glm::dvec3 normal = twice_piece_area(a.mesh, piece);
+  const double size = glm::length(normal);
+  if (size <= 0.0) return 0.0;
+  return glm::degrees(std::asin(std::min(1.0, std::abs(glm::dot(normal, a.direction)) / size)));
+}
+
+/// Points of the walk, and what smoothing does to them.
+void smooth(const Assignment& a, const LineSmoother& smoother, const Walk& walk, PartingLoop& loop) {
+  loop.points = smoother.smoothed({walk.vertices, walk.edges});
+  const auto moved = [&](std::size_t k) { return loop.points[k] != a.mesh.vertices[walk.vertices[k]]; };
+  for (std::size_t k = 0; k < loop.points.size(); ++k) {
+    const std::size_t next = (k + 1) % loop.points.size();
+    loop.moved += moved(k) ? 1 : 0;
+    if (!moved(k) && !moved(next)) continue;
+    const glm::dvec3 before = a.mesh.vertices[walk.vertices[next]] - a.mesh.vertices[walk.vertices[k]],
+                     after = loop.points[next] - loop.points[k];
+    loop.smoothed_length += glm::length(before) - glm::length(after);
+    loop.smoothed_climb += std::abs(glm::dot(before, a.direction)) - std::abs(glm::dot(after, a.direction));
+  }
+}
+
+PartingLoop measured(const Assignment& a, const LineSmoother& smoother, Walk walk, MoldSide side) {
   const glm::dvec3& d = a.direction;
   const MapFrame frame = map_frame(d);
   PartingLoop loop;
-  std::vector<glm::dvec3> points;
-  for (const VertexIndex vertex : walk.vertices) points.push_back(a.mesh.vertices[vertex]);
+  smooth(a, smoother, walk, loop);
+  const std::vector<glm::dvec3>& points = loop.points;
   loop.low = INFINITY;
   loop.high = -INFINITY;
   double crease = 0.0;
@@ -183,7 +207,13 @@ PartingLoop measured(const Assignment& a, Walk walk, MoldSide side) {
     loop.length += length;
     loop.low = std::min(loop.low, glm::dot(from, d));
     loop.high = std::max(loop.high, glm::dot(from, d));
-    if (climb > k_steep_sine * length) loop.steep_length += length;
+    loop.up_and_down += climb;
+    if (climb > k_steep_sine * length) {
+      loop.steep_length += length;
+      loop.steep_draft_deg = std::max(loop.steep_draft_deg, draft_deg(a, edge.left));
+      if (edge.right != k_no_piece)
+        loop.steep_draft_deg = std::max(loop.steep_draft_deg, draft_deg(a, edge.right));
+    }
     if (length > 0.0)
       loop.steepest_deg = std::max(loop.steepest_deg, glm::degrees(std::asin(std::min(1.0, climb / length))));
     if (a.crease[walk.edges[k]] != 0) crease += length;
@@ -253,13 +283,14 @@ std::string_view loop_name(LoopKind kind) {
 PartingLine parting_line(const Assignment& a) {
   PartingLine line;
   line.euler = euler_check(a);
+  const LineSmoother smoother(a);
   UnionFind bodies = pieces_joined(a, [](const PieceEdge&) { return true; });
   std::map<std::uint32_t, std::uint32_t> body_numbers;
   const auto add = [&](MoldSide side, bool actions_only) {
     for (Walk& walk : walks_around(a, side)) {
       ++line.euler.borders[static_cast<std::size_t>(side)];
       const std::uint32_t root = bodies.find(a.edges.edges[walk.edges.front()].left);
-      PartingLoop loop = measured(a, std::move(walk), side);
+      PartingLoop loop = measured(a, smoother, std::move(walk), side);
       if (actions_only && loop.kind != LoopKind::action) continue;
       loop.body =
           body_numbers.try_emplace(root, static_cast<std::uint32_t>(body_numbers.size())).first->second;
@@ -287,6 +318,8 @@ PartingLine parting_line(const Assignment& a) {
     if (loop.kind == LoopKind::action) continue;
     ++line.euler.loops;
     line.length += loop.length;
+    line.smoothed_length += loop.smoothed_length;
+    line.smoothed_climb += loop.smoothed_climb;
     line.low = std::min(line.low, loop.low);
     line.high = std::max(line.high, loop.high);
     if (loop.kind != LoopKind::outer) continue;

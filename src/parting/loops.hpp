@@ -19,16 +19,22 @@ struct PartingLoop {
   LoopKind kind = LoopKind::outer;
   std::uint32_t body = 0;             // connected component of the surface
   std::vector<VertexIndex> vertices;  // of the assignment's mesh; closed, the first is not repeated
+  std::vector<glm::dvec3> points;     // where it runs: its vertices, moved where it was smoothed
   double length = 0.0;
   double low = 0.0, high = 0.0;  // along the direction, in the part's coordinates
   double flatness = 0.0;         // greatest distance from its best plane
+  double up_and_down = 0.0;      // all of its climbs and descents
   double steep_length = 0.0;     // of the runs that climb by more than 64 degrees
+  double steep_draft_deg = 0.0;  // the greatest draft of facets at these
   double steepest_deg = 0.0;     // slope of its edges, [0, 90]
   double sharpest_deg = 180.0;   // the least angle between neighbouring edges
   double on_crease = 0.0;        // share of its length
   double area = 0.0;             // of its projection, positive where the core lies inside of it
   std::size_t breaks = 0;        // runs where a side action takes the place of the other half
   double break_length = 0.0;
+  std::size_t moved = 0;         // points that smoothing moved
+  double smoothed_length = 0.0;  // by which it became shorter
+  double smoothed_climb = 0.0;   // by which up_and_down became less
 
   [[nodiscard]] double climb() const { return high - low; }
 };
@@ -61,6 +67,8 @@ struct PartingLine {
   std::vector<PartingLoop> loops;  // outer, shut-offs, actions; the longest of each first
   EulerCheck euler;
   double length = 0.0;           // of core against cavity, and against actions where they break the line
+  double smoothed_length = 0.0;  // by which smoothing made it shorter
+  double smoothed_climb = 0.0;   // and what of climbs and descents it took away
   double low = 0.0, high = 0.0;  // of outer loops and shut-offs
   double outer_low = 0.0, outer_high = 0.0;
 };

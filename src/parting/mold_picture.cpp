@@ -96,8 +96,7 @@ MoldSceneMesh mold_scene_mesh(const MoldScene& scene) {
   for (const PartingLoop& loop : scene.line.loops) {
     if (loop.kind == LoopKind::action) continue;
     std::vector<glm::dvec3> points;
-    for (const VertexIndex vertex : loop.vertices)
-      points.push_back(in_place(scene.assignment.mesh.vertices[vertex]));
+    for (const glm::dvec3& point : loop.points) points.push_back(in_place(point));
     mesh.add(tube_around(points, k_tube_radius * diagonal * scale), Region::undercut,
              [](const glm::dvec3& v) { return v; });
   }

@@ -20,23 +20,26 @@ using Json = nlohmann::ordered_json;
 
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-Json loop_json(const Assignment& assignment, const PartingLoop& loop) {
+Json loop_json(const PartingLoop& loop) {
   Json points = Json::array();
-  for (const VertexIndex vertex : loop.vertices)
-    points.push_back(point_json(assignment.mesh.vertices[vertex]));
+  for (const glm::dvec3& point : loop.points) points.push_back(point_json(point));
   return {{"kind", loop_name(loop.kind)},
           {"length", loop.length},
           {"climb", loop.climb()},
           {"low", loop.low},
           {"high", loop.high},
+          {"up_and_down", loop.up_and_down},
           {"flatness", loop.flatness},
           {"steep_length", loop.steep_length},
+          {"steep_draft_deg", loop.steep_draft_deg},
           {"steepest_deg", loop.steepest_deg},
           {"sharpest_deg", loop.sharpest_deg},
           {"on_crease", loop.on_crease},
           {"projected_area", loop.area},
           {"breaks", loop.breaks},
           {"break_length", loop.break_length},
+          {"smoothed",
+           {{"points", loop.moved}, {"length", loop.smoothed_length}, {"climb", loop.smoothed_climb}}},
           {"points", points}};
 }
 
@@ -91,7 +94,7 @@ Json contacts_json(const MoldHalves& halves) {
 /// The loop at which the halves were refused.
 std::string refused_loop(const MoldReport& report) {
   const auto& place = report.halves.refused_at;
-  return place ? loop_near(report.assignment, report.line, *place) : std::string();
+  return place ? loop_near(report.line, *place) : std::string();
 }
 
 Json refusal_json(const MoldReport& report) {
@@ -205,12 +208,12 @@ std::string halves_table(const MoldReport& report) {
 
 }  // namespace
 
-std::string loop_near(const Assignment& assignment, const PartingLine& line, const glm::dvec3& place) {
+std::string loop_near(const PartingLine& line, const glm::dvec3& place) {
   double least = INFINITY;
   std::size_t nearest = 0;
   for (std::size_t k = 0; k < line.loops.size(); ++k) {
-    for (const VertexIndex vertex : line.loops[k].vertices) {
-      const double away = glm::distance(assignment.mesh.vertices[vertex], place);
+    for (const glm::dvec3& point : line.loops[k].points) {
+      const double away = glm::distance(point, place);
       if (away >= least) continue;
       least = away;
       nearest = k;
@@ -261,7 +264,7 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
                         {"energy_all_to_cavity", assignment.energy_to_cavity}};
   json["euler"] = euler_json(line.euler);
   json["loops"] = Json::array();
-  for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(assignment, loop));
+  for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(loop));
   add_halves(report, json);
   json["verdict"] = parting_verdict(assignment, line, model.frame.diagonal);
   return json;

@@ -26,8 +26,7 @@ struct MoldReport {
 
 /// "shut-off 3": the loop of a part's parting line that runs nearest to a place, numbered as the report lists
 /// them; empty where there is none.
-[[nodiscard]] std::string loop_near(const Assignment& assignment, const PartingLine& line,
-                                    const glm::dvec3& place);
+[[nodiscard]] std::string loop_near(const PartingLine& line, const glm::dvec3& place);
 
 /// "no halves: …, near 1, 2, 3, at shut-off 3; …": why, where, at which loop, and what to change; empty where
 /// there are halves.

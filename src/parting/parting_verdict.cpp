@@ -15,6 +15,9 @@ namespace {
 
 constexpr double k_planar_share = 1e-4;  // of the diagonal
 constexpr double k_steep_deg = 85.0;
+/// A line that goes up and down a few times has this many times its climb.
+constexpr double k_many_climbs = 4.0;
+constexpr double k_small_draft_deg = 5.0;
 
 /// "z = 12.4"; "12.4 along 0.6, 0, 0.8" for a direction that is no axis.
 std::string height_text(const glm::dvec3& direction, double height) {
@@ -48,11 +51,15 @@ std::string count_text(const EulerCheck& euler) {
 
 std::string parting_verdict(const Assignment& assignment, const PartingLine& line, double diagonal) {
   std::size_t outer = 0, shut_offs = 0, breaks = 0;
-  double steepest = 0.0, steep = 0.0, flatness = 0.0;
+  double steepest = 0.0, steep = 0.0, flatness = 0.0, up_and_down = 0.0, draft = 0.0;
   for (const PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action) continue;
     (loop.kind == LoopKind::outer ? outer : shut_offs) += 1;
-    if (loop.kind == LoopKind::outer) flatness = std::max(flatness, loop.flatness);
+    if (loop.kind == LoopKind::outer) {
+      flatness = std::max(flatness, loop.flatness);
+      up_and_down += loop.up_and_down;
+      draft = std::max(draft, loop.steep_draft_deg);
+    }
     breaks += loop.breaks;
     steepest = std::max(steepest, loop.steepest_deg);
     steep += loop.steep_length;
@@ -68,6 +75,11 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
     text = fmt::format("parting line in an inclined plane, climbing {}", figure(climb));
   } else {
     text = fmt::format("parting line that climbs {}", figure(climb));
+    if (up_and_down > k_many_climbs * climb) {
+      text += fmt::format(", up and down {} in all", figure(up_and_down));
+      if (draft <= k_small_draft_deg)
+        text += fmt::format(" on facets of at most {:.1f}° of draft", std::ceil(10.0 * draft) / 10.0);
+    }
   }
   text += fmt::format(", {}", shut_offs == 0 ? "no shut-off" : plural(shut_offs, "shut-off"));
   if (steepest <= k_steep_deg) {
@@ -75,6 +87,10 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   } else {
     text += fmt::format(", {} of steep steps, up to {:.0f}°", figure(steep), std::floor(steepest));
   }
+  if (line.smoothed_length > 1e-6 * diagonal || line.smoothed_climb > 1e-6 * diagonal)
+    text +=
+        fmt::format("; smoothing took {} of its length and {} of its climbs",
+                    figure(std::max(0.0, line.smoothed_length)), figure(std::max(0.0, line.smoothed_climb)));
   const double action = assignment.area(MoldSide::action);
   if (action > 0.0) {
     text += fmt::format("; side actions form {} of the surface", share_text(action, assignment.total_area));

@@ -175,7 +175,7 @@ TEST(MoldHalvesRefused, OfAnOpenPartTellWhereItIsOpen) {
   EXPECT_EQ(written.refusal, halves.refusal);
   const Assignment assignment = assign_sides(*model, {glm::dvec3(0, 0, 1), {}}, {}, Progress{});
   const PartingLine line = parting_line(assignment);
-  const std::string loop = loop_near(assignment, line, *halves.refused_at);
+  const std::string loop = loop_near(line, *halves.refused_at);
   const std::string text = refusal_text(*model, halves, written, loop);
   EXPECT_NE(text.find(", near "), std::string::npos) << text;
   EXPECT_NE(text.find("at loop outer 1"), std::string::npos) << text;

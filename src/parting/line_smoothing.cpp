@@ -1,0 +1,166 @@
+#include "parting/line_smoothing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_most_rounds = 12;
+constexpr double k_climb_weight = 3.0;  // as in the assignment
+constexpr double k_least_gain = 1e-3;   // of a loop's length with its climb
+constexpr double k_off_surface = 1e-4;  // of the diagonal
+
+/// The point of a triangle that is nearest to another (Ericson 2004, 5.1.5, by edges and plane).
+glm::dvec3 nearest_on(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double size = glm::dot(normal, normal);
+  bool inside = size > 0.0;
+  for (std::size_t k = 0; k < 3 && inside; ++k)
+    inside = glm::dot(glm::cross(t[(k + 1) % 3] - t[k], p - t[k]), normal) >= 0.0;
+  if (inside) return p - glm::dot(p - t[0], normal) / size * normal;
+  glm::dvec3 best = t[0];
+  double least = INFINITY;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3 along = t[(k + 1) % 3] - t[k];
+    const double squared = glm::dot(along, along);
+    const double share = squared > 0.0 ? std::clamp(glm::dot(p - t[k], along) / squared, 0.0, 1.0) : 0.0;
+    const glm::dvec3 at = t[k] + share * along;
+    if (glm::distance(at, p) >= least) continue;
+    least = glm::distance(at, p);
+    best = at;
+  }
+  return best;
+}
+
+double cost_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& d) {
+  return glm::distance(a, b) + k_climb_weight * std::abs(glm::dot(b - a, d));
+}
+
+double cost_of(const std::vector<glm::dvec3>& points, const glm::dvec3& d) {
+  double cost = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    cost += cost_of(points[k], points[(k + 1) % points.size()], d);
+  return cost;
+}
+
+}  // namespace
+
+LineSmoother::LineSmoother(const Assignment& assignment)
+    : assignment_(assignment), first_(assignment.mesh.vertices.size() + 1, 0) {
+  const SplitMesh& mesh = assignment.mesh;
+  Bounds box;
+  for (const SplitPiece& piece : mesh.pieces) {
+    for (const VertexIndex v : piece.corners) {
+      ++first_[v + 1];
+      box.add(mesh.vertices[v]);
+    }
+  }
+  for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+  pieces_.resize(first_.back());
+  std::vector<std::uint32_t> filled(first_.begin(), first_.end() - 1);
+  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
+    for (const VertexIndex v : mesh.pieces[piece].corners) pieces_[filled[v]++] = piece;
+  }
+  if (!mesh.pieces.empty()) tolerance_ = k_off_surface * glm::distance(box.min, box.max);
+}
+
+std::vector<PieceIndex> LineSmoother::around(VertexIndex vertex) const {
+  std::vector<PieceIndex> found;
+  for (std::uint32_t k = first_[vertex]; k < first_[vertex + 1]; ++k) {
+    for (const VertexIndex v : assignment_.mesh.pieces[pieces_[k]].corners)
+      found.insert(found.end(), pieces_.begin() + first_[v], pieces_.begin() + first_[v + 1]);
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+LineSmoother::Nearest LineSmoother::nearest(std::span<const PieceIndex> pieces, const glm::dvec3& at) const {
+  Nearest nearest{.to_free = INFINITY, .to_others = INFINITY};
+  for (const PieceIndex piece : pieces) {
+    const auto& corners = assignment_.mesh.pieces[piece].corners;
+    const glm::dvec3 on =
+        nearest_on({assignment_.mesh.vertices[corners[0]], assignment_.mesh.vertices[corners[1]],
+                    assignment_.mesh.vertices[corners[2]]},
+                   at);
+    const double away = glm::distance(on, at);
+    double& least = assignment_.free[piece] != 0 ? nearest.to_free : nearest.to_others;
+    if (away >= least) continue;
+    least = away;
+    if (assignment_.free[piece] != 0) nearest.free = on;
+  }
+  return nearest;
+}
+
+bool LineSmoother::may_run(std::span<const PieceIndex> near_a, std::span<const PieceIndex> near_b,
+                           const glm::dvec3& a, const glm::dvec3& b) const {
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const glm::dvec3 at = glm::mix(a, b, share);
+    Nearest found = nearest(near_a, at);
+    const Nearest other = nearest(near_b, at);
+    found.to_free = std::min(found.to_free, other.to_free);
+    found.to_others = std::min(found.to_others, other.to_others);
+    if (found.to_free > tolerance_ || found.to_free > found.to_others + 1e-3 * tolerance_) return false;
+  }
+  return true;
+}
+
+std::vector<glm::dvec3> LineSmoother::smoothed(const Loop& loop) const {
+  const std::size_t count = loop.vertices.size();
+  const glm::dvec3& d = assignment_.direction;
+  std::vector<glm::dvec3> points;
+  for (const VertexIndex v : loop.vertices) points.push_back(assignment_.mesh.vertices[v]);
+  const std::vector<glm::dvec3> before = points;
+  std::vector<std::uint8_t> movable(count, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (assignment_.crease[loop.edges[k]] != 0 ||
+        assignment_.crease[loop.edges[(k + count - 1) % count]] != 0)
+      continue;
+    bool any_free = false, any_action = false;
+    for (std::uint32_t i = first_[loop.vertices[k]]; i < first_[loop.vertices[k] + 1]; ++i) {
+      any_free = any_free || assignment_.free[pieces_[i]] != 0;
+      any_action = any_action || assignment_.sides[pieces_[i]] == MoldSide::action;
+    }
+    movable[k] = any_free && !any_action ? 1 : 0;
+  }
+  if (count < 4 || std::ranges::find(movable, 1) == movable.end()) return points;
+  std::vector<std::vector<PieceIndex>> near(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (movable[k] != 0 || movable[(k + 1) % count] != 0 || movable[(k + count - 1) % count] != 0)
+      near[k] = around(loop.vertices[k]);
+  }
+  for (int round = 0; round < k_most_rounds; ++round) {
+    double gained = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (movable[k] == 0) continue;
+      const std::size_t prior = (k + count - 1) % count, next = (k + 1) % count;
+      const glm::dvec3 &a = points[prior], &b = points[next], along = b - a;
+      const double squared = glm::dot(along, along);
+      if (squared <= 0.0) continue;
+      const double share = std::clamp(glm::dot(points[k] - a, along) / squared, 0.1, 0.9);
+      const double cost = cost_of(a, points[k], d) + cost_of(points[k], b, d);
+      for (const double step : {1.0, 0.5, 0.25}) {
+        const Nearest found = nearest(near[k], glm::mix(points[k], a + share * along, step));
+        const double becomes = cost_of(a, found.free, d) + cost_of(found.free, b, d);
+        if (!std::isfinite(found.to_free) || becomes >= cost * (1.0 - 1e-6)) continue;
+        if (!may_run(near[prior], near[k], a, found.free) || !may_run(near[k], near[next], found.free, b))
+          continue;
+        points[k] = found.free;
+        gained += cost - becomes;
+        break;
+      }
+    }
+    if (gained <= 1e-4 * cost_of(points, d)) break;
+  }
+  return cost_of(points, d) < (1.0 - k_least_gain) * cost_of(before, d) ? points : before;
+}
+
+}  // namespace moldlight

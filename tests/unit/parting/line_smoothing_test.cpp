@@ -1,0 +1,109 @@
+// The parting line on wavy surface.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "parting/loops.hpp"
+#include "support/boxes.hpp"
+#include "support/classify_mesh.hpp"
+#include "support/curved_solids.hpp"
+#include "support/mesh_edits.hpp"
+
+namespace moldlight {
+namespace {
+
+struct Found {
+  std::shared_ptr<const PartModel> model;
+  Assignment assignment;
+  PartingLine line;
+};
+
+Found find(TriangleMesh mesh, double soft_deg) {
+  Found found;
+  found.model = test::model_of(std::move(mesh));
+  MoldSettings settings;
+  settings.soft_deg = soft_deg;
+  found.assignment = assign_sides(*found.model, {glm::dvec3(0, 0, 1), {}}, settings, Progress{});
+  found.line = parting_line(found.assignment);
+  return found;
+}
+
+/// Whether a point is on a piece that either half may form, as far as rounding lets it, by barycentric
+/// coordinates.
+bool on_free_piece(const Assignment& a, const glm::dvec3& p) {
+  for (PieceIndex piece = 0; piece < a.mesh.pieces.size(); ++piece) {
+    if (a.free[piece] == 0) continue;
+    const auto& corners = a.mesh.pieces[piece].corners;
+    const glm::dvec3 &o = a.mesh.vertices[corners[0]], u = a.mesh.vertices[corners[1]] - o,
+                     v = a.mesh.vertices[corners[2]] - o, w = p - o;
+    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), det = uu * vv - uv * uv;
+    if (det <= 0.0) continue;
+    const double s = (vv * glm::dot(w, u) - uv * glm::dot(w, v)) / det,
+                 t = (uu * glm::dot(w, v) - uv * glm::dot(w, u)) / det;
+    if (s < -1e-9 || t < -1e-9 || s + t > 1.0 + 1e-9) continue;
+    if (glm::distance(o + s * u + t * v, p) < 1e-9) return true;
+  }
+  return false;
+}
+
+TEST(LineSmoothing, StraightensTheLineOnWavySurface) {
+  // Facets of a ring whose edges do not keep to a height, as those of a scan: every other vertex around the
+  // tube is shifted along it, so that the surface stays about what it was.
+  TriangleMesh ring = test::subdivided(test::torus_mesh(10.0, 2.0, 90, 24), 16000);
+  for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
+    glm::dvec3& v = ring.vertices[k];
+    const glm::dvec3 centre = 10.0 * glm::normalize(glm::dvec3(v.x, v.y, 0.0)), out = v - centre;
+    const glm::dvec3 along = glm::cross(glm::normalize(glm::dvec3(-v.y, v.x, 0.0)), out);
+    v += 0.02 * std::sin(2.4 * static_cast<double>(k)) * along;
+  }
+  const glm::dvec3 d(0, 0, 1);
+  const Found found = find(std::move(ring), 10.0);
+  ASSERT_EQ(found.line.euler.loops, 2U);
+  std::size_t moved = 0;
+  for (const PartingLoop& loop : found.line.loops) {
+    ASSERT_EQ(loop.points.size(), loop.vertices.size());
+    double length = 0.0, climb = 0.0, length_before = 0.0, climb_before = 0.0;
+    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+      const std::size_t next = (k + 1) % loop.points.size();
+      const glm::dvec3 before = found.assignment.mesh.vertices[loop.vertices[next]] -
+                                found.assignment.mesh.vertices[loop.vertices[k]],
+                       after = loop.points[next] - loop.points[k];
+      length += glm::length(after);
+      climb += std::abs(glm::dot(after, d));
+      length_before += glm::length(before);
+      climb_before += std::abs(glm::dot(before, d));
+      if (loop.points[k] == found.assignment.mesh.vertices[loop.vertices[k]]) continue;
+      ++moved;
+      EXPECT_TRUE(on_free_piece(found.assignment, loop.points[k])) << k;
+    }
+    EXPECT_NEAR(loop.length, length, 1e-9 * length);
+    EXPECT_NEAR(loop.up_and_down, climb, 1e-9 * length);
+    EXPECT_NEAR(loop.smoothed_length, length_before - length, 1e-9 * length);
+    EXPECT_NEAR(loop.smoothed_climb, climb_before - climb, 1e-9 * length);
+    if (loop.moved == 0) continue;
+    EXPECT_LT(length + 3.0 * climb, length_before + 3.0 * climb_before);
+  }
+  EXPECT_GT(moved, 100U);
+  double left = 0.0;
+  for (const PartingLoop& loop : found.line.loops) left += loop.up_and_down;
+  EXPECT_GT(found.line.smoothed_climb, left) << "more than half of it";
+  EXPECT_NE(parting_verdict(found.assignment, found.line, 20.0).find("smoothing took"), std::string::npos);
+}
+
+TEST(LineSmoothing, LeavesTheLineOnCreases) {
+  for (const TriangleMesh& mesh : {test::box_mesh({0, 0, 0}, {4, 3, 2}), test::plate_with_holes(1, 2, 2.0)}) {
+    const Found found = find(mesh, 2.0);
+    for (const PartingLoop& loop : found.line.loops) {
+      EXPECT_EQ(loop.moved, 0U);
+      for (std::size_t k = 0; k < loop.points.size(); ++k)
+        EXPECT_EQ(loop.points[k], found.assignment.mesh.vertices[loop.vertices[k]]);
+    }
+    EXPECT_EQ(found.line.smoothed_length, 0.0);
+    EXPECT_EQ(parting_verdict(found.assignment, found.line, 5.0).find("smoothing"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
