@@ -57,7 +57,7 @@ class BodyMaker {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
     OpenSurface surface = surface_of_triangles();
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
-    const bool leaves = action_.kind == ActionKind::slide || action_.kind == ActionKind::inclined;
+    const bool leaves = is_slide(action_.kind);
     const double diagonal = model_.frame.diagonal;
     double length = k_thickness * diagonal;
     if (leaves) {

@@ -13,6 +13,11 @@ namespace moldlight {
 enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip, insert };
 inline constexpr std::size_t k_action_kinds = 6;
 
+/// Pulled straight away from the part, before the halves open.
+[[nodiscard]] constexpr bool is_slide(ActionKind kind) {
+  return kind == ActionKind::slide || kind == ActionKind::inclined;
+}
+
 /// What else is said of a kind: the one place for it.
 struct ActionFacts {
   std::string_view name;              // in reports

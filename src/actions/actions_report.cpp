@@ -24,9 +24,10 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 std::string_view side_name(bool core_side) { return region_name(core_side ? Region::core : Region::cavity); }
 
-Json numbers_json(const std::vector<std::size_t>& patches) {
+/// Counted from 1.
+Json numbers_json(const std::vector<std::size_t>& numbers) {
   Json list = Json::array();
-  for (const std::size_t patch : patches) list.push_back(patch + 1);
+  for (const std::size_t number : numbers) list.push_back(number + 1);
   return list;
 }
 
@@ -69,7 +70,8 @@ Json action_json(const SideAction& action) {
           {"patches", numbers_json(action.patches)},
           {"area", action.area},
           {"side", side_name(action.core_side)},
-          {"clear_to", finite(action.clear_to)}};
+          {"clear_to", finite(action.clear_to)},
+          {"meets", numbers_json(action.meets)}};
 }
 
 std::string patches_text(const std::vector<std::size_t>& patches) {
@@ -80,7 +82,10 @@ std::string patches_text(const std::vector<std::size_t>& patches) {
   return patches.size() > k_most ? fmt::format("{} … {} in all", text, patches.size()) : text;
 }
 
-/// How far a pull may turn; a lifter's stroke, a thread's pitch, a ring's strain.
+/// Without the sign of what two decimals show as 0.
+double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value; }
+
+/// How far a pull may turn; a thread's pitch, a ring's strain.
 std::string freedom_text(const SideAction& action, const std::string& unit) {
   switch (action.kind) {
     case ActionKind::unscrew:
@@ -89,11 +94,26 @@ std::string freedom_text(const SideAction& action, const std::string& unit) {
       return fmt::format("strain {:.2f} %", 100.0 * action.about->strain);
     case ActionKind::insert:
       return "by hand";
-    case ActionKind::lifter:
-      return fmt::format("stroke {:.2f} {}", *action.stroke, unit);
     default:
-      return fmt::format("{:.2f} to {:.2f}°", action.interval.from_deg, action.interval.to_deg);
+      return fmt::format("{:.2f} to {:.2f}°", unsigned_zero(action.interval.from_deg),
+                         action.interval.to_deg);
   }
+}
+
+/// Pairs of slides that would meet, named as their rows are counted; nothing where there are none.
+std::string meetings_text(const ActionPlan& plan) {
+  constexpr std::size_t k_most = 6;
+  std::string pairs;
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    for (const std::size_t other : plan.actions[k].meets) {
+      if (other > k && ++number <= k_most)
+        pairs += fmt::format("{}{} and {}", number == 1 ? "" : ", ", k + 1, other + 1);
+    }
+  }
+  if (number == 0) return "";
+  return fmt::format("\nSlides would meet, since their ways cross: rows {}{}.\n", pairs,
+                     number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
 }  // namespace
@@ -128,13 +148,15 @@ std::string actions_table(const ActionsReport& report) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "side actions: {}\n", actions_text(plan));
   if (!plan.actions.empty()) {
-    fmt::format_to(out, "\n{:<9} {:>22} {:>17} {:>11} {:>11}  undercuts\n", "kind", "direction",
-                   "free to turn", "travel " + unit, "area " + area_unit);
+    fmt::format_to(out, "\n{:<9} {:>22} {:>17} {:>11} {:>11} {:>11}  undercuts\n", "kind", "direction",
+                   "free to turn", "travel " + unit, "stroke " + unit, "area " + area_unit);
     for (const SideAction& action : plan.actions) {
-      fmt::format_to(out, "{:<9} {:>22} {:>17} {:>11} {:>11}  {}\n", facts(action.kind).name,
+      fmt::format_to(out, "{:<9} {:>22} {:>17} {:>11} {:>11} {:>11}  {}\n", facts(action.kind).name,
                      direction_text(action.direction, 3), freedom_text(action, unit),
-                     lengths.text(action.travel), areas.text(action.area), patches_text(action.patches));
+                     lengths.text(action.travel), action.stroke ? lengths.text(*action.stroke) : "",
+                     areas.text(action.area), patches_text(action.patches));
     }
+    text += meetings_text(plan);
   }
   if (!plan.unreleased.empty())
     fmt::format_to(out, "\nNothing that was tried releases {} {} in {} undercuts: {}\n",

@@ -36,6 +36,8 @@ class PullFinder {
       : direction_(query.direction), settings_(settings), release_(model, query) {}
 
   [[nodiscard]] const Release& release() const { return release_; }
+  /// The parting direction.
+  [[nodiscard]] const glm::dvec3& direction() const { return direction_; }
 
   /// Slides; where there is none, such as lean; where there is none either, inclined ones; at last lifters.
   /// Or those of a kind alone.

@@ -25,6 +25,25 @@ constexpr double k_least_sine = 1e-7;  // of tau: walls of a file in single prec
 /// A part lies in a ball of diameter 1 in the unit frame.
 constexpr double k_across = 1.0;
 
+/// To both sides of 0, as long as `free` holds at an angle in degrees.
+template <typename Free>
+TurnInterval turn_while(const Free& free) {
+  const auto reach = [&](double sense) {
+    double good = 0.0, bad = 0.25;
+    while (free(sense * bad)) {
+      good = bad;
+      if (good >= 180.0) return 180.0;
+      bad = std::min(180.0, bad < k_step_deg ? 2.0 * bad : bad + k_step_deg);
+    }
+    while (bad - good > k_resolved_deg) {
+      const double middle = 0.5 * (good + bad);
+      (free(sense * middle) ? good : bad) = middle;
+    }
+    return good;
+  };
+  return {-reach(-1.0), reach(1.0)};
+}
+
 }  // namespace
 
 Release::Release(const PartModel& model, const ExactQuery& query)
@@ -54,17 +73,27 @@ double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull
   return gone;
 }
 
-bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) const {
-  const glm::dvec3 from = glm::dvec3(sample.position) + query_.lateral * sample.normal;
+int Release::depth(const glm::dvec3& from, const glm::dvec3& along) const {
   int depth = 0;
   double gone = 0.0;
   for (int crossings = 0; crossings < k_most_passed; ++crossings) {
-    const auto hit = model_.rays().first_hit(glm::vec3(from + gone * pull), glm::vec3(pull), false);
+    const auto hit = model_.rays().first_hit(glm::vec3(from + gone * along), glm::vec3(along), false);
     if (!hit) break;
     gone += static_cast<double>(hit->distance) + k_past;
-    depth += glm::dot(model_.geometry.normals[hit->facet], pull) > 0.0 ? 1 : -1;
+    depth += glm::dot(model_.geometry.normals[hit->facet], along) > 0.0 ? 1 : -1;
   }
-  return depth > 0;
+  return depth;
+}
+
+bool Release::is_covered(const UndercutSample& sample) const {
+  constexpr double k_off = 1e-5;
+  const glm::dvec3 from = glm::dvec3(sample.position) + k_off * sample.normal;
+  return depth(from, glm::normalize(glm::dvec3(0.31, 0.57, 0.76))) > 0 &&
+         depth(from, glm::normalize(glm::dvec3(-0.62, 0.41, -0.67))) > 0;
+}
+
+bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) const {
+  return depth(glm::dvec3(sample.position) + query_.lateral * sample.normal, pull) > 0;
 }
 
 double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
@@ -88,23 +117,27 @@ bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3
 
 TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                 const glm::dvec3& axis) const {
-  const auto reach = [&](double sense) {
-    const auto free = [&](double angle_deg) {
-      return releases(samples, turned_about(pull, axis, sense * angle_deg), k_never);
-    };
-    double good = 0.0, bad = 0.25;
-    while (free(bad)) {
-      good = bad;
-      if (good >= 180.0) return 180.0;
-      bad = std::min(180.0, bad < k_step_deg ? 2.0 * bad : bad + k_step_deg);
+  return turn_while(
+      [&](double angle_deg) { return releases(samples, turned_about(pull, axis, angle_deg), k_never); });
+}
+
+TurnInterval Release::lifter_turn(std::span<const UndercutSample> samples, const LifterWay& way,
+                                  const glm::dvec3& axis) const {
+  constexpr double k_longer = 1.1, k_rounding = 1e-6;
+  return turn_while([&](double angle_deg) {
+    const double cosine = std::cos(glm::radians(angle_deg));
+    LifterWay turned = way;
+    turned.pull = turned_about(way.pull, axis, angle_deg);
+    if (cosine * k_longer >= 1.0) {
+      turned.length = way.length / cosine + k_rounding;
+      if (clears(samples, turned)) return true;
     }
-    while (bad - good > k_resolved_deg) {
-      const double middle = 0.5 * (good + bad);
-      (free(middle) ? good : bad) = middle;
+    for (const double longer : {0.5 * (1.0 + k_longer), k_longer}) {
+      turned.length = longer * way.length;
+      if (clears(samples, turned)) return true;
     }
-    return good;
-  };
-  return {-reach(-1.0), reach(1.0)};
+    return false;
+  });
 }
 
 double Release::reach(const glm::dvec3& direction) const {
@@ -153,20 +186,22 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
   return beyond;
 }
 
+bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way) const {
+  double total = 0.0, blocked = 0.0;
+  for (const UndercutSample& sample : samples) total += sample.area;
+  for (const UndercutSample& sample : samples) {
+    if (clear(sample, way.pull, way.length, way.side) && free_length(sample, way.pull) >= way.length)
+      continue;
+    blocked += sample.area;
+    if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
+  }
+  return true;
+}
+
 std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                            const glm::dvec3& side, double most) const {
   constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
-  double total = 0.0;
-  for (const UndercutSample& sample : samples) total += sample.area;
-  const auto all_clear = [&](double length) {
-    double blocked = 0.0;
-    for (const UndercutSample& sample : samples) {
-      if (clear(sample, pull, length, side) && free_length(sample, pull) >= length) continue;
-      blocked += sample.area;
-      if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
-    }
-    return true;
-  };
+  const auto all_clear = [&](double length) { return clears(samples, {pull, side, length}); };
   double bad = 0.0;
   for (double good = k_first_step; good <= most; good *= k_growth) {
     if (!all_clear(good)) {

@@ -20,6 +20,12 @@ struct TurnInterval {
   [[nodiscard]] double middle_deg() const { return 0.5 * (from_deg + to_deg); }
 };
 
+/// Sideways by `length` along `pull`, then away along `side`; unit vectors.
+struct LifterWay {
+  glm::dvec3 pull, side;
+  double length = 0.0;  // share of the part's diagonal
+};
+
 /// Answers for one part and one parting direction by exact rays. Lengths are shares of the part's diagonal.
 /// Surface whose draft to a pull is less than tau neither needs to face it nor is in its way: within that
 /// tolerance it is parallel to it. Such a point is tested from beside it, by the lateral tolerance; one that
@@ -32,7 +38,10 @@ class Release {
   /// How far a point moves along `pull` (unit) before the part is in its way: 0 for one that faces against
   /// it, infinity for one that is never stopped.
   [[nodiscard]] double free_length(const UndercutSample& sample, const glm::dvec3& pull) const;
-  /// Whether it is inside the part: surface of a body that another one covers.
+  /// Whether it lies inside another body of the part, by what two rays cross; beside the surface by next to
+  /// nothing, since a gap may be narrower than the lateral tolerance.
+  [[nodiscard]] bool is_covered(const UndercutSample& sample) const;
+  /// Whether it is inside the part on its way along `pull`: surface of a body that another one covers.
   [[nodiscard]] bool covered(const UndercutSample& sample, const glm::dvec3& pull) const;
   /// Area of the samples that move at least so far.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
@@ -45,6 +54,11 @@ class Release {
   /// How far a released pull may turn about `axis` (unit) to either side and still release, to 1e-4 degrees.
   [[nodiscard]] TurnInterval free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                        const glm::dvec3& axis) const;
+
+  /// How far a lifter may turn about `axis` and still clear the samples by a travel of at most a tenth more:
+  /// by what turning alone adds to it, by half of the tenth, or by all of it. To 1e-4 degrees.
+  [[nodiscard]] TurnInterval lifter_turn(std::span<const UndercutSample> samples, const LifterWay& way,
+                                         const glm::dvec3& axis) const;
 
   /// How far the part reaches along a direction (unit), unit frame.
   [[nodiscard]] double reach(const glm::dvec3& direction) const;
@@ -59,6 +73,8 @@ class Release {
   /// and then halved to 1e-7.
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                     const glm::dvec3& side, double step) const;
+  /// Whether all but k_blocked_share of their area moves so far and is clear there; as releases().
+  [[nodiscard]] bool clears(std::span<const UndercutSample> samples, const LifterWay& way) const;
   /// The least length, up to `most`, at which all samples are clear at once and which they reach; none where
   /// there is no such length.
   [[nodiscard]] std::optional<double> first_clear(std::span<const UndercutSample> samples,
@@ -66,6 +82,8 @@ class Release {
                                                   double most) const;
 
  private:
+  /// How many bodies a point (unit frame) is in, by what a ray from it crosses.
+  [[nodiscard]] int depth(const glm::dvec3& from, const glm::dvec3& along) const;
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
 
   const PartModel& model_;

@@ -136,6 +136,17 @@ double met_share(const PartModel& model, std::span<const UndercutSample> samples
   return met / total;
 }
 
+/// So far that the samples have gone as far as they reach along the axis.
+ScrewMotion screw_out(const Reach& heights, const HelixFit& helix, bool core_side, const ExactQuery& query) {
+  return {.point = helix.point,
+          .axis = query.direction,
+          .advance = helix.advance,
+          .sense = core_side == (helix.advance > 0.0) ? 1.0 : -1.0,
+          .turn = std::min((heights.greatest - heights.least) / std::abs(helix.advance),
+                           k_most_turns * 2.0 * std::numbers::pi),
+          .off = std::max(query.lateral, k_play * 2.0 * std::numbers::pi * std::abs(helix.advance))};
+}
+
 }  // namespace
 
 std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const glm::dvec3& direction) {
@@ -202,13 +213,7 @@ std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface&
     // steeper.
     if (pitch < k_flattest * radii.greatest || pitch > k_steepest * radii.greatest) continue;
     for (const bool core_side : {true, false}) {
-      const ScrewMotion motion{.point = fit->point,
-                               .axis = query.direction,
-                               .advance = advance,
-                               .sense = core_side == (advance > 0.0) ? 1.0 : -1.0,
-                               .turn = std::min((heights.greatest - heights.least) / std::abs(advance),
-                                                k_most_turns * 2.0 * std::numbers::pi),
-                               .off = std::max(query.lateral, k_play * pitch)};
+      const ScrewMotion motion = screw_out(heights, {fit->point, advance}, core_side, query);
       if (met_share(model, samples, motion) > k_may_meet) continue;
       return Thread{.helix = {fit->point, advance},
                     .pitch = pitch,
@@ -217,6 +222,33 @@ std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface&
     }
   }
   return std::nullopt;
+}
+
+bool goes_with(const PartModel& model, const Thread& thread, const ThreadAndOther& samples,
+               const ExactQuery& query) {
+  constexpr double k_nearer = 0.1;  // to the axis, of the least radius, or farther
+  const Cylindrical about{map_frame(query.direction), thread.helix.point};
+  Reach radii;
+  const auto inward = [&](std::span<const UndercutSample> surface) {
+    double sum = 0.0;
+    for (const UndercutSample& sample : surface) {
+      const glm::dvec3 from = glm::dvec3(sample.position) - thread.helix.point;
+      sum -= sample.area * glm::dot(sample.normal, from - glm::dot(from, query.direction) * query.direction);
+    }
+    return sum;
+  };
+  for (const UndercutSample& sample : samples.thread) radii.take(about.radius(glm::dvec3(sample.position)));
+  const bool near = std::ranges::all_of(samples.other, [&](const UndercutSample& sample) {
+    const double radius = about.radius(glm::dvec3(sample.position));
+    return radius > (1.0 - k_nearer) * radii.least && radius < radii.greatest + k_nearer * radii.least;
+  });
+  if (!near || (inward(samples.thread) > 0.0) != (inward(samples.other) > 0.0)) return false;
+  Reach heights = reach_along(samples.thread, query.direction);
+  const Reach other = reach_along(samples.other, query.direction);
+  heights.take(other.least);
+  heights.take(other.greatest);
+  return met_share(model, samples.other, screw_out(heights, thread.helix, thread.core_side, query)) <=
+         k_may_meet;
 }
 
 std::optional<Ring> find_ring(const PartModel& model, const RevolvedSurface& surface,

@@ -43,6 +43,14 @@ struct Thread {
 [[nodiscard]] std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface& surface,
                                                 const ExactQuery& query);
 
+/// Whether another undercut is unscrewed with a thread: about as far from the axis as the thread, facing it
+/// as the thread does, and not in the part's way on the thread's motion.
+struct ThreadAndOther {
+  std::span<const UndercutSample> thread, other;
+};
+[[nodiscard]] bool goes_with(const PartModel& model, const Thread& thread, const ThreadAndOther& samples,
+                             const ExactQuery& query);
+
 /// A ring that goes all the way round.
 struct Ring {
   HelixFit axis;

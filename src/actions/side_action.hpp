@@ -27,9 +27,10 @@ struct Revolution {
 /// Lengths and areas are in the part's unit.
 struct SideAction {
   ActionKind kind = ActionKind::slide;
-  glm::dvec3 direction{1, 0, 0};     // unit
-  TurnInterval interval;             // to which the direction may turn about the parting direction
-  double travel = 0.0;               // with the clearance, for what moves straight
+  glm::dvec3 direction{1, 0, 0};  // unit
+  TurnInterval interval;  // to which the direction may turn about the parting direction; of a lifter if it
+                          // may travel a tenth more
+  double travel = 0.0;    // with the clearance, for what moves straight
   std::optional<double> stroke;      // of the ejector, for a lifter
   std::optional<Revolution> about;   // of what is unscrewed or stripped
   std::vector<std::size_t> patches;  // numbers among the undercuts, rising
@@ -37,6 +38,7 @@ struct SideAction {
   bool core_side = true;             // the half that it belongs to: the core's, along +d
   double clear_to =
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
+  std::vector<std::size_t> meets = {};          // of a slide: others whose ways cross its own, rising
 };
 
 /// An undercut and what was found out about it.

@@ -47,7 +47,7 @@ TEST_F(Actions, AreToldInJson) {
   ASSERT_EQ(json["actions"].size(), 1U);
   const auto& action = json["actions"][0];
   for (const char* key : {"kind", "direction", "interval_deg", "travel", "stroke", "axis", "pitch", "turns",
-                          "strain", "patches", "area", "side", "clear_to"})
+                          "strain", "patches", "area", "side", "clear_to", "meets"})
     EXPECT_TRUE(action.contains(key)) << key;
   EXPECT_EQ(action["kind"], "slide");
   EXPECT_TRUE(action["stroke"].is_null());

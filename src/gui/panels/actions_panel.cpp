@@ -56,6 +56,13 @@ std::string shared_text(const SideAction& action, std::size_t undercut) {
   return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
 }
 
+/// The slides that it would meet, by the undercuts that they release.
+std::string meetings_text(const ActionPlan& plan, const SideAction& action) {
+  std::vector<std::size_t> others;
+  for (const std::size_t other : action.meets) others.push_back(plan.actions[other].patches.front() + 1);
+  return others.empty() ? std::string() : fmt::format(" · meets the slide of {}", fmt::join(others, ", "));
+}
+
 /// What else there is to say of an action: a lifter's stroke, a thread's pitch, a ring's strain.
 std::string detail_text(const SideAction& action, const std::string& unit) {
   switch (action.kind) {
@@ -65,7 +72,8 @@ std::string detail_text(const SideAction& action, const std::string& unit) {
     case ActionKind::strip:
       return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
     case ActionKind::lifter:
-      return fmt::format("stroke {:.1f} {}", *action.stroke, unit);
+      return fmt::format("stroke {:.1f} {} · free {}", *action.stroke, unit,
+                         turn_text(action.interval.from_deg, action.interval.to_deg));
     case ActionKind::insert:
       return "taken off by hand";
     default:
@@ -174,10 +182,10 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   const std::string unit = length_unit(state.model->part);
   std::string tip = fmt::format("{} {}", figure(patch.undercut.area), powered_unit(state.model->part, 2));
   if (const SideAction* action = action_of(plan, undercut)) {
-    tip += fmt::format(" · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
-                       with_minus(short_direction_text(action->direction)), action->travel, unit,
-                       detail_text(*action, unit),
-                       shared_text(*action, undercut) + others_text(plan, undercut, *action));
+    tip += fmt::format(
+        " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
+        with_minus(short_direction_text(action->direction)), action->travel, unit, detail_text(*action, unit),
+        shared_text(*action, undercut) + others_text(plan, undercut, *action) + meetings_text(plan, *action));
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
   return tip + "\nClick to look at it and see its action move.";

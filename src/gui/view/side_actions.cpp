@@ -86,8 +86,7 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   if (const SideAction* action = chosen_action(state)) {
     if (!is_straight(*action)) return std::nullopt;
     arrow.direction = action->direction;
-    if (action->kind == ActionKind::slide || action->kind == ActionKind::inclined)
-      arrow.free = action->interval;
+    if (action->kind != ActionKind::insert) arrow.free = action->interval;
   } else {
     // Outward from the part's middle, as a hand would begin.
     const glm::dvec3& d = state.settings.direction.unit();

@@ -1,6 +1,7 @@
 // Parts whose undercuts are released in a way that is known in closed form.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include <glm/gtc/quaternion.hpp>
@@ -95,6 +96,23 @@ inline TriangleMesh block_with_cavity(const Loop2& profile, const glm::dvec2& si
   const double left = profile.front().x, right = profile.back().x;
   solid.face(box_face(low, high, 5),
              {{{left, 0, size.y}, {right, 0, size.y}, {right, length, size.y}, {left, length, size.y}}});
+  return solid.mesh();
+}
+
+/// A box open above, with a hook that sticks out by `length` from the middle of the wall at x = 2, 6 wide.
+inline TriangleMesh box_with_hook(double length) {
+  const glm::dvec3 low(0, 0, 0), high(40, 34, 20), in_low(2, 2, 2), in_high(38, 32, 20);
+  const glm::dvec3 hook_low(2, 14, 14), hook_high(2 + length, 20, 16);
+  SolidBuilder solid;
+  solid.box(low, high, {5});
+  solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
+  solid.box(in_low, in_high, {0, 5}, true);
+  test::Loop wall = box_face(in_low, in_high, 0);
+  std::ranges::reverse(wall);
+  test::Loop root = box_face(hook_low, hook_high, 0);
+  std::ranges::reverse(root);
+  solid.face(wall, {root});
+  solid.box(hook_low, hook_high, {0});
   return solid.mesh();
 }
 

@@ -137,6 +137,18 @@ TEST(SideAction, OfAClosedVoidIsNone) {
   EXPECT_NEAR(planned.plan.unreleased_area, 6.0 * 16.0, 1e-9);
 }
 
+/// What lies inside another body is released by nothing, however free the ways are that begin there.
+TEST(SideAction, OfWhatAnotherBodyCoversIsNone) {
+  SolidBuilder solid;
+  solid.extrude({{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 10}, {20, 10}, {20, 15}, {0, 15}}, {}, 30.0);
+  const Planned bare = plan_of(solid.mesh());
+  ASSERT_EQ(actions_text(bare.plan), "1 slide");
+  // A bar within the upper limb, through its ceiling of the groove into the lower one.
+  solid.box({12, 10, -2}, {16, 20, 12});
+  const Planned crossed = plan_of(solid.mesh());
+  EXPECT_GT(crossed.plan.unreleased_area, 3.9 * 9.9) << "where the bar stands on the groove's walls";
+}
+
 /// A hook sticks out of the wall at x = 2 over the whole width: a lifter moves out from under it by the
 /// hook's length.
 TEST(SideAction, UnderAHookInABoxIsALifter) {
@@ -189,6 +201,26 @@ TEST(SideAction, UnderAHookBehindASillIsALifterForTheRest) {
   }
   // Behind the sill: the floor, the wall up to its height, and the sill's back.
   EXPECT_NEAR(rest, 30.0 * (2.0 + 1.0 + 1.0), 10.0);
+}
+
+/// A hook over the whole width may turn by no more than the draft of the ends; one that stands alone until
+/// the way out from under it is a tenth longer.
+TEST(SideAction, ThatIsALifterTellsHowFarItMayTurn) {
+  constexpr double k_hook = 3.0;
+  const Loop2 profile = {{2, 20}, {2, 16}, {2 + k_hook, 16}, {2 + k_hook, 14},
+                         {2, 14}, {2, 2},  {38, 2},          {38, 20}};
+  const Planned wide = plan_of(block_with_cavity(profile, {40, 20}, 30.0));
+  ASSERT_EQ(actions_text(wide.plan), "1 lifter");
+  EXPECT_NEAR(wide.plan.actions[0].interval.from_deg, -k_tau_deg, 0.05);
+  EXPECT_NEAR(wide.plan.actions[0].interval.to_deg, k_tau_deg, 0.05);
+  // Through a window under it a lifter rises with the part; walls of the window bound nothing.
+  const Planned alone = plan_of(box_with_hook(k_hook));
+  ASSERT_EQ(actions_text(alone.plan), "1 lifter");
+  const SideAction& lifter = alone.plan.actions[0];
+  EXPECT_NEAR(lifter.travel, k_hook, 0.01);
+  const double tenth_deg = glm::degrees(std::acos(1.0 / 1.1));
+  EXPECT_NEAR(lifter.interval.to_deg, tenth_deg, 0.1);
+  EXPECT_NEAR(lifter.interval.from_deg, -tenth_deg, 0.1);
 }
 
 /// The slot's two undercut wings lie across from each other: each is a lifter that moves in by its overhang,

@@ -1,0 +1,52 @@
+// What the least set of side actions is chosen from: undercuts, whole or in parts, and what may release them.
+#pragma once
+
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "actions/pins.hpp"
+#include "actions/pull.hpp"
+
+namespace moldlight {
+
+/// An undercut, or a part of one that nothing releases whole, while actions are looked for.
+struct Atom {
+  std::size_t patch = 0;
+  std::vector<UndercutSample> samples;
+  std::vector<Pull> pulls = {};
+  bool whole = true;
+  const ActionPin* pin = nullptr;  // of its undercut
+  bool covered = false;            // by another body of the part: nothing releases it
+
+  [[nodiscard]] bool allows(ActionKind kind) const {
+    return !covered && (pin == nullptr || pin->allows(kind));
+  }
+  /// False where it is to be left as it is.
+  [[nodiscard]] bool wanted() const { return !covered && (pin == nullptr || pin->kind); }
+  /// The kind that alone may release it.
+  [[nodiscard]] std::optional<ActionKind> only() const { return pin == nullptr ? std::nullopt : pin->kind; }
+
+  /// The part's unit squared.
+  [[nodiscard]] double area() const {
+    return std::accumulate(samples.begin(), samples.end(), 0.0,
+                           [](double sum, const UndercutSample& sample) { return sum + sample.area; });
+  }
+};
+
+/// Atoms that one action may release.
+struct Column {
+  Pull pull;
+  std::vector<std::size_t> atoms;
+};
+
+/// Samples of several of them in one list.
+[[nodiscard]] inline std::vector<UndercutSample> samples_of(const std::vector<Atom>& atoms,
+                                                            const std::vector<std::size_t>& which) {
+  std::vector<UndercutSample> samples;
+  for (const std::size_t k : which)
+    samples.insert(samples.end(), atoms[k].samples.begin(), atoms[k].samples.end());
+  return samples;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,70 @@
+#include "actions/chosen_action.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <glm/trigonometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_corners = 64;        // deepest ones that a travel is found for
+constexpr std::size_t k_turned = 200;        // samples that tell how far a lifter may turn
+constexpr double k_fine_step = 1.0 / 512.0;  // of travels, share of the diagonal
+
+/// Where a travel is found: what lies farthest against the pull, and some of the rest.
+std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vector<Atom>& atoms,
+                                    const Column& column, const std::vector<UndercutSample>& samples,
+                                    const glm::dvec3& pull) {
+  const auto some = static_cast<std::ptrdiff_t>(std::min(samples.size(), 2 * k_corners));
+  std::vector<UndercutSample> chosen(samples.begin(), samples.begin() + some);
+  for (const std::size_t k : column.atoms) {
+    if (!atoms[k].whole) continue;
+    const auto corners = deepest_corners(context.model, context.split,
+                                         context.undercuts.patches[atoms[k].patch], pull, k_corners);
+    chosen.insert(chosen.end(), corners.begin(), corners.end());
+  }
+  return chosen;
+}
+
+}  // namespace
+
+SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms, const Column& column) {
+  const Release& release = context.pulls.release();
+  const double diagonal = context.model.frame.diagonal;
+  const std::vector<UndercutSample> samples = samples_of(atoms, column.atoms);
+  Pull pull = column.pull;
+  SideAction action;
+  for (const std::size_t k : column.atoms) {
+    action.patches.push_back(atoms[k].patch);
+    action.area += atoms[k].area();
+  }
+  std::ranges::sort(action.patches);
+  action.patches.erase(std::unique(action.patches.begin(), action.patches.end()), action.patches.end());
+  action.kind = pull.kind;
+  action.about = pull.about;
+  if (pull.kind == ActionKind::lifter) {
+    action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
+    double room = std::numeric_limits<double>::infinity();
+    for (const UndercutSample& sample : samples)
+      room = std::min(room, std::max(pull.travel, release.free_length(sample, pull.direction)));
+    action.clear_to = room * diagonal;
+    const glm::dvec3& axis = context.pulls.direction();
+    pull.interval = release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)),
+                                        {pull.direction, pull.core_side ? axis : -axis, pull.travel}, axis);
+  } else if (is_slide(pull.kind)) {
+    pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind);
+    context.pulls.set_travel(deepest(context, atoms, column, samples, pull.direction), k_fine_step, pull);
+  }
+  const double clearance = is_slide(pull.kind) ? context.settings.clearance_mm * context.unit_per_mm : 0.0;
+  action.travel = pull.travel * diagonal + clearance;
+  action.direction = pull.direction;
+  action.interval = pull.interval;
+  action.core_side = pull.core_side;
+  return action;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,94 @@
+#include "actions/sharing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+
+class Sharing {
+ public:
+  Sharing(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach)
+      : atoms_(atoms), pulls_(pulls), reach_(reach) {}
+
+  std::vector<Column> columns() const {
+    std::vector<Column> columns;
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      for (const Pull& pull : atoms_[k].pulls) {
+        if (is_slide(pull.kind)) add_shared(columns, k, pull);
+        if (!pull.for_sharing) columns.push_back({pull, {k}});
+      }
+    }
+    return columns;
+  }
+
+ private:
+  void add_shared(std::vector<Column>& columns, std::size_t first, Pull pull) const {
+    std::vector<std::size_t> group = {first};
+    for (std::size_t next = 0; next < group.size(); ++next) {
+      for (std::size_t k = 0; k < atoms_.size(); ++k) {
+        if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
+            !may_share(first, k) || !are_near(group[next], k, pull.direction) ||
+            !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))
+          continue;
+        group.push_back(k);
+        Pull its = pull;
+        pulls_.estimate_travel(atoms_[k].samples, its);
+        pull.travel = std::max(pull.travel, its.travel);
+      }
+    }
+    if (group.size() < 2) return;
+    std::ranges::sort(group);
+    columns.push_back({pull, std::move(group)});
+  }
+
+  /// Whether some of their own directions are near enough to each other.
+  [[nodiscard]] bool may_share(std::size_t a, std::size_t b) const {
+    const double least = std::cos(glm::radians(k_bundle_deg));
+    return std::ranges::any_of(atoms_[a].pulls, [&](const Pull& one) {
+      return std::ranges::any_of(atoms_[b].pulls, [&](const Pull& other) {
+        return !one.for_sharing && !other.for_sharing && glm::dot(one.direction, other.direction) >= least;
+      });
+    });
+  }
+
+  [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+    std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
+    for (const std::size_t which : {a, b}) {
+      const std::size_t side = which == a ? 0 : 1;
+      for (const UndercutSample& sample : atoms_[which].samples) {
+        const double at = glm::dot(glm::dvec3(sample.position), pull);
+        least[side] = std::min(least[side], at);
+        greatest[side] = std::max(greatest[side], at);
+      }
+    }
+    if (std::max(least[0] - greatest[1], least[1] - greatest[0]) > reach_.along) return false;
+    return std::ranges::any_of(atoms_[a].samples, [&](const UndercutSample& one) {
+      return std::ranges::any_of(atoms_[b].samples, [&](const UndercutSample& other) {
+        const glm::dvec3 between(one.position - other.position);
+        return glm::length(between - glm::dot(between, pull) * pull) <= reach_.across;
+      });
+    });
+  }
+
+  const std::vector<Atom>& atoms_;
+  const PullFinder& pulls_;
+  SharingReach reach_;
+};
+
+}  // namespace
+
+std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
+                                 const SharingReach& reach) {
+  return Sharing(atoms, pulls, reach).columns();
+}
+
+}  // namespace moldlight

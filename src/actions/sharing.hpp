@@ -1,0 +1,20 @@
+// Undercuts that one slide forms together.
+#pragma once
+
+#include <vector>
+
+#include "actions/atom.hpp"
+
+namespace moldlight {
+
+/// How near undercuts must be to share a slide; shares of the part's diagonal.
+struct SharingReach {
+  double across = 0.0, along = 0.0;  // its direction
+};
+
+/// For each pull of each atom the atom alone and, for slides, all that its direction releases as well and
+/// that are near it or near another one of them; if some of their own directions are within k_bundle_deg.
+[[nodiscard]] std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
+                                               const SharingReach& reach);
+
+}  // namespace moldlight
