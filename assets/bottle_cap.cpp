@@ -3,12 +3,13 @@
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepLib.hxx>
+#include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <GC_MakeArcOfCircle.hxx>
-#include <gp_Ax1.hxx>
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
 
 #include "demo_parts.hpp"
@@ -17,29 +18,31 @@
 namespace moldlight::demo {
 namespace {
 
-constexpr double k_outer_radius = 16.0, k_inner_radius = 13.6, k_height = 14.0;
-constexpr double k_degree = std::numbers::pi / 180.0;
+constexpr double k_outer_radius = 16.0, k_height = 14.0;
+/// The wall under the thread stands in as far as the thread does: a core that is unscrewed passes it.
+constexpr double k_root_radius = 13.6, k_seat_radius = 12.8, k_seat_height = 6.0;
+constexpr double k_pitch = 2.2, k_turns = 2.2, k_bead = 0.75;
+constexpr double k_bead_radius = k_root_radius + 0.05;  // of its middle line, about the cap's axis
 
-/// A third of a turn of thread: a round bead along the inner wall that climbs by tilting its plane, with
-/// round ends.
-std::vector<TopoDS_Shape> thread_bead(double from_deg, double z) {
-  constexpr double k_bead = 1.0, k_turn_deg = 100.0, k_tilt_deg = 3.0;
-  const double radius = k_inner_radius + 0.15;
-  const auto placed = [&](const TopoDS_Shape& shape) {
-    const double a = from_deg * k_degree, tilt = k_tilt_deg * k_degree;
-    // The plane of the bead leans about the radius at the bead's middle.
-    const double middle = a + 0.5 * k_turn_deg * k_degree;
-    const gp_Vec lean(std::sin(tilt) * std::sin(middle), -std::sin(tilt) * std::cos(middle), std::cos(tilt));
-    return moved(shape, gp_Pnt(0, 0, z), gp_Dir(lean), gp_Dir(std::cos(a), std::sin(a), 0.0));
-  };
-  const gp_Pnt start(radius, 0, 0);
-  const gp_Pnt end(radius * std::cos(k_turn_deg * k_degree), radius * std::sin(k_turn_deg * k_degree), 0);
-  const auto edge = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(start, gp_Dir(0, 1, 0)), k_bead)).Edge();
-  const auto section = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire()).Face();
-  const gp_Ax1 axis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
-  return {placed(BRepPrimAPI_MakeRevol(section, axis, k_turn_deg * k_degree).Shape()),
-          placed(BRepPrimAPI_MakeSphere(start, k_bead).Shape()),
-          placed(BRepPrimAPI_MakeSphere(end, k_bead).Shape())};
+/// A right-handed round bead along the inner wall. It rises out of the seat, on which no core stands in its
+/// way, and has a round end.
+std::vector<TopoDS_Shape> thread() {
+  const double from_z = k_seat_height - k_bead - 0.2, climb = k_pitch * k_turns;
+  const double turned = 2.0 * std::numbers::pi * k_turns;
+  const Handle(Geom_CylindricalSurface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), k_bead_radius);
+  const auto line = GCE2d_MakeSegment(gp_Pnt2d(0.0, from_z), gp_Pnt2d(turned, from_z + climb)).Value();
+  const auto helix = BRepBuilderAPI_MakeEdge(line, cylinder).Edge();
+  BRepLib::BuildCurves3d(helix);
+  const gp_Pnt start(k_bead_radius, 0, from_z);
+  const gp_Pnt end(k_bead_radius * std::cos(turned), k_bead_radius * std::sin(turned), from_z + climb);
+  const gp_Dir along(0.0, 2.0 * std::numbers::pi * k_bead_radius, k_pitch);
+  const auto section = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(start, along), k_bead)).Edge();
+  BRepOffsetAPI_MakePipeShell pipe(BRepBuilderAPI_MakeWire(helix).Wire());
+  pipe.SetMode(gp_Dir(0, 0, 1));
+  pipe.Add(BRepBuilderAPI_MakeWire(section).Wire());
+  pipe.Build();
+  pipe.MakeSolid();
+  return {pipe.Shape(), BRepPrimAPI_MakeSphere(end, k_bead).Shape()};
 }
 
 }  // namespace
@@ -55,14 +58,12 @@ TopoDS_Shape bottle_cap() {
   }
   body = cut(body, knurls);
   const TopoDS_Shape hollow =
-      rounded(pin(0, 0, 1.8, k_height + 1.0, k_inner_radius, 0.5), 0.8, edges_at_height(1.8));
-  body = cut(body, {hollow});
+      rounded(pin(0, 0, 1.8, k_seat_height + 1.0, k_seat_radius, 0.5), 0.8, edges_at_height(1.8));
+  body = cut(body, {hollow, pin(0, 0, k_seat_height, k_height + 1.0, k_root_radius, 0.5)});
 
   // A sealing ring on the inside of the top.
-  std::vector<TopoDS_Shape> added = {cut(pin(0, 0, 1.0, 4.6, 11.0, -2.0), {pin(0, 0, 0.5, 5.0, 9.6, 2.0)})};
-  for (const double from_deg : {10.0, 130.0, 250.0}) {
-    for (const TopoDS_Shape& bead : thread_bead(from_deg, 9.2)) added.push_back(bead);
-  }
+  std::vector<TopoDS_Shape> added = thread();
+  added.push_back(cut(pin(0, 0, 1.0, 4.6, 11.0, -2.0), {pin(0, 0, 0.5, 5.0, 9.6, 2.0)}));
   return fused(body, added);
 }
 

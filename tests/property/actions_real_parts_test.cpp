@@ -1,0 +1,115 @@
+// Side actions of real parts, and measurements of the parts that they must agree with.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <gtest/gtest.h>
+
+#include "actions/side_action.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight {
+namespace {
+
+struct RealPlan {
+  std::shared_ptr<const PartModel> model;
+  Classification result;
+  ActionPlan plan;
+};
+
+RealPlan plan_of(const std::filesystem::path& path, const ActionSettings& settings = {}) {
+  RealPlan real;
+  real.model = load_part(path.string(), {}, Progress());
+  Query query;
+  query.direction = glm::dvec3(0, 0, 1);
+  real.result = classify_exact(*real.model, query, Progress(), true);
+  real.plan = find_actions(*real.model, real.result, settings, Progress());
+  return real;
+}
+
+std::filesystem::path shipped(const char* name) { return test::asset_folder() / "parts" / name; }
+
+/// The advance of a thread's crest for a turn, from its corners alone: the median of what those between a
+/// 200th and a 60th of a turn apart, and hardly higher, rise. `radius` is the crest's about the middle of the
+/// part's box.
+double crest_pitch(const PartModel& model, double radius) {
+  const Bounds box = bounds(model.part.mesh);
+  const glm::dvec3 middle = 0.5 * (box.min + box.max);
+  std::vector<glm::dvec2> corners;  // turn and height
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) {
+    const glm::dvec3 from = vertex - middle;
+    if (std::abs(std::hypot(from.x, from.y) - radius) < 0.005 * radius)
+      corners.emplace_back(std::atan2(from.y, from.x) / (2.0 * std::numbers::pi), vertex.z);
+  }
+  std::vector<double> pitches;
+  for (const glm::dvec2& a : corners) {
+    for (const glm::dvec2& b : corners) {
+      const glm::dvec2 step = b - a;
+      if (step.x > 1.0 / 200.0 && step.x < 1.0 / 60.0 && std::abs(step.y) < 0.01 * radius)
+        pitches.push_back(step.y / step.x);
+    }
+  }
+  std::ranges::sort(pitches);
+  return pitches.empty() ? 0.0 : pitches[pitches.size() / 2];
+}
+
+TEST(RealParts, CapOfOursIsUnscrewedByThePitchItWasModelledWith) {
+  const RealPlan cap = plan_of(shipped("bottle_cap.stl"));
+  ASSERT_EQ(actions_text(cap.plan), "1 unscrewing core");
+  EXPECT_NEAR(cap.plan.actions[0].about->pitch, 2.2, 0.005 * 2.2) << "right-handed";
+  EXPECT_TRUE(cap.plan.unreleased.empty());
+  EXPECT_LT(std::hypot(cap.plan.actions[0].about->point.x, cap.plan.actions[0].about->point.y), 0.05);
+}
+
+TEST(RealParts, SharedCapIsUnscrewedByThePitchOfItsCrest) {
+  const auto shared = test::shared_folder();
+  if (!shared) GTEST_SKIP() << "the shared parts are not here";
+  const RealPlan cap = plan_of(*shared / "parts" / "screwcap_medical_bottle.stl");
+  ASSERT_EQ(actions_text(cap.plan), "1 unscrewing core");
+  const double pitch = cap.plan.actions[0].about->pitch;
+  EXPECT_NEAR(pitch, 4.2, 0.005 * 4.2);
+  EXPECT_NEAR(crest_pitch(*cap.model, 12.8), pitch, 0.01 * pitch) << "measured on the crest's corners";
+}
+
+/// The ring and the hole beside it are within the lengths of a slide: two slides, or three where none is
+/// shared.
+TEST(RealParts, ClipHasThreeSlidesOfWhichTwoAreOne) {
+  const RealPlan shared = plan_of(shipped("cable_clip.stl"));
+  EXPECT_EQ(shared.plan.patches.size(), 3U);
+  EXPECT_EQ(actions_text(shared.plan), "2 slides");
+  ActionSettings alone;
+  alone.bundle_across_mm = 0.0;
+  const RealPlan apart = plan_of(shipped("cable_clip.stl"), alone);
+  EXPECT_EQ(actions_text(apart.plan), "3 slides");
+  EXPECT_TRUE(apart.plan.unreleased.empty());
+}
+
+/// Between hook and wall a rib stands in the way of a lifter that goes along the wall.
+TEST(RealParts, LidsHooksAreFreedOutwardsRatherThanAlongTheWall) {
+  const RealPlan lid = plan_of(shipped("enclosure_lid.stl"));
+  const Release release(*lid.model, exact_query(*lid.model, lid.result.query()));
+  const double mm = 1.0 / lid.model->frame.diagonal;
+  ASSERT_EQ(lid.plan.patches.size(), 3U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Undercut& hook = lid.plan.patches[k].undercut;
+    const auto samples = sample_undercut(*lid.model, *lid.result.split, hook, 400);
+    const SideAction* action = action_of(lid.plan, k);
+    ASSERT_NE(action, nullptr);
+    EXPECT_EQ(action->kind, ActionKind::lifter);
+    EXPECT_NEAR(action->travel, 2.4, 0.01) << "how far the catch reaches out";
+    EXPECT_GT(release.cleared_area(samples, action->direction, {0, 0, 1}, action->travel * mm),
+              0.85 * hook.area);
+    for (double travel = 0.5; travel < 30.0; travel *= 1.05) {
+      for (const double sense : {-1.0, 1.0})
+        EXPECT_LT(release.cleared_area(samples, {sense, 0, 0}, {0, 0, 1}, travel * mm), 0.8 * hook.area)
+            << travel;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
