@@ -30,6 +30,23 @@ std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vec
   return chosen;
 }
 
+/// The least travel of a lifter at which the deepest corners are clear, too; as it is where that would be
+/// longer by more than a twentieth.
+double with_corners(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
+  constexpr double k_resolved = 1e-7;
+  double bad = way.length;
+  for (const double longer : {1.002, 1.01, 1.05}) {
+    double good = way.length = longer * bad;
+    if (!release.clears(samples, way)) continue;
+    while (good - bad > k_resolved) {
+      way.length = 0.5 * (good + bad);
+      (release.clears(samples, way) ? good : bad) = way.length;
+    }
+    return good;
+  }
+  return bad;
+}
+
 }  // namespace
 
 SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms, const Column& column) {
@@ -47,14 +64,17 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
   action.kind = pull.kind;
   action.about = pull.about;
   if (pull.kind == ActionKind::lifter) {
+    const glm::dvec3& axis = context.pulls.direction();
+    LifterWay way{pull.direction, pull.core_side ? axis : -axis, pull.travel};
+    way.length = pull.travel =
+        with_corners(release, deepest(context, atoms, column, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     double room = std::numeric_limits<double>::infinity();
     for (const UndercutSample& sample : samples)
       room = std::min(room, std::max(pull.travel, release.free_length(sample, pull.direction)));
     action.clear_to = room * diagonal;
-    const glm::dvec3& axis = context.pulls.direction();
-    pull.interval = release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)),
-                                        {pull.direction, pull.core_side ? axis : -axis, pull.travel}, axis);
+    pull.interval =
+        release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);
   } else if (is_slide(pull.kind)) {
     pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind);
     context.pulls.set_travel(deepest(context, atoms, column, samples, pull.direction), k_fine_step, pull);

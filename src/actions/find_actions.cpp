@@ -29,7 +29,7 @@ namespace {
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_samples = 6000.0;                              // over all undercuts
 constexpr double k_least_samples = 48.0, k_most_samples = 600.0;  // of one of them
-constexpr double k_narrow_cost = 2e-4;  // of a pull that may not turn at all, beside the weights
+constexpr double k_narrow_cost = 5e-4;  // of a pull that may not turn at all, beside the weights
 constexpr double k_travel_cost = 1e-3;  // of the diagonal, beside the weights
 constexpr double k_wish_gain = 0.05;    // of a direction of the user's own, off the weights
 constexpr double k_pin_reach = 0.02;    // of the diagonal, from a pin to its undercut

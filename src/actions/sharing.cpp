@@ -12,6 +12,7 @@ namespace moldlight {
 
 namespace {
 
+constexpr double k_same_cosine = 1.0 - 1e-9;
 constexpr double k_never = std::numeric_limits<double>::infinity();
 
 class Sharing {
@@ -36,7 +37,7 @@ class Sharing {
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (std::size_t k = 0; k < atoms_.size(); ++k) {
         if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
-            !may_share(first, k) || !are_near(group[next], k, pull.direction) ||
+            !may_share(first, k, pull.direction) || !are_near(group[next], k, pull.direction) ||
             !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))
           continue;
         group.push_back(k);
@@ -50,9 +51,15 @@ class Sharing {
     columns.push_back({pull, std::move(group)});
   }
 
-  /// Whether some of their own directions are near enough to each other.
-  [[nodiscard]] bool may_share(std::size_t a, std::size_t b) const {
+  /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this
+  /// very one.
+  [[nodiscard]] bool may_share(std::size_t a, std::size_t b, const glm::dvec3& direction) const {
     const double least = std::cos(glm::radians(k_bundle_deg));
+    const auto suggests = [&](const Atom& atom) {
+      return std::ranges::any_of(
+          atom.pulls, [&](const Pull& pull) { return glm::dot(pull.direction, direction) > k_same_cosine; });
+    };
+    if (suggests(atoms_[a]) && suggests(atoms_[b])) return true;
     return std::ranges::any_of(atoms_[a].pulls, [&](const Pull& one) {
       return std::ranges::any_of(atoms_[b].pulls, [&](const Pull& other) {
         return !one.for_sharing && !other.for_sharing && glm::dot(one.direction, other.direction) >= least;

@@ -13,7 +13,8 @@ struct SharingReach {
 };
 
 /// For each pull of each atom the atom alone and, for slides, all that its direction releases as well and
-/// that are near it or near another one of them; if some of their own directions are within k_bundle_deg.
+/// that are near it or near another one of them; if some of their own directions are within k_bundle_deg, or
+/// the shapes of both suggest the same one.
 [[nodiscard]] std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
                                                const SharingReach& reach);
 

@@ -41,18 +41,19 @@ struct Screw {
   double lead = 4.0;  // along the axis for a whole turn; negative: left-handed
   int starts = 1;
   double depth = 0.8;
+  int round = 48;  // facets for a turn
 };
 
 /// A tube with a thread of that lead inside, its flanks at about 40 degrees; the thread fades out at both
 /// ends. Facets follow the helix: a step round is a step up.
 TriangleMesh nut(const Screw& screw) {
-  constexpr int k_round = 48;
+  const int round = screw.round;
   constexpr double k_bore = 8.0, k_outer = 14.0, k_height = 16.0;
-  const double rise = std::abs(screw.lead) / k_round;
+  const double rise = std::abs(screw.lead) / round;
   const int levels = static_cast<int>(std::lround(k_height / rise));
   const double sense = screw.lead > 0.0 ? 1.0 : -1.0;
   const auto corner = [&](int i, int level) {
-    const double turn = static_cast<double>(i) / k_round, z = rise * level;
+    const double turn = static_cast<double>(i) / round, z = rise * level;
     const double phase = screw.starts * (z / std::abs(screw.lead) - sense * turn);
     const double tooth = std::abs(2.0 * (phase - std::floor(phase + 0.5)));
     const double ends = std::min({1.0, z / 3.0, (k_height - z) / 3.0});
@@ -62,12 +63,12 @@ TriangleMesh nut(const Screw& screw) {
   };
   SolidBuilder solid;
   Loop low, high;
-  for (int i = 0; i < k_round; ++i) {
+  for (int i = 0; i < round; ++i) {
     low.push_back(corner(i, 0));
     high.push_back(corner(i, levels));
     for (int level = 0; level < levels; ++level) {
-      const glm::dvec3 a = corner(i, level), b = corner((i + 1) % k_round, level),
-                       c = corner((i + 1) % k_round, level + 1), d = corner(i, level + 1);
+      const glm::dvec3 a = corner(i, level), b = corner((i + 1) % round, level),
+                       c = corner((i + 1) % round, level + 1), d = corner(i, level + 1);
       // Seen from the bore; the diagonal along the helix.
       if (sense > 0.0) {
         solid.face({a, c, b});
@@ -78,7 +79,7 @@ TriangleMesh nut(const Screw& screw) {
       }
     }
   }
-  const Loop2 outer = regular_polygon(k_round, k_outer);
+  const Loop2 outer = regular_polygon(round, k_outer);
   solid.walls(at_height(outer, 0.0), at_height(outer, rise * levels));
   Loop2 down(outer.rbegin(), outer.rend());
   solid.face(at_height(down, 0.0), {low});
@@ -102,6 +103,30 @@ TEST(Thread, IsUnscrewedByItsPitch) {
     EXPECT_LT(glm::length(off), 0.05) << "the axis goes through the origin";
     EXPECT_GT(action.about->turns, 0.5);
     EXPECT_NEAR(action.about->turns * std::abs(action.about->pitch), action.travel, 1e-9);
+  }
+}
+
+TEST(Thread, IsUnscrewedInAnySizeAndPlace) {
+  test::Random random(5);
+  for (int k = 0; k < 10; ++k) {
+    Screw screw{.lead = random.between(2.0, 5.0) * (random.chance(0.5) ? 1.0 : -1.0),
+                .starts = static_cast<int>(1 + random.below(2)),
+                .depth = random.between(0.5, 1.0),
+                .round = static_cast<int>(36 + random.below(40))};
+    screw.lead *= screw.starts;
+    constexpr double k_scales[] = {1e-3, 1.0, 1e3};
+    const double scale = k_scales[random.below(3)];
+    const glm::dvec3 offset = random.in_cube(1e4);
+    const ActionPlan plan = plan_of(test::scaled(test::translated(nut(screw), offset), scale), {0, 0, 1});
+    SCOPED_TRACE(::testing::Message()
+                 << k << ": lead " << screw.lead << ", starts " << screw.starts << ", depth " << screw.depth
+                 << ", " << screw.round << " sides, scale " << scale);
+    ASSERT_FALSE(plan.actions.empty());
+    const SideAction& action = plan.actions.front();
+    ASSERT_EQ(action.kind, ActionKind::unscrew);
+    EXPECT_NEAR(action.about->pitch, screw.lead * scale, 0.005 * std::abs(screw.lead) * scale);
+    const glm::dvec3 off = action.about->point / scale - offset;
+    EXPECT_LT(std::hypot(off.x, off.y), 0.05);
   }
 }
 
