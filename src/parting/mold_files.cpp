@@ -108,9 +108,7 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
   };
   const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
   std::optional<glm::dvec3> open_at;
-  const auto in_part = [&](const glm::dvec3& at) {
-    return part_frame ? at / halves.scale : halves.centre + halves.frame.to_part(at) / halves.scale;
-  };
+  const auto in_part = [&](const glm::dvec3& at) { return place_in_part(halves, mold, at); };
   const auto add = [&](const std::string& name, const MoldBody& body, const glm::dvec3& pull) {
     WrittenBody written{.name = name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
     tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
@@ -154,6 +152,10 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
 }
 
 }  // namespace
+
+glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold, const glm::dvec3& at) {
+  return mold.part_frame ? at / halves.scale : halves.centre + halves.frame.to_part(at) / halves.scale;
+}
 
 WrittenMold written_mold(const MoldHalves& halves) {
   WrittenMold mold;

@@ -31,6 +31,10 @@ struct WrittenMold {
 };
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 
+/// Where in the part's coordinates, without the shrinkage, a point of the files is.
+[[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,
+                                       const glm::dvec3& at);
+
 /// Writes each body to <folder>/<name>.stl, making the folder, and with `as_3mf` all of them to
 /// <folder>/mold.3mf. Inserts of a former run that are no more go. Throws FileError.
 void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold);

@@ -195,15 +195,16 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
 }
 
 /// Facets that cross others.
-std::size_t crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
+std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
   const UnitFrame frame = unit_frame(bounds(mesh));
   std::vector<glm::dvec3> positions;
   for (const glm::dvec3& vertex : mesh.vertices)
     positions.push_back((vertex - frame.center) / frame.diagonal);
   const FacetEncounters met = facet_encounters(mesh, positions, facet_geometry(mesh).normals, progress);
-  std::size_t crossed = 0;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet)
-    crossed += met.crossings.of(facet).empty() ? 0 : 1;
+  std::vector<FacetIndex> crossed;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    if (!met.crossings.of(facet).empty()) crossed.push_back(facet);
+  }
   return crossed;
 }
 
@@ -321,7 +322,10 @@ std::optional<MoldFault> try_halves(const SplitMesh& split, const PartModel& mod
   }
   for (std::size_t k = 0; k < 2; ++k) {
     MoldBody& half = k == 0 ? halves.core : halves.cavity;
-    half.crossed_facets = crossed_facets(written.bodies[k].mesh, progress);
+    const TriangleMesh& mesh = written.bodies[k].mesh;
+    const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+    half.crossed_facets = crossed.size();
+    if (!crossed.empty()) half.crossed_at = place_in_part(halves, written, mesh.corner(crossed.front(), 0));
     half.crowded_edges = written.bodies[k].crowded_edges;
     half.leaning = written.bodies[k].leaning;
   }

@@ -24,6 +24,7 @@ struct MoldBody {
   // Of a half, in single precision: by rounding.
   std::size_t crowded_edges = 0;  // in which it touches itself
   std::size_t crossed_facets = 0;
+  std::optional<glm::dvec3> crossed_at = {};  // one of these, in the part's coordinates
   double leaning = 0.0;  // share of its area that leans along its pull by more than 0.01 degrees
 };
 

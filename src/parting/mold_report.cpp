@@ -81,6 +81,7 @@ Json half_json(const WrittenBody& written, const MoldBody& body) {
   Json json = body_json(written);
   json["undercut"] = written.undercut;
   json["crossed_facets"] = body.crossed_facets;
+  json["crossed_at"] = body.crossed_at ? point_json(*body.crossed_at) : Json();
   return json;
 }
 
@@ -196,10 +197,15 @@ std::string halves_table(const MoldReport& report) {
                    volume_unit, share_text(halves.insert_volume, halves.part_volume));
   }
   if (report.plan != nullptr) text += insert_actions_text(report);
-  if (halves.blemishes() > 0)
-    fmt::format_to(out, "          {} facets cross others by rounding; in {} edges a half touches itself\n",
-                   halves.core.crossed_facets + halves.cavity.crossed_facets,
-                   halves.core.crowded_edges + halves.cavity.crowded_edges);
+  const std::size_t crossed = halves.core.crossed_facets + halves.cavity.crossed_facets,
+                    touching = halves.core.crowded_edges + halves.cavity.crowded_edges;
+  if (crossed > 0) {
+    const auto& place = halves.core.crossed_at ? halves.core.crossed_at : halves.cavity.crossed_at;
+    fmt::format_to(out, "          {} facets cross others by rounding, some near {}\n", crossed,
+                   figures(*place, report.model.frame.diagonal));
+  }
+  if (touching > 0)
+    fmt::format_to(out, "          a half touches itself in {} edge{}\n", touching, touching == 1 ? "" : "s");
   for (const WrittenBody& body : written.bodies) {
     if (!body.file.empty()) fmt::format_to(out, "          {}\n", body.file);
   }

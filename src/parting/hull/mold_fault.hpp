@@ -19,7 +19,7 @@ inline constexpr const char* k_mend_surface =
     "mend the surface there (--repair full), or take one of the part's bodies (--body)";
 /// What helps where rounding is.
 inline constexpr const char* k_avoid_rounding =
-    "make facets there larger or the part coarser (--repair full drops needles), or turn the direction a "
-    "little";
+    "make facets there larger or the part coarser (--repair full drops needles), take one of its bodies "
+    "(--body), or turn the direction a little";
 
 }  // namespace moldlight
