@@ -23,11 +23,11 @@ class LineSmoother {
     std::span<const std::uint32_t> edges;
   };
 
-  /// Where the loop's vertices go. A point moves where both of its edges are no creases, no farther than the
-  /// pieces around it, and only if it and points between it and its neighbours are on free pieces, nearer to
-  /// them than to others, and no farther off them than a ten-thousandth of the diagonal beyond what the
-  /// mesh's own edges are; and if length plus three times the climb of its edges becomes less. All of them
-  /// stay where they are if nothing of note is gained.
+  /// Where the loop's vertices go. A point moves where neither of its edges is a crease, over free pieces
+  /// around its vertex and those next to them, if length plus three times the climb of its edges becomes
+  /// less, and if points between it and its neighbours, too, are nearer to free pieces than to others and no
+  /// farther off them than a ten-thousandth of the diagonal. All stay where they are if nothing of note is
+  /// gained.
   [[nodiscard]] std::vector<glm::dvec3> smoothed(const Loop& loop) const;
 
  private:

@@ -42,6 +42,9 @@ constexpr double k_speck_thickness = 0.5 / 2048.0;
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
                    k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
 
+/// Facets with a smaller height, as a share of the diagonal, are told of as needles.
+constexpr double k_needle = 1e-7;
+
 using Facets = std::vector<std::array<SheetVertex, 3>>;
 
 /// Least height of the triangle as seen along z.
@@ -194,6 +197,25 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
   return place;
 }
 
+/// Counts facets whose least height is below `thinnest`; a corner of the longest of them.
+std::optional<glm::dvec3> count_needles(const TriangleMesh& mesh, double thinnest, std::size_t& needles) {
+  std::optional<glm::dvec3> place;
+  double most = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::distance(mesh.corner(facet, k), mesh.corner(facet, (k + 1) % 3)));
+    const double twice_area = glm::length(glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
+                                                     mesh.corner(facet, 2) - mesh.corner(facet, 0)));
+    if (twice_area >= thinnest * longest) continue;
+    ++needles;
+    if (longest <= most) continue;
+    most = longest;
+    place = mesh.corner(facet, 0);
+  }
+  return place;
+}
+
 /// Facets that cross others.
 std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
   const UnitFrame frame = unit_frame(bounds(mesh));
@@ -326,6 +348,8 @@ std::optional<MoldFault> try_halves(const SplitMesh& split, const PartModel& mod
     const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
     half.crossed_facets = crossed.size();
     if (!crossed.empty()) half.crossed_at = place_in_part(halves, written, mesh.corner(crossed.front(), 0));
+    if (const auto place = count_needles(mesh, k_needle * scale, half.needles))
+      half.needle_at = place_in_part(halves, written, *place);
     half.crowded_edges = written.bodies[k].crowded_edges;
     half.leaning = written.bodies[k].leaning;
   }

@@ -25,6 +25,8 @@ struct MoldBody {
   std::size_t crowded_edges = 0;  // in which it touches itself
   std::size_t crossed_facets = 0;
   std::optional<glm::dvec3> crossed_at = {};  // one of these, in the part's coordinates
+  std::size_t needles = 0;                    // facets thinner than a ten-millionth of the part's diagonal
+  std::optional<glm::dvec3> needle_at = {};   // the longest of these, in the part's coordinates
   double leaning = 0.0;  // share of its area that leans along its pull by more than 0.01 degrees
 };
 

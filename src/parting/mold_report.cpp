@@ -82,6 +82,8 @@ Json half_json(const WrittenBody& written, const MoldBody& body) {
   json["undercut"] = written.undercut;
   json["crossed_facets"] = body.crossed_facets;
   json["crossed_at"] = body.crossed_at ? point_json(*body.crossed_at) : Json();
+  json["needles"] = body.needles;
+  json["needle_at"] = body.needle_at ? point_json(*body.needle_at) : Json();
   return json;
 }
 
@@ -202,6 +204,12 @@ std::string halves_table(const MoldReport& report) {
   if (crossed > 0) {
     const auto& place = halves.core.crossed_at ? halves.core.crossed_at : halves.cavity.crossed_at;
     fmt::format_to(out, "          {} facets cross others by rounding, some near {}\n", crossed,
+                   figures(*place, report.model.frame.diagonal));
+  }
+  if (const std::size_t needles = halves.core.needles + halves.cavity.needles; needles > 0) {
+    const auto& place = halves.core.needle_at ? halves.core.needle_at : halves.cavity.needle_at;
+    fmt::format_to(out, "          {} facet{} thinner than {}, the longest near {}\n", needles,
+                   needles == 1 ? " is" : "s are", error_text(1e-7 * report.model.frame.diagonal),
                    figures(*place, report.model.frame.diagonal));
   }
   if (touching > 0)

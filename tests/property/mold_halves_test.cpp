@@ -72,7 +72,7 @@ MoldHalves halves_of(const PartModel& model, const glm::dvec3& d) {
 }
 
 struct Tally {
-  std::size_t rows = 0, made = 0, touching = 0, crossed = 0, steep = 0;
+  std::size_t rows = 0, made = 0, touching = 0, crossed = 0, steep = 0, needles = 0, facets = 0;
   double worst_gap = 0.0, worst_undercut = 0.0;
   std::vector<double> times_ms;
   std::map<std::string, std::size_t> refusals;
@@ -100,8 +100,18 @@ std::size_t edges_not_of_two(const TriangleMesh& mesh) {
   return others;
 }
 
-void check_bodies(const MoldHalves& halves, const WrittenMold& written, const std::string& name,
-                  Tally& tally) {
+std::size_t needles_of(const TriangleMesh& mesh, double thinnest) {
+  std::size_t needles = 0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const glm::dvec3 &a = mesh.corner(facet, 0), &b = mesh.corner(facet, 1), &c = mesh.corner(facet, 2);
+    const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    needles += glm::length(glm::cross(b - a, c - a)) < thinnest * longest ? 1 : 0;
+  }
+  return needles;
+}
+
+void check_bodies(const MoldHalves& halves, const WrittenMold& written, double diagonal,
+                  const std::string& name, Tally& tally) {
   const glm::dvec3 up = written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);
   bool touches = false;
   for (std::size_t k = 0; k < written.bodies.size(); ++k) {
@@ -112,6 +122,10 @@ void check_bodies(const MoldHalves& halves, const WrittenMold& written, const st
     touches = touches || body.crowded_edges > 0;
     EXPECT_LE(body.undercut, 1e-8) << name << " " << body.name;
     EXPECT_NEAR(signed_volume(body.mesh) / body.volume, 1.0, 1e-4) << name << " " << body.name;
+    const std::size_t needles = needles_of(body.mesh, 1e-7 * halves.scale * diagonal);
+    EXPECT_EQ(needles, (k == 0 ? halves.core : halves.cavity).needles) << name << " " << body.name;
+    tally.needles += needles;
+    tally.facets += body.mesh.facets.size();
     const double undercut = test::undercut_share(body.mesh, k == 0 ? up : -up, 0.01);
     tally.worst_undercut = std::max(tally.worst_undercut, undercut);
     EXPECT_LE(undercut, 1e-6) << name << " " << body.name;
@@ -141,7 +155,7 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
       tally.worst_gap = std::max(tally.worst_gap, std::abs(halves.volume_gap));
       tally.crossed += halves.core.crossed_facets + halves.cavity.crossed_facets > 0 ? 1 : 0;
       tally.steep += halves.steepest_deg > 60.01 ? 1 : 0;
-      check_bodies(halves, written, name, tally);
+      check_bodies(halves, written, model->frame.diagonal, name, tally);
     }
   }
   std::cout << fmt::format(
@@ -154,6 +168,8 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
       "ms\n",
       tally.rows, tally.made, tally.touching, tally.crossed, tally.steep, tally.worst_gap,
       tally.worst_undercut, median(tally.times_ms), *std::ranges::max_element(tally.times_ms));
+  std::cout << fmt::format("{} of {} facets are needles\n", tally.needles, tally.facets);
+  EXPECT_LE(100 * tally.needles, tally.facets);
   for (const auto& [refusal, count] : tally.refusals) std::cout << "refused: " << refusal << "\n";
   EXPECT_GE(tally.made * 100, tally.rows * 97);
 }
