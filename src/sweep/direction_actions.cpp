@@ -20,7 +20,8 @@ constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are de
 }  // namespace
 
 DirectionActions direction_actions(const ActionPlan& plan) {
-  DirectionActions found{.text = actions_text(plan), .unreleased_area = plan.unreleased_area};
+  DirectionActions found{
+      .text = actions_text(plan), .patches = plan.patches.size(), .unreleased_area = plan.unreleased_area};
   // By kinds, so that the same set has the same weight in whatever order it is found.
   std::array<std::size_t, k_action_kinds> counts{};
   for (const SideAction& action : plan.actions) {

@@ -56,9 +56,14 @@ constexpr DirectionFigure k_figures[] = {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
-    {"patches", "undercuts", FigureKind::count, "Connected patches of undercut surface, specks left out.",
+    {"patches", "undercuts", FigureKind::count,
+     "Connected patches of undercut surface, specks left out; as side actions count them where they are "
+     "found.",
      Use{.objective = true, .brief = true, .yields = true},
-     [](const Facts& f) { return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt; }},
+     [](const Facts& f) {
+       if (f.actions != nullptr) return Found(static_cast<double>(f.actions->patches));
+       return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt;
+     }},
     {"parting_climb", "climb", FigureKind::length,
      "How far the parting line climbs along the direction, shut-offs counted.",
      Use{.objective = true, .column = false},

@@ -83,7 +83,8 @@ RankedFigures DirectionRating::ranked(const Candidate& candidate, const Directio
           .value_uncertainty = weight_of_undercut(objective) * undercut_uncertainty / measure_.area,
           .undercut = facts.classification.areas[Region::undercut],
           .undercut_uncertainty = undercut_uncertainty,
-          .patches = static_cast<double>(facts.patches.value_or(0)),
+          .patches = static_cast<double>(facts.actions != nullptr ? facts.actions->patches
+                                                                  : facts.patches.value_or(0)),
           .draw_depth = facts.draw_depth,
           .projected_area = facts.classification.shadow_area,
           .actions = facts.actions != nullptr ? facts.actions->weight + unreleased_penalty(facts) : 0.0,

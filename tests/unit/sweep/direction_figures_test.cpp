@@ -104,11 +104,14 @@ TEST_F(OfABox, AnObjectiveIsASumOfShares) {
 TEST_F(OfABox, SideActionsAreToldInWordsOnceTheyAreFound) {
   for (const char* key : {"side_actions", "travel", "unreleased_area"}) EXPECT_EQ(text(key, facts()), "-");
   const DirectionActions found{
-      .text = "2 slides, 1 lifter", .weight = 3.2, .travel = 12.5, .unreleased_area = 0.25};
+      .text = "2 slides, 1 lifter", .patches = 4, .weight = 3.2, .travel = 12.5, .unreleased_area = 0.25};
   DirectionFacts known = facts();
   known.measured = true;
+  known.patches = 7;
+  EXPECT_EQ(text("patches", known), "7");
   known.actions = &found;
   EXPECT_EQ(text("side_actions", known), "2 slides, 1 lifter");
+  EXPECT_EQ(text("patches", known), "4") << "as the list of side actions counts them";
   EXPECT_EQ(text("travel", known), "12.500");
   EXPECT_EQ(text("unreleased_area", known), "0.250");
 }
