@@ -1,6 +1,7 @@
 #version 330 core
 // A line with a soft border of one pixel. OPENED: only over the surface that it has been moved with. OVER: over a
-// finished picture, paler where surface hides it.
+// finished picture, paler where surface hides it. TUBE: how deep in it, 0 at its rim and 1 in its middle, in the channels of
+// u_colour that are for seen lines (first and third) or hidden ones.
 uniform float u_half_width_px;  // with the soft border
 uniform vec4 u_colour;          // sRGB and opacity
 noperspective in float v_across;
@@ -18,13 +19,20 @@ uniform float u_slack;  // how far a line may lie before the surface, unit frame
 #endif
 #ifdef OVER
 uniform sampler2D t_depth;
+#ifndef TUBE
 uniform float u_hidden;  // share of the opacity that is left
+#endif
 #endif
 
 void main() {
   float cover = clamp(u_half_width_px - abs(v_across), 0.0, 1.0);
 #ifdef OVER
-  if (gl_FragCoord.z > texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).r) cover *= u_hidden;
+  bool hidden = gl_FragCoord.z > texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).r;
+#ifdef TUBE
+  float deep = clamp(1.0 - abs(v_across) / u_half_width_px, 0.0, 1.0);
+#else
+  if (hidden) cover *= u_hidden;
+#endif
 #endif
 #ifdef OPENED
   uvec2 surface = texelFetch(t_surface, ivec2(gl_FragCoord.xy), 0).rg;
@@ -34,5 +42,9 @@ void main() {
   vec4 clip = u_clip_from_unit * vec4(on_surface, 1.0);
   if (eye_distance(0.5 + 0.5 * clip.z / clip.w) - eye_distance(gl_FragCoord.z) > u_slack) discard;
 #endif
+#ifdef TUBE
+  o_colour = u_colour * deep * (hidden ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 1.0, 0.0));
+#else
   o_colour = vec4(u_colour.rgb, u_colour.a * cover);
+#endif
 }

@@ -18,7 +18,7 @@ uniform vec3 u_block_colour;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec2 surface = texelFetch(t_surface, at, 0).rg;
-  bool marked = surface.x != 0u && !surface_is_cut(surface);
+  bool marked = surface.x != 0u && !surface_is_other(surface);
   vec4 mark = vec4(0.0);
   if (u_glow > 0.0 && texelFetch(t_accessible, at, 0).r == 0u) mark = vec4(1.0, 0.85, 0.8, 0.45 * u_glow);
 #ifdef FACES

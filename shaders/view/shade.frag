@@ -2,7 +2,7 @@
 // Regions, colour and light of the visible fragments. KNOWN: the geometry pass knows the regions already. PLAIN: none
 // are wanted. LOOK_UP: the shadow maps are looked up, once a fragment. COMPARED: marks where exact regions and those of
 // the maps differ; one of the two is known, the other one looked up or part of the split surface. DETAIL: what is not
-// always wanted, such as draft colours, facet edges, level lines, the cut of a section and an opened mold.
+// always wanted, such as draft colours, facet edges, level lines, the cut of a section, an opened mold and its steel.
 #include "view/light.glsl"
 #include "view/surface_bits.glsl"
 uniform usampler2D t_surface;
@@ -13,7 +13,7 @@ uniform vec3 u_eye_up;
 uniform vec3 u_eye_back;
 uniform vec2 u_hatch_origin;  // a point that goes with the scene, px
 uniform vec2 u_hatch;         // pitch and strength; 0: none
-uniform float u_transparency;
+uniform vec3 u_opacity;       // of the part, of its undercuts, of a mold's steel
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_accessible;  // bits
 #if defined(DETAIL) || defined(LOOK_UP)
@@ -45,7 +45,9 @@ float stripes(vec2 at, float pitch, float gap) {
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec2 surface = texelFetch(t_surface, at, 0).rg;
-  uint facet = surface_facet(surface);
+  bool other = surface_is_other(surface);
+  uint number = other ? surface_number(surface) : 0u;
+  uint facet = other ? 0u : surface_facet(surface);  // 0 stands for what no shader is to ask
 #if defined(PLAIN)
   uint bits = 3u;
 #elif defined(KNOWN)
@@ -53,8 +55,7 @@ void main() {
 #else
   uint bits = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
 #endif
-  bool cut = surface_is_cut(surface);
-  if (cut) bits = 3u;
+  if (other) bits = 3u;
   o_accessible = bits;
   bool back = surface_shows_back(surface);
   vec3 n = surface_normal(surface);
@@ -66,17 +67,17 @@ void main() {
   if (bits == 0u) hatch = u_hatch.y * stripes(from_origin, u_hatch.x, 0.58);
 #endif
 #ifdef DETAIL
-  detail(gl_FragCoord.xy, facet, bits, cut, albedo, hatch);
+  detail(surface, facet, bits, albedo, hatch);
 #endif
 #ifdef COMPARED
 #if defined(KNOWN) && defined(LOOK_UP) && defined(DETAIL)
-  uint other = looked_up(gl_FragCoord.xy, facet, shift_of(bits));
+  uint compared = looked_up(gl_FragCoord.xy, facet, shift_of(bits));
 #elif defined(KNOWN) && defined(LOOK_UP)
-  uint other = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
+  uint compared = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
 #else
-  uint other = surface_exact(surface);
+  uint compared = surface_exact(surface);
 #endif
-  if (other != bits && !cut) {
+  if (compared != bits && !other) {
     // Between the stripes too, so that slivers narrower than the stripes show.
     albedo = mix(albedo, u_difference_colour, mix(0.45, 1.0, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.5)));
     hatch = 0.0;
@@ -85,5 +86,8 @@ void main() {
   n = back ? -n : n;
   vec3 seen = vec3(dot(n, u_eye_right), dot(n, u_eye_up), dot(n, u_eye_back));
   albedo *= (back ? 0.45 : 1.0) * (1.0 - hatch);
-  o_colour = vec4(sqrt(lit(albedo, seen, openness)), bits == 0u ? 1.0 : 1.0 - u_transparency);
+  // A cut is solid: it hides more.
+  float steel = number_is_cut(number) ? mix(u_opacity.z, 1.0, 0.5) : u_opacity.z;
+  float opacity = number_is_steel(number) ? steel : bits == 0u ? u_opacity.y : u_opacity.x;
+  o_colour = vec4(sqrt(lit(albedo, seen, openness)), opacity);
 }

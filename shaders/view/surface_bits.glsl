@@ -1,5 +1,5 @@
-// A visible fragment in two words. First: facet + 1 (0: background); bit 28 set if it is the cut of a section, which
-// belongs to no facet; from bit 29 on the accessibility bits of the split surface; top bit set if its back is seen. Second: the smooth normal in 15 + 15 bits, and the accessibility bits
+// A visible fragment in two words. First: facet + 1 (0: background); bit 28 set if it belongs to no facet: the
+// cut of a section, the steel of a mold; from bit 29 on the accessibility bits of the split surface; top bit set if its back is seen. Second: the smooth normal in 15 + 15 bits, and the accessibility bits
 // by which the surface was drawn, where they were known then.
 #include "common/octahedral.glsl"
 
@@ -21,12 +21,16 @@ uvec2 surface_bits(uint facet, bool front, vec3 normal, uint accessible, uint ex
   return uvec2((facet + 1u) | exact << 29 | (front ? 0u : k_back_bit), normal_bits(normal) | accessible << 30);
 }
 
-// Facet 0 stands for what no shader is to ask.
-uvec2 cut_bits(vec3 normal) { return uvec2(1u | k_cut_bit | 3u << 29, normal_bits(normal) | 3u << 30); }
+// Of what is no facet, in place of its number: 1 the cut of the part; from 2 on the steel of a mold, of each body its
+// surface and its cut.
+uvec2 other_bits(uint number, vec3 normal) { return uvec2(number | k_cut_bit | 3u << 29, normal_bits(normal) | 3u << 30); }
 
 uint surface_number(uvec2 surface) { return surface.x & k_number_mask; }
 uint surface_facet(uvec2 surface) { return surface_number(surface) - 1u; }
-bool surface_is_cut(uvec2 surface) { return (surface.x & k_cut_bit) != 0u; }
+bool surface_is_other(uvec2 surface) { return (surface.x & k_cut_bit) != 0u; }
+bool number_is_steel(uint number) { return number > 1u; }
+bool number_is_cut(uint number) { return (number & 1u) == 1u; }
+uint number_steel(uint number) { return (number - 2u) >> 1; }
 bool surface_shows_back(uvec2 surface) { return (surface.x & k_back_bit) != 0u; }
 uint surface_exact(uvec2 surface) { return surface.x >> 29 & 3u; }
 uint surface_accessible(uvec2 surface) { return surface.y >> 30; }

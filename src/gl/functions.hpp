@@ -19,6 +19,7 @@ namespace moldlight::gl {
   X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
   X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
   X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
+  X(BlendEquation, PFNGLBLENDEQUATIONPROC)                     \
   X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)             \
   X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                 \
   X(BufferData, PFNGLBUFFERDATAPROC)                           \

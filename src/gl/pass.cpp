@@ -25,9 +25,11 @@ void begin(const Functions& gl, const Pass& pass) {
   constexpr Factors k_blend[] = {{GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
                                  {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
                                  {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
+                                 {GL_ONE, GL_ONE, GL_ONE, GL_ONE},
                                  {GL_ONE, GL_ONE, GL_ONE, GL_ONE}};
   const Factors& factors = k_blend[static_cast<int>(pass.blend)];
   enable(GL_BLEND, pass.blend != Blend::replace);
+  gl.BlendEquation(pass.blend == Blend::greatest ? GL_MAX : GL_FUNC_ADD);
   gl.BlendFuncSeparate(factors.colour, factors.colour_there, factors.alpha, factors.alpha_there);
 }
 

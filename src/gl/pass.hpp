@@ -14,8 +14,9 @@ enum class DepthTest : std::uint8_t { off, less, equal, greater, always };
 /// Triangles that are left out, counter-clockwise ones being fronts.
 enum class Cull : std::uint8_t { none, back, front };
 /// What becomes of the colour that is there: replaced; covered as far as the new one is opaque, where the
-/// sum is as opaque as both together or stays as opaque as it was; added to.
-enum class Blend : std::uint8_t { replace, over, over_keeping_alpha, add };
+/// sum is as opaque as both together or stays as opaque as it was; added to; the greater of both, a channel
+/// each.
+enum class Blend : std::uint8_t { replace, over, over_keeping_alpha, add, greatest };
 
 /// Where a pass draws and how; what it does not name is as it is here, whatever was drawn before.
 struct Pass {

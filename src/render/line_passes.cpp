@@ -10,36 +10,44 @@ namespace moldlight {
 namespace {
 
 constexpr int k_arrow_sides = 48;
+constexpr double k_tube_px = 7.0, k_chosen_tube_px = 9.0;          // with a dark rim
+constexpr double k_hidden_tube = 0.3, k_hidden_chosen_tube = 0.5;  // opacity where surface hides it
+constexpr double k_hidden_in_steel = 0.4;                          // share of that
+constexpr double k_tube_beside_chosen = 0.6;
 
 struct LineStyle {
   glm::vec4 colour;  // sRGB and opacity
   double width_px;
+  glm::vec3 shift{0.0F};  // of lines that do not go with the surface that a mold moves
 };
 
 /// Where lines are drawn over a finished picture.
 struct OverPicture {
   GLuint framebuffer;
-  float hidden;     // share of the opacity that is left where surface hides the line
-  bool on_surface;  // they go with the surface that a mold moves, and end where it is cut
+  float hidden;                // share of the opacity that is left where surface hides the line
+  bool on_surface;             // they go with the surface that a mold moves, and end where it is cut
+  bool depth_of_tube = false;  // they are told by how deep in a tube they are, apart where they are hidden
 };
 
 void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer& segments,
                    const LineStyle& style, const std::optional<OverPicture>& over) {
   if (segments.empty()) return;
-  const bool on_surface = !over || over->on_surface;
+  const bool on_surface = !over || over->on_surface, tube = over && over->depth_of_tube;
   const bool moved = on_surface && frame.opened(), cut = on_surface && frame.settings.cut.has_value();
   gl::begin(tools.gl, {.framebuffer = over ? over->framebuffer : tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = over ? gl::DepthTest::off : gl::DepthTest::less,
-                       .blend = over ? gl::Blend::over_keeping_alpha : gl::Blend::over,
+                       .blend = tube   ? gl::Blend::greatest
+                                : over ? gl::Blend::over_keeping_alpha
+                                       : gl::Blend::over,
                        .clipped = cut});
-  const gl::Program& program =
-      tools.programs.use("view/lines.vert", "view/lines.frag",
-                         {moved ? "OPENED" : "", cut ? "SECTION" : "", over ? "OVER" : ""});
+  const gl::Program& program = tools.programs.use(
+      "view/lines.vert", "view/lines.frag",
+      {moved ? "OPENED" : "", cut ? "SECTION" : "", over ? "OVER" : "", tube ? "TUBE" : ""});
   if (cut) frame.set_section(program);
   if (over) {
     program.set_texture("t_depth", 3, GL_TEXTURE_2D, tools.targets.depth);
-    program.set("u_hidden", over->hidden);
+    if (!tube) program.set("u_hidden", over->hidden);
   }
   program.set_texture("t_segments", 0, GL_TEXTURE_BUFFER, segments.texels());
   program.set("u_eye_from_unit", glm::mat4(frame.eye_from_unit));
@@ -54,7 +62,7 @@ void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer
   program.set("u_near", depth_range(frame.camera).near);
   program.set("u_colour", style.colour);
   if (!moved) {
-    program.set("u_shift", glm::vec3(0.0F));
+    program.set("u_shift", style.shift);
     segments.draw(tools.gl);
     return;
   }
@@ -87,6 +95,46 @@ void draw_lines(ViewTools& tools, const ViewFrame& frame) {
     draw(tools.mesh.parting_line, glm::vec4(0.04F, 0.04F, 0.05F, 0.8F * opacity), 3.8);
     draw(tools.mesh.parting_line, glm::vec4(1.0F, 1.0F, 1.0F, opacity), 2.0);
   }
+}
+
+void draw_steel_edges(ViewTools& tools, const ViewFrame& frame) {
+  if (!frame.settings.steel.shown) return;
+  const float opacity = frame.settings.steel.clear ? 0.5F : 0.8F;
+  const Colour ink = frame.settings.theme == Theme::dark ? Colour{14, 15, 18} : Colour{34, 38, 46};
+  for (const ViewMesh::Solid& solid : tools.mesh.solids_around)
+    draw_segments(tools, frame, solid.edges,
+                  {glm::vec4(screen_value(ink), opacity), 1.1, frame.steel_shift(solid.steel)}, std::nullopt);
+}
+
+void draw_tube(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {
+  const bool any = !tools.mesh.tube.empty(), chosen = !tools.mesh.chosen_tube.empty();
+  if (!any && !chosen) return;
+  ViewTargets& targets = tools.targets;
+  targets.make_tube(tools.gl);
+  gl::begin(tools.gl, {.framebuffer = targets.to_tube.name(), .size = targets.size});
+  constexpr GLfloat k_none[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+  tools.gl.ClearBufferfv(GL_COLOR, 0, k_none);
+  const OverPicture into{
+      .framebuffer = targets.to_tube.name(), .hidden = 0.0F, .on_surface = true, .depth_of_tube = true};
+  // The colour tells into which channels: seen and hidden, of the line and of the loop that is looked at.
+  draw_segments(tools, frame, tools.mesh.tube, {glm::vec4(1.0F, 1.0F, 0.0F, 0.0F), k_tube_px}, into);
+  draw_segments(tools, frame, tools.mesh.chosen_tube, {glm::vec4(0.0F, 0.0F, 1.0F, 1.0F), k_chosen_tube_px},
+                into);
+  gl::begin(tools.gl,
+            {.framebuffer = framebuffer, .size = targets.size, .blend = gl::Blend::over_keeping_alpha});
+  const gl::Program& program = tools.programs.use("common/fullscreen.vert", "view/tube.frag");
+  program.set_texture("t_tube", 0, GL_TEXTURE_2D, targets.tube);
+  program.set("u_colour", screen_value(k_tube));
+  program.set("u_chosen_colour", screen_value(k_chosen_tube));
+  program.set("u_radius_px",
+              glm::vec2(0.5 * frame.settings.pixel_scale * glm::dvec2(k_tube_px, k_chosen_tube_px)));
+  program.set("u_rim_px", frame.settings.pixel_scale);
+  // Solid steel is not to look clear.
+  const SteelLook& steel = frame.settings.steel;
+  const double hidden = steel.shown && !steel.clear ? k_hidden_in_steel : 1.0;
+  program.set("u_hidden", glm::vec2(hidden * glm::dvec2(k_hidden_tube, k_hidden_chosen_tube)));
+  program.set("u_paler", chosen ? k_tube_beside_chosen : 1.0);
+  tools.corners.draw();
 }
 
 void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {

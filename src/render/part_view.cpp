@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "base/check.hpp"
@@ -16,7 +17,7 @@ constexpr int k_taps_moving = 12;
 
 bool shows_regions(const ViewSettings& settings) {
   return settings.colour_mode != ColourMode::plain || needs_detail(settings) || settings.transparency > 0.0 ||
-         settings.mark_difference;
+         settings.mark_difference || settings.steel.shown;
 }
 
 /// The subject without what pictures of these settings do not ask for: maps and a split surface are both left
@@ -71,6 +72,7 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
   draw_marks(tools_, view.marks, target.framebuffer);
   draw_bodies(tools_, frame, view.body_motions, target.framebuffer);
   draw_veil(tools_, frame, target.framebuffer);
+  draw_tube(tools_, frame, target.framebuffer);
   draw_marked_lines(tools_, frame, target.framebuffer);
   gl::check_errors(tools_.gl, "drawing the picture");
   return samples_ < settings.samples;
@@ -80,16 +82,18 @@ void PartView::draw_sample(const ViewSubject& subject) {
   ViewFrame frame(shown_, subject, tools_.targets.size, samples_);
   const ViewSettings& settings = frame.settings;
   const int taps = !settings.ambient_occlusion ? 0 : frame.sample == 0 ? k_taps_moving : k_taps_at_rest;
-  const bool ghost = settings.transparency > 0.0;
-  for (const Layer layer : {Layer::undercuts_alone, Layer::whole}) {
-    if (layer == Layer::undercuts_alone && !ghost) continue;
+  const bool ghost = settings.transparency > 0.0, clear = settings.steel.shown && settings.steel.clear;
+  bool first = true;
+  for (const Layer layer : {Layer::undercuts_alone, Layer::whole, Layer::steel}) {
+    if ((layer == Layer::undercuts_alone && !ghost) || (layer == Layer::steel && !clear)) continue;
     frame.layer = layer;
     draw_surface(tools_, frame);
     draw_openness(tools_, frame, taps);
-    if (layer == Layer::undercuts_alone || !ghost) draw_background(tools_, frame);
+    if (std::exchange(first, false)) draw_background(tools_, frame);
     shade(tools_, frame);
+    if (layer == Layer::whole) draw_lines(tools_, frame);
   }
-  draw_lines(tools_, frame);
+  draw_steel_edges(tools_, frame);
   draw_arrows(tools_, frame);
   if (samples_ == 0) unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++samples_;
@@ -113,6 +117,19 @@ void PartView::set_bodies(std::span<const ViewBody> bodies) {
   tools_.mesh.bodies.clear();
   for (const ViewBody& body : bodies)
     tools_.mesh.bodies.push_back({{tools_.gl, body.vertices, body.facets}, body.colour});
+}
+
+void PartView::set_steel(std::span<const ViewSolid* const> solids) {
+  tools_.mesh.solids_around.clear();
+  for (const ViewSolid* solid : solids)
+    tools_.mesh.solids_around.push_back({{tools_.gl, solid->body.vertices, solid->body.facets},
+                                         SegmentBuffer(tools_.gl, solid->edges),
+                                         solid->steel});
+}
+
+void PartView::set_tube(std::span<const ViewSegment> line, std::span<const ViewSegment> chosen) {
+  tools_.mesh.tube = SegmentBuffer(tools_.gl, line);
+  tools_.mesh.chosen_tube = SegmentBuffer(tools_.gl, chosen);
 }
 
 void PartView::set_parting_line(std::span<const ViewSegment> segments) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double k_hatch_pitch_px = 7.0, k_hatch_strength = 0.30;
 constexpr double k_level_pitch_px = 6.0, k_cut_pitch_px = 9.0;
-constexpr int k_first_map_unit = 7;  // of the shading's textures
+constexpr double k_clear_steel = 0.34;  // opacity
+constexpr int k_first_map_unit = 7;     // of the shading's textures
 
 std::string element(const char* name, std::size_t index) {
   return std::string(name) + "[" + std::to_string(index) + "]";
@@ -53,6 +54,8 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
   program.set("u_level_step", settings.near_vertical ? std::exp2(std::ceil(std::log2(wanted))) : 0.0);
   program.set("u_level_colour", light_value({255, 255, 255}));
   program.set("u_cut_colour", light_value(k_cut_surface));
+  for (std::size_t k = 0; k < k_steels; ++k)
+    program.set(element("u_steel", k), light_value(steel_colour(static_cast<Steel>(k), settings.palette)));
   program.set("u_cut_pitch", k_cut_pitch_px * settings.pixel_scale);
   const glm::dmat4 to_pixels = glm::scale(glm::dmat4(1.0), glm::dvec3(0.5 * glm::dvec2(frame.size), 1.0)) *
                                glm::translate(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.0));
@@ -64,7 +67,7 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
 
 bool needs_detail(const ViewSettings& settings) {
   return settings.colour_mode == ColourMode::draft_angle || settings.facet_edges || settings.near_vertical ||
-         settings.cut || settings.open_mold > 0.0;
+         settings.cut || settings.open_mold > 0.0 || settings.steel.shown;
 }
 
 void draw_background(ViewTools& tools, const ViewFrame& frame) {
@@ -98,11 +101,12 @@ void draw_map(gl::Tools& tools, const ViewTarget& target, const ShadowMaps& maps
 void shade(ViewTools& tools, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const ViewSubject& subject = frame.subject;
-  const bool ghost = settings.transparency > 0.0 && frame.layer == Layer::whole;
+  const bool ghost = settings.transparency > 0.0 && frame.layer == Layer::whole,
+             over = ghost || frame.layer == Layer::steel;
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_shaded.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::greater,
-                       .blend = ghost ? gl::Blend::over : gl::Blend::replace});
+                       .blend = over ? gl::Blend::over : gl::Blend::replace});
   const bool detail = needs_detail(settings), plain = subject.maps == nullptr && subject.split == nullptr;
   const bool known = frame.exact() || frame.by_region();
   const bool compared = subject.maps != nullptr && subject.split != nullptr;
@@ -131,7 +135,10 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
     program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
                                      settings.hatching && regions ? k_hatch_strength : 0.0));
   }
-  program.set("u_transparency", ghost ? settings.transparency : 0.0);
+  // A layer of steel leaves the part as it is.
+  const bool steel = frame.layer == Layer::steel;
+  const double part = ghost ? 1.0 - settings.transparency : 1.0;
+  program.set("u_opacity", steel ? glm::vec3(0.0, 0.0, k_clear_steel) : glm::vec3(part, 1.0, 1.0));
   if (detail) set_detail(program, frame);
   tools.corners.draw();
 }

@@ -2,6 +2,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/adjacency.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/facet_geometry.hpp"
+
 namespace moldlight {
 
 ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colour) {
@@ -18,6 +22,13 @@ ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colo
       body.vertices.push_back({frame.to_unit(mesh.vertices[vertex]), octahedral(glm::vec3(normal / length))});
   }
   return body;
+}
+
+ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel) {
+  ViewSolid solid{.body = view_body(mesh, frame, {}), .steel = steel, .edges = {}};
+  for (const EdgeEnds& edge : crease_edges(mesh, facet_geometry(mesh), build_adjacency(mesh)))
+    solid.edges.push_back({frame.to_unit(mesh.vertices[edge.a]), frame.to_unit(mesh.vertices[edge.b])});
+  return solid;
 }
 
 }  // namespace moldlight

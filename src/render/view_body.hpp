@@ -1,7 +1,9 @@
-// Solids beside the part, such as slides: translucent, over the finished picture.
+// Solids beside the part: those that side actions move, translucent over the finished picture; and the steel
+// of a mold around it, which is surface of the picture itself.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -19,5 +21,17 @@ struct ViewBody {
 
 /// A closed mesh in the part's unit, each facet flat.
 [[nodiscard]] ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colour);
+
+/// Which body of a mold: a half, or what is left to a loose insert.
+enum class Steel : std::uint8_t { core, cavity, insert };
+inline constexpr std::size_t k_steels = 3;
+
+struct ViewSolid {
+  ViewBody body;
+  Steel steel = Steel::core;
+  std::vector<ViewSegment> edges;  // sharper than the crease angle
+};
+/// A closed mesh in the part's unit, each facet flat.
+[[nodiscard]] ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel);
 
 }  // namespace moldlight

@@ -31,6 +31,14 @@ BackdropColours backdrop_colours(Theme theme) {
   return {{253, 253, 254}, {222, 226, 232}};
 }
 
+Colour steel_colour(Steel steel, Palette palette) {
+  constexpr Colour k_steel = {196, 200, 206};
+  const Region formed = steel == Steel::core     ? Region::core
+                        : steel == Steel::cavity ? Region::cavity
+                                                 : Region::undercut;
+  return mixed(region_colour(formed, palette), k_steel, 0.55);
+}
+
 DraftScale draft_scale(double tau_deg, Palette palette) {
   const double some = std::max(3.0, 2.0 * tau_deg), much = std::max(10.0, 4.0 * tau_deg);
   const Colour core = region_colour(Region::core, palette), cavity = region_colour(Region::cavity, palette);

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "render/view_body.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight {
@@ -28,10 +29,14 @@ struct DraftScale {
 };
 [[nodiscard]] DraftScale draft_scale(double tau_deg, Palette palette);
 
+/// Of a body of the mold: a paler sister of the colour of what it forms.
+[[nodiscard]] Colour steel_colour(Steel steel, Palette palette);
+
 inline constexpr Colour k_plain_surface = {199, 203, 209};
 inline constexpr Colour k_cut_surface = {176, 170, 160};
 inline constexpr Colour k_hover_mark = {255, 255, 255};
 inline constexpr Colour k_difference_mark = {202, 60, 255};
+inline constexpr Colour k_tube = {255, 190, 40}, k_chosen_tube = {255, 246, 214};
 inline constexpr Colour k_block_mark = {255, 204, 102};
 
 }  // namespace moldlight

@@ -16,8 +16,9 @@
 
 namespace moldlight {
 
-/// Which surface is drawn: a picture that looks through all but the undercuts has two layers.
-enum class Layer : std::uint8_t { whole, undercuts_alone };
+/// Which surface is drawn, one layer over the other: a picture that looks through all but the undercuts has
+/// two, one that looks through a mold's steel another one for it.
+enum class Layer : std::uint8_t { undercuts_alone, whole, steel };
 
 /// All that a picture depends on but for its marks.
 struct ViewInputs {
@@ -49,6 +50,12 @@ struct ViewFrame : ViewInputs {
   /// True if the surface is drawn in pieces(), each of its own regions.
   [[nodiscard]] bool by_region() const { return opened() || layer == Layer::undercuts_alone; }
   [[nodiscard]] std::vector<Piece> pieces() const;
+  /// True if the layer has the mold's steel around the part.
+  [[nodiscard]] bool with_steel() const {
+    return settings.steel.shown && (settings.steel.clear ? layer == Layer::steel : layer == Layer::whole);
+  }
+  /// By which a body of the mold has moved, unit frame.
+  [[nodiscard]] glm::vec3 steel_shift(Steel steel) const;
   /// True if the split surface's own regions are shown.
   [[nodiscard]] bool exact() const;
   /// The define that the maps' look-ups want; may be empty.

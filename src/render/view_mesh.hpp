@@ -103,6 +103,13 @@ struct ViewMesh {
     Colour colour;
   };
   std::vector<Body> bodies;
+  struct Solid {
+    TriangleBuffer triangles;
+    SegmentBuffer edges;
+    Steel steel;
+  };
+  std::vector<Solid> solids_around;  // of a mold
+  SegmentBuffer tube, chosen_tube;   // the mold's parting line, and the loop of it that is looked at
   FaceNumbers faces;
 };
 

@@ -25,7 +25,11 @@ void shade(ViewTools& tools, const ViewFrame& frame);
 
 // line_passes.cpp: what is drawn over it.
 void draw_lines(ViewTools& tools, const ViewFrame& frame);
+/// The edges of a mold's steel.
+void draw_steel_edges(ViewTools& tools, const ViewFrame& frame);
 void draw_arrows(ViewTools& tools, const ViewFrame& frame);
+/// The mold's parting line over the finished picture, round as a tube, faint where surface hides it.
+void draw_tube(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer);
 /// Over the finished picture; surface that hides them makes them paler.
 void draw_marked_lines(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer);
 

@@ -57,6 +57,16 @@ struct CutPlane {
   bool operator==(const CutPlane&) const = default;
 };
 
+/// How the steel of a mold is shown, where a picture has it: around the part, which then stays whole.
+struct SteelLook {
+  bool shown = false;
+  bool clear = false;    // the part shows through
+  double opened = 0.0;   // [0, 1], of k_mold_travel
+  std::uint64_t of = 0;  // another for every steel
+
+  bool operator==(const SteelLook&) const = default;
+};
+
 /// All of it. What is changed here restarts the refinement of a picture at rest.
 struct ViewSettings : LookSettings {
   Theme theme = Theme::dark;
@@ -65,8 +75,10 @@ struct ViewSettings : LookSettings {
   double tau_deg = 1.0;           // for the scale of the draft colours
   std::optional<CutPlane> cut{};  // follows from the section
   bool cut_arrow = false;         // on the plane, for a hand to hold it by
-  double pixel_scale = 1.0;       // widths of lines and hatches in units of a pixel
-  int samples = 16;               // pictures at rest average this many shifted ones, [1, 64]
+  SteelLook steel{};
+  double arrows_apart = 0.0;  // as an opened mold would move the arrows, where it is more than that
+  double pixel_scale = 1.0;   // widths of lines and hatches in units of a pixel
+  int samples = 16;           // pictures at rest average this many shifted ones, [1, 64]
 
   /// By which core and cavity surface are moved, unit frame.
   [[nodiscard]] double travel() const { return open_mold * k_mold_travel; }

@@ -29,6 +29,12 @@ void ViewTargets::make_winding(const gl::Functions& gl) {
   to_winding = gl::make_framebuffer(gl, winding);
 }
 
+void ViewTargets::make_tube(const gl::Functions& gl) {
+  if (tube) return;
+  tube = gl::make_texture_2d(gl, GL_RGBA8, size.x, size.y);
+  to_tube = gl::make_framebuffer(gl, tube);
+}
+
 void ViewTargets::keep_first(const gl::Functions& gl) {
   if (!first_surface) {
     first_surface = gl::make_texture_2d(gl, GL_RG32UI, size.x, size.y);

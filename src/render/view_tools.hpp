@@ -19,9 +19,10 @@ struct ViewTarget {
 struct ViewTargets {
   ViewTargets() = default;
   ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
-  /// Each makes what pictures at rest, or sections, alone need, unless it is there already.
+  /// Each makes what pictures at rest, sections, or tubes alone need, unless it is there already.
   void make_sum(const gl::Functions& gl);
   void make_winding(const gl::Functions& gl);
+  void make_tube(const gl::Functions& gl);
   /// Copies what the first sample shows of the surface.
   void keep_first(const gl::Functions& gl);
 
@@ -32,10 +33,11 @@ struct ViewTargets {
   gl::Texture openness;                                  // R8, 1: sees the whole sky
   gl::Texture colour;                                    // RGBA8, one sample in sRGB
   gl::Texture winding;                                   // R16F, see shaders/view/winding.frag
+  gl::Texture tube;                                      // RGBA8, see shaders/view/tube.frag
   gl::Texture sum;                                       // RGBA32F, squares of samples
   gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
   gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
-  gl::Framebuffer to_openness, to_winding, to_sum;
+  gl::Framebuffer to_openness, to_winding, to_tube, to_sum;
 
   /// Surface and accessibility bits of the first sample, whose lines of sight go through the pixels' middles.
   gl::Texture first_surface, first_depth, first_accessible;
