@@ -40,6 +40,7 @@ App::App(const gl::Context& context, AppOptions options)
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
       actions_(options_.wake),
+      mold_(options_.wake),
       sweep_(options_.wake) {
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
@@ -130,6 +131,7 @@ void App::frame(const FrameInput& input) {
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
   state_.can_undo = history_.can_undo();
   state_.can_redo = history_.can_redo();
+  state_.mold_open = state_.model && has_mold_panel(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
   for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
@@ -139,7 +141,7 @@ void App::frame(const FrameInput& input) {
   }
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
-  const SceneFrame scene_frame{.size = size_, .open_mold = opened().halves};
+  const SceneFrame scene_frame{.size = size_, .open_mold = arrows_apart(opened().halves)};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
   const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
   const MapTextures maps =
@@ -163,6 +165,7 @@ void App::frame(const FrameInput& input) {
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
   find_actions(edits.dragging || ImGui::IsAnyItemActive());
+  find_mold(edits.dragging || ImGui::IsAnyItemActive());
   sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
@@ -268,6 +271,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.hover.reset();
   state_.face.reset();
   state_.measuring.reset();
+  state_.mold_choices = {};
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
@@ -377,6 +381,7 @@ void App::end_jobs() {
   sweep_.cancel();
   measurer_.cancel();
   actions_.cancel();
+  mold_.cancel();
 }
 
 void App::save() {

@@ -17,6 +17,7 @@
 #include "gui/jobs/action_finder.hpp"
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/measurer.hpp"
+#include "gui/jobs/mold_finder.hpp"
 #include "gui/jobs/window_sweep.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/store/history.hpp"
@@ -89,9 +90,10 @@ class App {
   [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
-  /// True while figures, the split mesh, or side actions are not there that will be.
+  /// True while figures, the split mesh, side actions, or the mold are not there that will be.
   [[nodiscard]] bool measuring() const {
-    return state_.model && (state_.figures.measuring || state_.actions.awaited);
+    return state_.model && (state_.figures.measuring || state_.actions.awaited || state_.mold.line_awaited ||
+                            state_.mold.solids_awaited);
   }
   /// True while a sweep runs, or is about to.
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
@@ -134,6 +136,8 @@ class App {
   void measure_face();
   /// The undercut that is looked at stays so in another plan. `moving`: a hand is at the settings.
   void find_actions(bool moving);
+  /// The loop that is looked at stays so in another line.
+  void find_mold(bool moving);
   void turn_direction(bool held);
   /// The sweep that nobody asked for: once the part is measured, until direction or method change, which
   /// wants the processor for itself.
@@ -144,6 +148,12 @@ class App {
   /// The same in a flight to where it is seen from this side.
   void turn_camera(const glm::dquat& orientation);
   void keep_fitted();
+  /// Whether the picture has the mold's steel, once that is known.
+  [[nodiscard]] bool steel_wanted() const;
+  /// What a fit depends on beside the part: 0 without steel, else how far it opens.
+  [[nodiscard]] double steel_fit() const;
+  /// How far apart the parting arrows stand, as an opened mold moves them: out of its steel.
+  [[nodiscard]] double arrows_apart(double open) const;
   /// How far the mold is opened in this frame.
   [[nodiscard]] OpenedMold opened() const;
   /// What panels leave free of the picture; of its left half when two directions are compared.
@@ -166,6 +176,7 @@ class App {
   FileWatch file_watch_;
   Measurer measurer_;
   ActionFinder actions_;
+  MoldFinder mold_;
   WindowSweep sweep_;
   std::unique_ptr<BatchPictures> batch_pictures_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
@@ -174,6 +185,7 @@ class App {
   Flight<glm::dvec3> turn_;
   std::optional<Camera> fitted_;  // where the last fit leads
   FreeArea fitted_area_;
+  double fitted_steel_ = 0.0;             // what it fitted
   std::vector<glm::vec3> fitted_points_;  // that it shows; empty: the whole part
   EasedNumber opening_;
   Loop action_loop_;  // of the chosen action's body

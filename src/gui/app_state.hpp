@@ -11,6 +11,7 @@
 #include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
+#include "gui/jobs/mold_state.hpp"
 #include "gui/jobs/sweep_state.hpp"
 #include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
@@ -53,7 +54,7 @@ struct Toast {
 /// Which dialogs are open.
 struct Dialogs {
   bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false,
-       batch = false;
+       batch = false, exporting_mold = false;
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
@@ -70,6 +71,7 @@ struct Editable {
   Dialogs dialogs;
   SweepChoices sweep_choices;
   ActionChoices action_choices;
+  MoldChoices mold_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
   std::set<Hint> hints_done;
 };
@@ -84,6 +86,8 @@ struct AppState : Editable {
   Figures figures;
   SweepState sweep;
   ActionsState actions;
+  MoldState mold;
+  bool mold_open = false;                   // the panel of the mold is unfolded
   std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
   std::optional<CutPlane> cut;              // by the section that is shown
   std::optional<Hover> hover;

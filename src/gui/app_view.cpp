@@ -6,6 +6,7 @@
 
 #include "gl/program.hpp"
 #include "gui/app.hpp"
+#include "gui/view/mold_view.hpp"
 #include "gui/view/side_actions.hpp"
 
 namespace moldlight::gui {
@@ -57,6 +58,35 @@ void App::find_actions(bool moving) {
     say("That direction is not free: the side action keeps to its own", false);
 }
 
+void App::find_mold(bool moving) {
+  MoldState& mold = state_.mold;
+  const auto former = mold.line;
+  const auto solids = mold.solids;
+  const auto by_action = mold.by_action;
+  mold_.update(state_, mold, {.moving = moving, .solids = steel_wanted() || state_.mold_open});
+  if (mold.line == former && mold.solids == solids && mold.by_action == by_action) return;
+  settle_frames_ = k_settle_frames;
+  auto& loop = state_.mold_choices.loop;
+  if (mold.line != former && loop)
+    loop = mold.line && former ? nearest_loop(*mold.line, *former, *loop) : std::nullopt;
+}
+
+bool App::steel_wanted() const {
+  const LookSettings& look = state_.settings.look;
+  if (!state_.model || state_.window.halves == HalvesLook::surface || split_view()) return false;
+  return look.open_mold > 0.0 || opening_.at(now_s_) > 0.0 ||
+         (state_.mold_open && look.section != Section::off);
+}
+
+double App::steel_fit() const { return steel_wanted() ? 1.0 + state_.settings.look.open_mold : 0.0; }
+
+double App::arrows_apart(double open) const {
+  const auto& solids = state_.mold.solids;
+  if (!steel_wanted() || !solids || solids->shown.empty()) return open;
+  return open + block_margin(state_.settings.mold, state_.model->frame.diagonal) /
+                    state_.model->frame.diagonal / k_mold_travel;
+}
+
 void App::pick() {
   state_.hover.reset();
   state_.span.reset();
@@ -89,6 +119,16 @@ SceneSettings App::scene_settings() const {
   shown.theme = state_.window.theme;
   shown.tau_deg = state_.settings.method.tau_deg;
   shown.open_mold = opened().halves;
+  const auto& solids = state_.mold.solids;
+  if (steel_wanted() && solids && !solids->shown.empty()) {
+    shown.steel = {.shown = true,
+                   .clear = state_.window.halves == HalvesLook::clear,
+                   .opened = std::exchange(shown.open_mold, 0.0),
+                   .of = scene_->steel()};
+    shown.arrows_apart = arrows_apart(shown.steel.opened);
+  }
+  // The mold's line in place of the borders of regions, where it is known.
+  if (state_.mold.line) shown.parting_line = false;
   shown.pixel_scale = scale_;
   shown.cut = scene_->section(look, state_.settings.direction.unit());
   shown.cut_arrow = true;
@@ -96,7 +136,7 @@ SceneSettings App::scene_settings() const {
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
   scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
-  if (marked || look.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
+  if (marked || shown.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
   if (regions_by_maps()) scene.samples = state_.figures.samples;
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
@@ -115,6 +155,12 @@ bool App::draw(const ViewTarget& target) {
   if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
     scene_->take_bodies(state_.actions.bodies);
+    const bool line_shown =
+        !split_view() && (state_.settings.look.parting_line || state_.mold_open || steel_wanted());
+    scene_->take_mold({.line = line_shown ? state_.mold.line : nullptr,
+                       .loop = state_.mold_choices.loop,
+                       .solids = state_.mold.solids,
+                       .by_action = state_.mold.by_action});
     scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
     refining = scene_->draw(target, scene_settings()) || refining;
     show_comparison();
@@ -150,7 +196,13 @@ void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
   const OpenedMold opened =
       opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, state_.settings.look.open_mold);
-  const auto whole = points_to_show(state_.extremes, state_.settings.direction.unit(), opened.halves);
+  std::vector<glm::vec3> outermost = state_.extremes;
+  if (steel_wanted()) {
+    const std::vector<glm::vec3> block = block_corners(state_);
+    outermost.insert(outermost.end(), block.begin(), block.end());
+  }
+  fitted_steel_ = steel_fit();
+  const auto whole = points_to_show(outermost, state_.settings.direction.unit(), opened.halves);
   fitted_ = fitted_to(camera, fitted_points_.empty() ? whole : fitted_points_, fitted_area_);
   if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
   if (at_once) flight_.stop();
@@ -169,6 +221,11 @@ void App::keep_fitted() {
   if (!flight_.flying() && !(state_.camera == *fitted_)) {
     fitted_.reset();
     return;
+  }
+  // Steel that comes or goes is seen whole, once no hand opens it any more.
+  if (steel_fit() != fitted_steel_ && !ImGui::IsAnyItemActive()) {
+    fitted_points_.clear();
+    return fit(*fitted_, false);
   }
   const FreeArea area = fit_area();
   if (area.window == fitted_area_.window && area.max.y == fitted_area_.max.y) return;

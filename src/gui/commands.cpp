@@ -214,6 +214,10 @@ void escape(const Pressed& p) {
     choices.large_ball = false;
   } else if (p.edits.action_choices.chosen) {
     p.edits.action_choices.chosen.reset();
+  } else if (p.edits.mold_choices.moves_faces) {
+    p.edits.mold_choices.moves_faces = false;
+  } else if (p.edits.mold_choices.loop) {
+    p.edits.mold_choices.loop.reset();
   } else if (p.state.face) {
     p.edits.ask(&Commands::choose_face, std::nullopt);
   }
@@ -305,6 +309,11 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {GLFW_KEY_DELETE},
        forget_side_direction},
+      {{direction, "V", "move the face under the cursor to the other half"},
+       part_no_ctrl,
+       {'V'},
+       asks(&Commands::move_hovered_face)},
+      {{direction, "Ctrl + click", "the same for the face there"}},
       {{direction, "W", "sweep: find directions, or cancel"},
        part_no_ctrl,
        {'W'},
@@ -330,6 +339,7 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'O'},
        [](P p) { p.look.open_mold = p.look.open_mold > 0.0 ? 0.0 : 0.5; }},
+      {{view, "G", "the mold: parting line and halves"}, part_no_ctrl, {'G'}, asks(&Commands::unfold_mold)},
       {{view, "S", "section across, along the direction, none"},
        part_no_ctrl,
        {'S'},

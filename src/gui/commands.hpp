@@ -15,6 +15,14 @@ namespace moldlight::gui {
 
 class App;
 
+/// Where the files of a mold go; those without a path are not written.
+struct MoldPaths {
+  std::string folder;  // of the halves and inserts
+  bool as_3mf = false;
+  std::string json;
+  std::vector<std::string> lines;
+};
+
 /// Everything that the window can be asked to do beside changing a value. What each touches stands in
 /// commands.cpp, with the keys.
 struct Commands {
@@ -36,6 +44,13 @@ struct Commands {
   void look_at_undercuts();
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);
+  /// And for one loop of the parting line.
+  void look_at_loop(std::size_t loop);
+  /// Gives a face, what may be of it, to the half that does not form most of it.
+  void move_face(FacetIndex facet);
+  /// The same for the one under the cursor.
+  void move_hovered_face();
+  void unfold_mold();
   void toggle_projection();
   /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
   void take_normal();
@@ -49,6 +64,8 @@ struct Commands {
   void save_picture(const std::string& path);
   /// Writes files that `classify` would write too, and a picture, each if its path is not empty.
   void export_files(const OutputPaths& files, const std::string& picture);
+  /// Writes what `mold` would write too.
+  void export_mold(const MoldPaths& paths);
   void start_sweep();
   void cancel_sweep();
   void save_notes_beside(bool beside);

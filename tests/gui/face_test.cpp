@@ -79,7 +79,7 @@ TEST_F(Faces, ADragChoosesNothingAndTheBackgroundClears) {
   move_to(place_of({12, 9, 10}));
   press();
   EXPECT_TRUE(state().face);
-  move_to({300, 640});
+  move_to({300, 560});
   ASSERT_FALSE(state().hover);
   press();
   EXPECT_FALSE(state().face);

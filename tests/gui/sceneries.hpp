@@ -63,6 +63,17 @@ class WindowSceneries : public WindowWithPart {
            press('F')();
            window.settle();
          }},
+        {"mold", press('G'), [] {}},
+        {"a loop", click_on("loop 1"), press(k_escape)},
+        {"options of the mold", click_on("mold options"), click_on("mold options")},
+        {"export of the mold", click_on("export mold"), press(k_escape)},
+        {"opened halves", press('O'),
+         [this, press] {
+           press('O')();
+           press('G')();
+           press('F')();
+           window.settle();
+         }},
         {"batch",
          [this] {
            EXPECT_EQ(parts_.plan().exit_code, 0);

@@ -99,7 +99,11 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
   pending_ = false;
   size_ = size;
   scale_ = scale;
-  for (Panel& each : panels_) each.drawn = false;
+  for (Panel& each : panels_) {
+    // What was not drawn there any more takes no room from those on the sides.
+    each.bottom = each.bottom && each.drawn;
+    each.drawn = false;
+  }
 }
 
 float PanelLayout::floor_at(const Ui& ui, float x, float y) const {
@@ -226,15 +230,19 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   return !each.place.collapsed;
 }
 
-void PanelLayout::fold(std::string_view name, bool collapsed) {
+void PanelLayout::fold_bottom(std::string_view name, bool collapsed) {
   for (Panel& each : panels_) {
-    if (each.place.name == name) each.place.collapsed = collapsed;
+    if (each.place.name == name) {
+      each.place.collapsed = collapsed;
+    } else if (each.bottom && !collapsed) {
+      each.place.collapsed = true;
+    }
   }
 }
 
-void PanelLayout::fold(bool collapsed) {
-  CHECK(open_ != nullptr);
-  open_->place.collapsed = collapsed;
+bool PanelLayout::unfolded(std::string_view name) const {
+  return std::ranges::any_of(
+      panels_, [&](const Panel& each) { return each.place.name == name && !each.place.collapsed; });
 }
 
 glm::vec2 FreeArea::beside(const glm::vec2& point, const glm::vec2& size, float gap) const {

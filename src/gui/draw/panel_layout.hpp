@@ -65,10 +65,11 @@ class PanelLayout {
   /// it is as high as what is in it, and
   /// its first row is its title, which the panel draws. False if it is folded up to that row.
   bool begin_bottom(const Ui& ui, const char* name);
-  /// Folds the panel that is open up or down from the next frame on.
-  void fold(bool collapsed);
-  /// The same for a panel that was drawn, by its name.
-  void fold(std::string_view name, bool collapsed);
+  /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
+  /// one would leave little of the part.
+  void fold_bottom(std::string_view name, bool collapsed);
+  /// Whether a panel that was drawn in this frame or the last is not folded up.
+  [[nodiscard]] bool unfolded(std::string_view name) const;
 
   /// What the panels left free when they were last drawn.
   [[nodiscard]] FreeArea free_area(bool panels_hidden) const;

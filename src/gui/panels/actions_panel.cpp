@@ -217,10 +217,7 @@ void ActionsPanel::draw_header(const PanelContext& context, bool open) {
   const float left = start.x + text_size(ui.fonts.strong, k_name).x + ui.px(12);
 
   float right = start.x + width - height;
-  const auto unfold = [&](bool unfolded) {
-    context.layout.fold(!unfolded);
-    if (unfolded) context.layout.fold("Sweep", true);  // both would leave little of the part
-  };
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
   ImGui::SetCursorScreenPos(ImVec2(right, start.y));
   if (icon_button(
           ui, {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))

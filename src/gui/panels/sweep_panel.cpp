@@ -187,8 +187,7 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
 
 void SweepPanel::fold(const PanelContext& context, bool folded) {
   asked_for_ = !folded;
-  context.layout.fold(folded);
-  if (!folded) context.layout.fold("Side actions", true);  // both would leave little of the part
+  context.layout.fold_bottom("Sweep", folded);
 }
 
 void SweepPanel::draw_header(const PanelContext& context, bool open) {

@@ -16,6 +16,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       draw_look_panel(context);
       sweep_.draw(context, textures.candidates);
       actions_.draw(context);
+      mold_.draw(context);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }
@@ -32,6 +33,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   batch_.draw(context, textures.batch);
   browser_.draw(context);
   export_.draw(context);
+  mold_export_.draw(context);
   picture_.draw(context);
   draw_settings(context);
   help_.draw(context);

@@ -10,6 +10,7 @@
 
 #include "gui/panels/actions_panel.hpp"
 #include "gui/panels/batch_panel.hpp"
+#include "gui/panels/mold_panel.hpp"
 #include "gui/panels/panels.hpp"
 #include "sweep/direction_figures.hpp"
 
@@ -98,6 +99,19 @@ class ExportDialog {
   int mesh_format_ = 0;
 };
 
+/// What `mold` writes, from the window.
+class MoldExportDialog {
+ public:
+  /// Draws the dialog while it is open; asks for the export when it is confirmed.
+  void draw(const PanelContext& context);
+
+ private:
+  std::string of_;  // the part for which the folder was proposed
+  std::array<char, 1024> folder_{};
+  bool solids_ = true, as_3mf_ = false, json_ = true, first_ = true;
+  std::vector<std::string_view> lines_;  // extensions of the files of the line
+};
+
 /// All keys and what the mouse does; typing leaves the lines that have the words.
 class HelpSheet {
  public:
@@ -133,9 +147,11 @@ class Workspace {
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
   ActionsPanel actions_;
+  MoldPanel mold_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;
+  MoldExportDialog mold_export_;
   PictureDialog picture_;
   HelpSheet help_;
 };

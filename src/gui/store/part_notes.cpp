@@ -99,6 +99,7 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
   json["settings"] = settings_json(notes.settings);
   json["look"] = options_json(look_options(), notes.settings.look);
   json["actions"] = options_json(action_options(), notes.settings.actions);
+  json["mold"] = options_json(mold_options(), notes.settings.mold);
   json["bookmarks"] = Json::array();
   for (const Bookmark& bookmark : notes.bookmarks) {
     const glm::dvec3& d = bookmark.direction;
@@ -127,6 +128,7 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
   if (json.contains("actions")) set_options(action_options(), notes.settings.actions, json["actions"]);
+  if (json.contains("mold")) set_options(mold_options(), notes.settings.mold, json["mold"]);
   if (json.contains("bookmarks")) {
     notes.bookmarks.clear();
     for (const Json& bookmark : json["bookmarks"]) notes.bookmarks.push_back(parse_bookmark(bookmark));

@@ -12,6 +12,7 @@
 #include "actions/action_settings.hpp"
 #include "classify/settings.hpp"
 #include "gui/store/settings.hpp"
+#include "parting/mold_settings.hpp"
 
 namespace moldlight::gui {
 
@@ -28,6 +29,7 @@ struct Bookmark {
 struct EditedSettings : Query {
   LookSettings look;
   ActionSettings actions = {};
+  MoldSettings mold = {};
 
   bool operator==(const EditedSettings&) const = default;
 };

@@ -17,6 +17,12 @@ std::span<const Option<WindowSettings>> window_options() {
        "Look for the best direction by itself once a part is loaded; a change of direction or method ends "
        "that.",
        SwitchKind<S>{&S::quick_sweep}},
+      {"halves", "--halves", "Halves", "",
+       "How an opened mold is seen: as the part's own surface moved apart, or as its halves of steel, "
+       "through "
+       "which the part shows if they are clear. While the Mold panel is open, sections cut the closed mold, "
+       "too.",
+       choice<&S::halves>({"surface", "solid", "clear"})},
   };
   return k_options;
 }

@@ -11,6 +11,10 @@ namespace moldlight::gui {
 
 enum class NavigationPreset : std::uint8_t { standard, solidworks, fusion, blender };
 
+/// How an opened mold, or one that is cut, is seen: as the part's own surface, or as the steel around the
+/// part.
+enum class HalvesLook : std::uint8_t { surface, solid, clear };
+
 /// Whatever the part.
 struct WindowSettings {
   Theme theme = Theme::dark;
@@ -19,6 +23,7 @@ struct WindowSettings {
   bool motion = true;       // camera flights and fades
   bool auto_reload = true;  // when the part's file changes
   bool quick_sweep = true;  // after loading
+  HalvesLook halves = HalvesLook::solid;
 
   bool operator==(const WindowSettings&) const = default;
 };

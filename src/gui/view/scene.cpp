@@ -107,6 +107,30 @@ void Scene::take_bodies(const std::shared_ptr<const ActionBodies>& bodies) {
   view_.set_bodies(bodies ? std::span<const ViewBody>(bodies->bodies) : std::span<const ViewBody>());
 }
 
+void Scene::take_mold(const ShownMold& mold) {
+  if (mold == mold_) return;
+  if (mold.solids != mold_.solids || mold.by_action != mold_.by_action) {
+    std::vector<const ViewSolid*> shown;
+    for (std::size_t k = 0; mold.solids && k < mold.solids->shown.size(); ++k) {
+      // What side actions form moves as their bodies.
+      const bool moves = k >= 2 && mold.by_action && !(*mold.by_action)[k - 2].actions.empty();
+      if (!moves) shown.push_back(&mold.solids->shown[k]);
+    }
+    view_.set_steel(shown);
+    ++steel_;
+  }
+  std::vector<ViewSegment> line, chosen;
+  for (std::size_t k = 0; mold.line && k < mold.line->loops.size(); ++k) {
+    // What side actions form among themselves is not where the halves meet.
+    const bool here = mold.loop == k;
+    if (!here && mold.line->line.loops[k].kind == LoopKind::action) continue;
+    const std::vector<ViewSegment>& loop = mold.line->loops[k];
+    (here ? chosen : line).insert((here ? chosen : line).end(), loop.begin(), loop.end());
+  }
+  view_.set_tube(line, chosen);
+  mold_ = mold;
+}
+
 std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
   if (!drawn_) return std::nullopt;
   return view_.pick(pixel);

@@ -45,6 +45,18 @@ class Scene {
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
   /// The solids that a view's marks may place.
   void take_bodies(const std::shared_ptr<const ActionBodies>& bodies);
+  /// The parting line with the loop that is looked at, and the halves that settings may show; none of what is
+  /// null.
+  struct ShownMold {
+    std::shared_ptr<const MoldLine> line;
+    std::optional<std::size_t> loop;
+    std::shared_ptr<const MoldSolids> solids;
+    std::shared_ptr<const std::vector<InsertActions>> by_action;  // what forms each insert
+    bool operator==(const ShownMold&) const = default;
+  };
+  void take_mold(const ShownMold& mold);
+  /// Of the solids that were taken; another for every one.
+  [[nodiscard]] std::uint64_t steel() const { return steel_; }
   /// The plane that cuts the part; nothing where no section is chosen.
   [[nodiscard]] std::optional<CutPlane> section(const LookSettings& look, const glm::dvec3& direction) {
     return sections_.plane(look, direction);
@@ -86,6 +98,8 @@ class Scene {
   std::shared_ptr<const SplitMesh> parting_line_of_;  // of which the line was found
   std::optional<gl::ColourTarget> plus_, minus_;
   std::shared_ptr<const ActionBodies> bodies_;
+  ShownMold mold_;
+  std::uint64_t steel_ = 0;
   std::optional<Blocker> blocker_;  // that are shown
   std::optional<CutSpan> span_;
   bool thumbnails_stale_ = true;

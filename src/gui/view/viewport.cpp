@@ -11,6 +11,7 @@
 #include "gui/draw/panel_layout.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
+#include "gui/view/mold_view.hpp"
 #include "gui/view/scene.hpp"
 #include "gui/view/side_arrow.hpp"
 
@@ -22,6 +23,7 @@ constexpr float k_tip_reach = 12.0F;    // layout units around a tip in which it
 constexpr float k_names_apart = 40.0F;  // layout units between tips whose names do not cover each other
 constexpr float k_click_reach = 3.0F;   // pixels; a mouse that moves further drags
 constexpr double k_least_way = 0.15;    // of a length that is seen askew, to drag along it
+constexpr double k_height_lever = 0.1;  // unit frame: along which the parting height is dragged
 constexpr double k_turn_per_unit_rad = 0.0085;  // of a drag, by layout units
 constexpr double k_zoom_per_notch = 1.15, k_zoom_per_unit = 1.006;
 
@@ -69,6 +71,12 @@ void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, 
 std::optional<ViewArrow> Viewport::arrow_in_scene(const AppState& state, const SceneFrame& frame,
                                                   Arrow which) {
   if (which == Arrow::section) return state.cut ? std::optional(section_arrow(*state.cut)) : std::nullopt;
+  if (which == Arrow::height) {
+    const auto handle = height_handle(state);
+    if (!handle) return std::nullopt;
+    return ViewArrow{.tail = handle->at - k_height_lever * state.settings.direction.unit(),
+                     .tip = handle->at};
+  }
   if (which == Arrow::side) {
     const auto side = side_arrow(state);
     if (!side) return std::nullopt;
@@ -105,7 +113,9 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
   if (press_ && !io.MouseDown[0]) {
     const auto& point = press_->point;
-    if (!edits.measuring) {
+    if (!edits.measuring && point && (edits.mold_choices.moves_faces || io.KeyCtrl)) {
+      edits.ask(&Commands::move_face, point->facet);
+    } else if (!edits.measuring) {
       edits.ask(&Commands::choose_face, point ? std::optional(point->facet) : std::nullopt);
     } else if (point) {
       edits.measuring->add(measured_place(*state.model, *point));
@@ -114,7 +124,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   if (!dragging() && on_scene) {
-    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side}) {
+    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side, Arrow::height}) {
       const auto shown = arrow(state, frame, each);
       if (shown && glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) near_tip_ = each;
     }
@@ -135,6 +145,8 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (drag_ && ImGui::IsMouseDragging(0, k_click_reach)) {
     if (drag_->arrow == Arrow::section) {
       drag_section(state, frame, edits);
+    } else if (drag_->arrow == Arrow::height) {
+      drag_height(state, frame, *drag_, edits);
     } else if (drag_->arrow == Arrow::side) {
       drag_side(state, frame, edits);
     } else {
@@ -148,10 +160,11 @@ void Viewport::start(const AppState& state, const SceneFrame& frame, int button)
   const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
   if (button == ImGuiMouseButton_Left && near_tip_) {
     const auto shown = arrow(state, frame, *near_tip_);
-    drag_ = ArrowDrag{.arrow = *near_tip_,
-                      .front = shown->toward_viewer,
-                      .grip = shown->tip - mouse,
-                      .place = state.settings.look.section_at};
+    drag_ = ArrowDrag{
+        .arrow = *near_tip_,
+        .front = shown->toward_viewer,
+        .grip = shown->tip - mouse,
+        .place = *near_tip_ == Arrow::height ? parting_height(state) : state.settings.look.section_at};
     return;
   }
   if (button == ImGuiMouseButton_Left)
@@ -217,24 +230,48 @@ void Viewport::drag_side(const AppState& state, const SceneFrame& frame, Edits& 
   edits.dragging = true;
 }
 
-void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const {
-  if (!state.cut) return;
-  const ViewArrow held = section_arrow(*state.cut);
-  const auto tail = project(state.camera, frame.size, held.tail),
-             tip = project(state.camera, frame.size, held.tip);
-  if (!tail || !tip) return;
-  // Pixels by which the plane's way of a unit is seen; where it runs towards the eye, up is out.
-  glm::dvec2 unit = (*tip - *tail) / glm::distance(held.tip, held.tail);
-  const double pixels = 1.0 / pixel_length(state.camera, frame.size);
+namespace {
+
+/// How far along the arrow the mouse has gone since it was pressed, in lengths of the scene; nothing where
+/// the arrow is not seen. Where it runs towards the eye, up is out.
+std::optional<double> way_along(const Camera& camera, const glm::ivec2& size, const ViewArrow& arrow) {
+  const auto tail = project(camera, size, arrow.tail), tip = project(camera, size, arrow.tip);
+  if (!tail || !tip) return std::nullopt;
+  // Pixels by which a way of a unit is seen.
+  glm::dvec2 unit = (*tip - *tail) / glm::distance(arrow.tip, arrow.tail);
+  const double pixels = 1.0 / pixel_length(camera, size);
   if (glm::length(unit) < k_least_way * pixels) unit = {0.0, -pixels};
   const glm::dvec2 by(from_im(ImGui::GetIO().MousePos) - from_im(ImGui::GetIO().MouseClickedPos[0]));
-  const double way = glm::dot(by, unit) / glm::dot(unit, unit);
-  edits.settings.look.section_at = std::clamp(drag_->place + way / state.cut->extent, 0.0, 1.0);
+  return glm::dot(by, unit) / glm::dot(unit, unit);
+}
+
+}  // namespace
+
+void Viewport::drag_height(const AppState& state, const SceneFrame& frame, const ArrowDrag& held,
+                           Edits& edits) {
+  constexpr double k_inside = 1e-3;  // of the part's height: where the halves could just meet
+  const auto handle = arrow_in_scene(state, frame, Arrow::height);
+  const auto way = handle ? way_along(state.camera, frame.size, *handle) : std::nullopt;
+  if (!way) return;
+  const HeightRange range = height_range(state);
+  const double inset = k_inside * (range.high - range.low);
+  edits.settings.mold.parting_height =
+      std::clamp(held.place + *way * state.model->frame.diagonal, range.low + inset, range.high - inset);
+  edits.dragging = true;
+}
+
+void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const {
+  if (!state.cut) return;
+  const auto way = way_along(state.camera, frame.size, section_arrow(*state.cut));
+  if (!way) return;
+  edits.settings.look.section_at = std::clamp(drag_->place + *way / state.cut->extent, 0.0, 1.0);
   edits.dragging = true;
 }
 
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model) return;
+  draw_height_handle(ui, state, frame.size,
+                     drag_ ? drag_->arrow == Arrow::height : near_tip_ == Arrow::height);
   draw_side_arrow(ui, state, frame.size, drag_ ? drag_->arrow == Arrow::side : near_tip_ == Arrow::side);
   for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
     const auto shown = arrow(state, frame, each);

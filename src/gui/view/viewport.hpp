@@ -39,17 +39,19 @@ class Viewport {
   void give_up_drag() { drag_.reset(); }
 
  private:
-  enum class Arrow : std::uint8_t { core, cavity, section, side };
+  enum class Arrow : std::uint8_t { core, cavity, section, side, height };
   struct ArrowDrag {
     Arrow arrow = Arrow::core;
     bool front = true;     // it was grabbed on the viewer's side
     glm::vec2 grip{0.0F};  // from the cursor to the tip, pixels
-    double place = 0.0;    // a section's, when it was grabbed
+    double place = 0.0;    // a section's or the parting height, when it was grabbed
   };
   void start(const AppState& state, const SceneFrame& frame, int button);
   void move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const;
   void drag_direction(const AppState& state, const SceneFrame& frame, Edits& edits) const;
   void drag_side(const AppState& state, const SceneFrame& frame, Edits& edits) const;
+  static void drag_height(const AppState& state, const SceneFrame& frame, const ArrowDrag& held,
+                          Edits& edits);
   void drag_section(const AppState& state, const SceneFrame& frame, Edits& edits) const;
   static std::optional<ViewArrow> arrow_in_scene(const AppState& state, const SceneFrame& frame, Arrow which);
   static std::optional<ArrowOnScreen> arrow(const AppState& state, const SceneFrame& frame, Arrow which);

@@ -1,0 +1,83 @@
+// The commands of the mold: what of it is looked at, which half forms a face, its files.
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "gui/app.hpp"
+#include "gui/store/files.hpp"
+#include "gui/view/mold_view.hpp"
+#include "parting/line_files.hpp"
+#include "parting/mold_report.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+void Commands::look_at_loop(std::size_t loop) {
+  const auto& line = app.state_.mold.line;
+  if (!line || loop >= line->loops.size()) return;
+  app.fitted_points_ = surroundings(*line, loop);
+  app.turn_camera(app.state_.camera.orientation);
+}
+
+void Commands::move_face(FacetIndex facet) {
+  if (!app.state_.mold.line) return;
+  const std::uint32_t face = app.state_.faces->of_facet[facet];
+  const FaceHalves halves = halves_of_face(app.state_, face);
+  if (halves.core + halves.cavity <= 0.0) {
+    const bool one = halves.action <= std::max(halves.fixed_core, halves.fixed_cavity);
+    return say(one ? fmt::format("Only the {} can form this face",
+                                 halves.fixed_core > halves.fixed_cavity ? "core" : "cavity")
+                   : "Neither half can form this face",
+               false);
+  }
+  std::string& cosmetic = app.state_.settings.mold.cosmetic;
+  cosmetic = cosmetic_with(cosmetic, face, halves.core < halves.cavity);
+  app.history_.settle(app.state_.settings);
+}
+
+void Commands::move_hovered_face() {
+  if (app.state_.hover) move_face(app.state_.hover->point.facet);
+}
+
+void Commands::unfold_mold() { app.layout_.fold_bottom("Mold", app.state_.mold_open); }
+
+void Commands::export_mold(const MoldPaths& paths) {
+  const MoldState& mold = app.state_.mold;
+  if (app.export_.running() || !is_settled(mold)) return;
+  const ActionsState& actions = app.state_.actions;
+  app.export_.start([paths, model = app.state_.model, line = mold.line, solids = mold.solids,
+                     settings = app.state_.settings.mold, split = app.state_.figures.split,
+                     plan = is_settled(actions) ? actions.plan : nullptr](const Progress&) {
+    for (const std::string& path : paths.lines) {
+      fs::create_directories(fs::path(path).parent_path());
+      write_lines(path, lines_to_write(*model, line->assignment, line->line));
+    }
+    WrittenMold written = solids->written;
+    if (!paths.folder.empty()) write_mold(paths.folder, paths.as_3mf, model->part.unit, written);
+    if (!paths.json.empty()) {
+      const MoldReport report{
+          *model,
+          line->query,
+          settings,
+          line->assignment,
+          line->line,
+          solids->halves,
+          written,
+          plan.get(),
+          plan ? actions_of_inserts(solids->halves, *split, *plan) : std::vector<InsertActions>()};
+      write_text(paths.json, mold_json(report).dump(2) + "\n");
+    }
+    std::vector<std::string> names = paths.lines;
+    if (!paths.json.empty()) names.push_back(paths.json);
+    for (const WrittenBody& body : written.bodies) {
+      if (!body.file.empty()) names.push_back(body.file);
+    }
+    const std::size_t count = names.size();
+    return fmt::format("Exported {} file{} of the mold to {}", count, count == 1 ? "" : "s",
+                       names.empty() ? "" : fs::path(names.front()).parent_path().string());
+  });
+}
+
+}  // namespace moldlight::gui

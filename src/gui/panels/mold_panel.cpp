@@ -1,0 +1,377 @@
+#include "gui/panels/mold_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/option_row.hpp"
+#include "gui/view/mold_view.hpp"
+#include "parting/mold_report.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_row = 24.0F, k_heading = 20.0F, k_line = 18.0F;  // layout units
+constexpr float k_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr const char* k_name = "Mold";
+
+/// A column: where it ends (figures) or begins (words), from the row's left, layout units.
+struct Column {
+  std::string_view heading, help;
+  float at;
+  bool figure;
+};
+constexpr std::array<Column, 9> k_columns = {{
+    {"#", "", 8.0F, false},
+    {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.", 36.0F,
+     false},
+    {"length", "In the part's unit.", 168.0F, true},
+    {"climb", "From its lowest point to its highest, along the direction.", 238.0F, true},
+    {"flat to", "How far it is from its best plane.", 308.0F, true},
+    {"steep", "Length of the runs that climb by more than 64°: steel on steel, which wants draft.", 378.0F,
+     true},
+    {"sharpest", "The least angle between neighbouring edges.", 448.0F, true},
+    {"on crease", "Share of its length that runs along edges of the part, where it does not show.", 524.0F,
+     true},
+    {"breaks", "How often a side action takes the place of the other half.", 582.0F, true},
+}};
+
+/// "3.1e-12"; rounding is told, too.
+std::string gap_text(double gap) { return with_minus(fmt::format("{:.1g}", std::abs(gap))); }
+
+/// Three digits, or all of a whole number.
+std::string short_figure(double value) {
+  return with_minus(
+      grouped(std::abs(value) >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value)));
+}
+
+/// The faces that a hand has given to a half: a click forgets them.
+void draw_cosmetic(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  std::string& cosmetic = context.edits.settings.mold.cosmetic;
+  for (const bool core : {true, false}) {
+    const std::vector<std::uint32_t> faces = cosmetic_faces(cosmetic, core);
+    if (faces.empty()) continue;
+    const std::string_view half = core ? "core" : "cavity";
+    ImGui::SameLine(0.0F, ui.px(4));
+    const std::string label =
+        fmt::format("{} face{} to the {}  ×", faces.size(), faces.size() == 1 ? "" : "s", half);
+    const bool forgotten = chip(ui, label, true);
+    ui.memory->controls[fmt::format("faces to the {}", half)] = {from_im(ImGui::GetItemRectMin()),
+                                                                 from_im(ImGui::GetItemRectMax())};
+    tooltip(ui, "Faces given by hand",
+            "Kept with the part, and the same as --cosmetic. Click to forget them.");
+    if (!forgotten) continue;
+    for (const std::uint32_t face : faces) cosmetic = cosmetic_with(cosmetic, face, std::nullopt);
+    break;
+  }
+}
+
+/// The height: that which is given, or that which was found until one is typed.
+void draw_height(const PanelContext& context, const RowOptions& numbers) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  auto& given = context.edits.settings.mold.parting_height;
+  const float width = ImGui::GetContentRegionAvail().x, cross = given ? ui.px(k_row_height + 4) : 0.0F;
+  double height = parting_height(state);
+  const HeightRange range = height_range(state);
+  const std::string label =
+      fmt::format("{}, {}", given ? "Height" : "Height found", length_unit(state.model->part));
+  if (number_field(ui, "parting_height", height, {label, 2, width - cross})) {
+    if (height > range.low && height < range.high) {
+      given = height;
+    } else {
+      numbers.refused(fmt::format("The halves can meet between {} and {}: there the part is",
+                                  with_minus(figure(range.low)), with_minus(figure(range.high))));
+    }
+  }
+  tooltip(ui, "Parting height", option_named(mold_options(), "parting_height").help);
+  if (!given) return;
+  ImGui::SameLine(0.0F, ui.px(4));
+  if (icon_button(ui, {"find the height", Icon::close, "Find the height again"})) given.reset();
+}
+
+}  // namespace
+
+bool has_mold_panel(const AppState& state) {
+  return !state.sweep_choices.compared && !state.sweep_choices.large_ball;
+}
+
+std::string halves_refusal(const AppState& state) {
+  const auto& [halves, written, shown] = *state.mold.solids;
+  const auto& place = halves.refused_at ? halves.refused_at : written.refused_at;
+  const auto& line = state.mold.line;
+  return refusal_text(*state.model, halves, written,
+                      place && line ? loop_near(line->line, *place) : std::string());
+}
+
+std::vector<HalvesLine> halves_lines(const AppState& state) {
+  const MoldState& mold = state.mold;
+  if (!mold.solids) return {};
+  const PartModel& model = *state.model;
+  const MoldHalves& halves = mold.solids->halves;
+  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
+  const std::string area = powered_unit(model.part, 2), volume = powered_unit(model.part, 3);
+  std::vector<HalvesLine> lines;
+  lines.push_back(
+      {fmt::format("Halves: core {} {}, cavity {} · closed, no undercut along their pull · "
+                   "volumes agree to {} of the block",
+                   short_figure(halves.core.volume), volume, short_figure(halves.cavity.volume),
+                   gap_text(halves.volume_gap))});
+  std::string surfaces = fmt::format("Parting surface {} {}, shut-offs {}", short_figure(halves.parting_area),
+                                     area, short_figure(halves.shut_off_area));
+  if (halves.too_steep_area > 0.0)
+    surfaces += fmt::format(" · too steep {}, up to {:.0f}°", short_figure(halves.too_steep_area),
+                            std::ceil(halves.steepest_deg));
+  if (halves.contacts.empty()) {
+    surfaces += " · no steel on steel";
+  } else {
+    surfaces +=
+        fmt::format(" · steel on steel {} in {} place{}, up to {} {} high", short_figure(halves.contact_area),
+                    halves.contacts.size(), halves.contacts.size() == 1 ? "" : "s",
+                    short_figure(std::ranges::max(halves.contacts, {}, &ContactWall::height).height),
+                    length_unit(model.part));
+  }
+  lines.push_back({surfaces});
+  if (halves.inserts.empty()) return lines;
+  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty()) {
+    lines.push_back({"No files: " + unfilled, true});
+  } else {
+    std::string text =
+        fmt::format("Left to {} insert{}: {} {}", halves.inserts.size(),
+                    halves.inserts.size() == 1 ? "" : "s", short_figure(halves.insert_volume), volume);
+    if (mold.by_action) {
+      const auto moved = std::ranges::count_if(
+          *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
+      if (moved > 0) text += fmt::format(" · {} of them go with side actions", moved);
+    }
+    lines.push_back({text});
+  }
+  return lines;
+}
+
+void MoldPanel::draw(const PanelContext& context) {
+  if (!has_mold_panel(context.state)) return;
+  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  draw_header(context, open);
+  if (open && settings_) {
+    draw_settings(context);
+  } else if (open && context.state.mold.line) {
+    draw_table(context);
+  }
+  context.layout.end();
+}
+
+void MoldPanel::draw_header(const PanelContext& context, bool open) {
+  const Ui& ui = context.ui;
+  const MoldState& mold = context.state.mold;
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
+  const float middle = start.y + 0.5F * height;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
+            k_name);
+  const float left = start.x + text_size(ui.fonts.strong, k_name).x + ui.px(12);
+  float right = start.x + width;
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
+  const auto button = [&](const IconButtonSpec& spec) {
+    right -= height + (spec.icon == Icon::chevron_down || spec.icon == Icon::chevron_up ? 0.0F : ui.px(4));
+    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+    return icon_button(ui, spec);
+  };
+  if (button({"fold mold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold (G)"}))
+    unfold(!open);
+  if (button({"mold options", Icon::settings, "What is asked of the mold", open && settings_})) {
+    settings_ = !(open && settings_);
+    unfold(true);
+  }
+  if (open && button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
+    context.edits.dialogs.exporting_mold = true;
+  std::string text;
+  ImU32 colour = ui.colours->muted;
+  if (mold.running || mold.line_awaited || mold.solids_awaited) {
+    text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
+                                                        : "finding the parting line …";
+    if (mold.line && !mold.line_awaited) text = mold.line->verdict + " · " + text;
+    constexpr float k_bar_width = 96.0F;
+    right -= ui.px(k_bar_width + 10);
+    ImGui::SetCursorScreenPos(ImVec2(right, middle - ui.px(2)));
+    progress_bar(ui, mold.running ? mold.running->fraction : 0.0, ui.px(k_bar_width));
+  } else if (!mold.error.empty()) {
+    text = mold.error;
+    colour = ui.colours->warning;
+  } else if (mold.line) {
+    text = mold.line->verdict;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left, start.y));
+  ImGui::Dummy(ImVec2(std::max(right - left - ui.px(8), 1.0F), height));
+  if (mold.line) tooltip(ui, "The parting line", mold.line->verdict);
+  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
+            fitted(ui.fonts.body, text, right - left - ui.px(8)));
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
+  ImGui::Dummy(ImVec2(width, 0.0F));
+}
+
+void MoldPanel::draw_settings(const PanelContext& context) const {
+  constexpr float k_column = 190.0F;  // layout units, at least
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const PartLengths lengths(state);
+  MoldSettings& settings = context.edits.settings.mold;
+  const RowOptions numbers{
+      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); },
+      .lengths = &lengths,
+      .unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal))};
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  if (!ImGui::BeginTable("options", columns,
+                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+    return;
+  ImGui::TableNextColumn();
+  draw_height(context, numbers);
+  for (const Option<MoldSettings>& option : mold_options()) {
+    if (!has_control(option)) continue;
+    ImGui::TableNextColumn();
+    option_row(ui, option, settings, numbers);
+  }
+  ImGui::EndTable();
+}
+
+void MoldPanel::draw_table(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const std::size_t count = state.mold.line->line.loops.size();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const Column& column : k_columns) {
+    const float x = corner.x + ui.px(column.at), size = text_size(ui.fonts.small, column.heading).x;
+    const glm::vec2 at(column.figure ? x - size : x, corner.y + ui.px(3));
+    draw_text(list, {ui.fonts.small, ui.colours->muted}, at, column.heading);
+    if (column.help.empty()) continue;
+    ImGui::SetCursorScreenPos(im(at));
+    ImGui::Dummy(ImVec2(size, ui.fonts.small.size));
+    tooltip(ui, {}, column.help);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(k_heading)));
+  const float fits = std::max(std::floor(k_share * ImGui::GetIO().DisplaySize.y / ui.px(k_row)), 2.0F),
+              rows = std::min(fits, static_cast<float>(count));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+  if (count > 0) {
+    ImGui::BeginChild("loops", ImVec2(width, rows * ui.px(k_row)), false,
+                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings);
+    if (marked_row_ && std::exchange(row_moved_, false))
+      ImGui::SetScrollY((static_cast<float>(*marked_row_) + 0.5F) * ui.px(k_row) -
+                        0.5F * rows * ui.px(k_row));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), ui.px(k_row));
+    while (clipper.Step()) {
+      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
+        draw_row(context, static_cast<std::size_t>(k));
+    }
+    ImGui::EndChild();
+    choose_row(context, static_cast<int>(fits));
+  }
+  ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
+  for (const HalvesLine& line : halves_lines(state)) {
+    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    ImGui::Dummy(ImVec2(width, ui.px(k_line)));
+    tooltip(ui, {}, line.text);
+    draw_icon(list, line.doubt ? Icon::alert : Icon::check, at + glm::vec2(ui.px(12), 0.5F * ui.px(k_line)),
+              ui.px(11), faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
+    draw_text(list, {ui.fonts.small, faded(line.doubt ? ui.colours->warning : ui.colours->text, alpha)},
+              {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_line) - ui.fonts.small.size)},
+              fitted(ui.fonts.small, line.text, width - ui.px(28)));
+  }
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  bool& moves = context.edits.mold_choices.moves_faces;
+  if (chip(ui, "Move faces", moves)) moves = !moves;
+  tooltip(ui, "Move faces",
+          "A click on a face that either half could form moves it to the other half; so does Ctrl + click, "
+          "or V, at any "
+          "time.");
+  draw_cosmetic(context);
+  constexpr float k_choice = 264.0F;
+  ImGui::SameLine(std::max(width - ui.px(k_choice), 0.0F));
+  ImGui::BeginChild("look", ImVec2(ui.px(k_choice), ui.px(k_row_height)), false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
+  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
+  ImGui::EndChild();
+}
+
+void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const PartingLoop& loop = state.mold.line->line.loops[number];
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row);
+  const bool here = state.mold_choices.loop == number;
+  const std::string id = fmt::format("loop {}", number + 1);
+  const bool clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(width, height));
+  const bool hovered = ImGui::IsItemHovered();
+  const ScreenBox box{start, start + glm::vec2(width, height)};
+  ui.memory->controls[id] = box;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (here || hovered)
+    list.AddRectFilled(im(box.min), im(box.max), here ? ui.colours->field_active : ui.colours->field,
+                       ui.px(6));
+  if (marked_row_ == static_cast<int>(number))
+    list.AddRect(im(box.min), im(box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
+  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
+  const FigureColumn lengths(10.0 * state.model->frame.diagonal);
+  const std::array<std::string, k_columns.size()> texts = {std::to_string(number + 1),
+                                                           std::string(loop_name(loop.kind)),
+                                                           grouped(lengths.text(loop.length)),
+                                                           grouped(lengths.text(loop.climb())),
+                                                           grouped(lengths.text(loop.flatness)),
+                                                           grouped(lengths.text(loop.steep_length)),
+                                                           fmt::format("{:.1f}°", loop.sharpest_deg),
+                                                           fmt::format("{:.0f} %", 100.0 * loop.on_crease),
+                                                           std::to_string(loop.breaks)};
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const SizedFont& font = k == 0 ? ui.fonts.strong : ui.fonts.body;
+    const float x = start.x + ui.px(k_columns[k].at), y = start.y + 0.5F * (height - font.size);
+    if (k_columns[k].figure) {
+      draw_text_to({font, normal}, x, y, texts[k]);
+    } else {
+      draw_text(list, {font, normal}, {x, y}, texts[k]);
+    }
+  }
+  const std::string unit = length_unit(state.model->part);
+  tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
+          with_minus(fmt::format(
+              "{} {} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
+              "{} {}\nClick to look at it.",
+              figure(loop.length), unit, figure(loop.low), figure(loop.high), loop.steepest_deg,
+              figure(std::abs(loop.area)), powered_unit(state.model->part, 2))));
+  if (!clicked) return;
+  context.edits.mold_choices.loop = here ? std::nullopt : std::optional(number);
+  if (!here) context.edits.ask(&Commands::look_at_loop, number);
+}
+
+void MoldPanel::choose_row(const PanelContext& context, int page) {
+  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  context.ui.memory->controls["loops"] = box;
+  Keyboard& keyboard = context.ui.memory->keyboard;
+  if (!has_keyboard(context.ui, "loops", box)) {
+    marked_row_.reset();
+    return;
+  }
+  const int count = static_cast<int>(context.state.mold.line->line.loops.size());
+  const int steps = keyboard.takes_steps(page, count);
+  row_moved_ = steps != 0 || !marked_row_;
+  marked_row_ = std::clamp(marked_row_.value_or(0) + steps, 0, count - 1);
+  if (!keyboard.takes(ControlKey::press)) return;
+  const auto loop = static_cast<std::size_t>(*marked_row_);
+  context.edits.mold_choices.loop = loop;
+  context.edits.ask(&Commands::look_at_loop, loop);
+}
+
+}  // namespace moldlight::gui

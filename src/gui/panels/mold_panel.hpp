@@ -1,0 +1,41 @@
+// The mold along the bottom: its verdict, the loops of the parting line as a table to choose from, the halves
+// with their certificate.
+#pragma once
+
+#include <optional>
+
+#include "gui/panels/panels.hpp"
+
+namespace moldlight::gui {
+
+class MoldPanel {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  void draw_header(const PanelContext& context, bool open);
+  void draw_settings(const PanelContext& context) const;
+  void draw_table(const PanelContext& context);
+  void draw_row(const PanelContext& context, std::size_t loop);
+  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
+  void choose_row(const PanelContext& context, int page);
+
+  std::optional<int> marked_row_;  // by the keyboard
+  bool row_moved_ = false;
+  bool settings_ = false;
+};
+
+/// Not while directions are compared or chosen on the large ball, which leaves no room for it.
+[[nodiscard]] bool has_mold_panel(const AppState& state);
+
+/// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
+[[nodiscard]] std::string halves_refusal(const AppState& state);
+
+/// A line of what is said of the halves.
+struct HalvesLine {
+  std::string text;
+  bool doubt = false;  // something is to be done
+};
+[[nodiscard]] std::vector<HalvesLine> halves_lines(const AppState& state);
+
+}  // namespace moldlight::gui

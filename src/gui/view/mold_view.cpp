@@ -1,0 +1,176 @@
+#include "gui/view/mold_view.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "classify/figures.hpp"
+#include "gui/draw/widgets.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "parting/mold_frame.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr double k_same_place = 0.5;    // of a loop's size: two loops nearer than that are one
+constexpr double k_least_reach = 0.04;  // of a picture of a loop, unit frame
+constexpr double k_beside = 0.07;       // between the part and the outline around it, unit frame
+
+Bounds box_of(const std::vector<ViewSegment>& loop) {
+  Bounds box;
+  for (const ViewSegment& segment : loop) box.add(glm::dvec3(segment.start));
+  return box;
+}
+
+/// The part's box in the mold's axes, unit frame.
+Bounds mold_box(const AppState& state) {
+  const MoldFrame frame = mold_frame(state.settings.direction.unit());
+  Bounds box;
+  for (const glm::vec3& point : state.extremes) box.add(frame.to_mold(glm::dvec3(point)));
+  return box;
+}
+
+}  // namespace
+
+std::optional<std::size_t> nearest_loop(const MoldLine& line, const MoldLine& former, std::size_t loop) {
+  const Bounds here = box_of(former.loops[loop]);
+  std::optional<std::size_t> found;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < line.loops.size(); ++k) {
+    const Bounds other = box_of(line.loops[k]);
+    const double distance = glm::distance(here.min, other.min) + glm::distance(here.max, other.max);
+    if (line.line.loops[k].kind != former.line.loops[loop].kind || distance >= nearest ||
+        distance > 2.0 * k_same_place * std::max(here.diagonal(), other.diagonal()))
+      continue;
+    nearest = distance;
+    found = k;
+  }
+  return found;
+}
+
+std::vector<glm::vec3> surroundings(const MoldLine& line, std::size_t loop) {
+  const Bounds box = box_of(line.loops[loop]);
+  const double reach = std::max(0.15 * box.diagonal(), k_least_reach);
+  std::vector<glm::vec3> points;
+  for (const ViewSegment& segment : line.loops[loop]) points.push_back(segment.start);
+  for (const double side : {-reach, reach}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 point = box.center();
+      point[axis] += side;
+      points.emplace_back(point);
+    }
+  }
+  return points;
+}
+
+std::vector<glm::vec3> block_corners(const AppState& state) {
+  const MoldFrame frame = mold_frame(state.settings.direction.unit());
+  const Bounds box = mold_box(state);
+  const double margin =
+      block_margin(state.settings.mold, state.model->frame.diagonal) / state.model->frame.diagonal;
+  std::vector<glm::vec3> corners;
+  for (unsigned k = 0; k < 8; ++k) {
+    const auto end = [&](int axis) {
+      return (k >> axis & 1U) != 0 ? box.max[axis] + margin : box.min[axis] - margin;
+    };
+    corners.emplace_back(frame.to_part({end(0), end(1), end(2)}));
+  }
+  return corners;
+}
+
+double parting_height(const AppState& state) {
+  const auto& given = state.settings.mold.parting_height;
+  return given ? *given : state.mold.line ? state.mold.line->assignment.height : 0.0;
+}
+
+HeightRange height_range(const AppState& state) {
+  const UnitFrame& frame = state.model->frame;
+  const Bounds box = mold_box(state);
+  const double middle = glm::dot(frame.center, state.settings.direction.unit());
+  return {middle + box.min.z * frame.diagonal, middle + box.max.z * frame.diagonal};
+}
+
+std::optional<HeightHandle> height_handle(const AppState& state) {
+  if (!state.model || !state.mold_open || !state.mold.line || state.dialogs.panels_hidden)
+    return std::nullopt;
+  const UnitFrame& unit = state.model->frame;
+  const glm::dvec3& d = state.settings.direction.unit();
+  const MoldFrame frame = mold_frame(d);
+  const Bounds box = mold_box(state);
+  const double height = (parting_height(state) - glm::dot(unit.center, d)) / unit.diagonal;
+  HeightHandle handle;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const bool right = k == 1 || k == 2, upper = k >= 2;
+    handle.outline[k] = frame.to_part({right ? box.max.x + k_beside : box.min.x - k_beside,
+                                       upper ? box.max.y + k_beside : box.min.y - k_beside, height});
+  }
+  // At the corner that is seen farthest to the right.
+  handle.at = *std::ranges::max_element(handle.outline, {}, [&](const glm::dvec3& corner) {
+    return glm::dot(corner, state.camera.right()) + 1e-3 * glm::dot(corner, state.camera.toward_viewer());
+  });
+  return handle;
+}
+
+void draw_height_handle(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively) {
+  const auto handle = height_handle(state);
+  if (!handle) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  std::vector<ImVec2> outline;
+  for (const glm::dvec3& corner : handle->outline) {
+    const auto seen = project(state.camera, size, corner);
+    if (!seen) return;
+    outline.push_back(im(glm::vec2(*seen)));
+  }
+  const auto seen = project(state.camera, size, handle->at);
+  if (!seen) return;
+  const glm::vec2 at(*seen);
+  const ImU32 ink = lively ? ui.colours->text : faded(ui.colours->text, 0.75F);
+  list.AddPolyline(outline.data(), 4, faded(ui.colours->panel, lively ? 0.7F : 0.35F), ImDrawFlags_Closed,
+                   3.5F * ui.scale);
+  list.AddPolyline(outline.data(), 4, faded(ui.colours->text, lively ? 0.85F : 0.3F), ImDrawFlags_Closed,
+                   1.3F * ui.scale);
+  const float radius = ui.px(lively ? 10 : 9);
+  list.AddCircleFilled(im(at), radius + 1.0F, ui.colours->panel);
+  list.AddCircle(im(at), radius, ink, 0, 1.5F * ui.scale);
+  for (const float way : {-1.0F, 1.0F}) {
+    const float y = at.y + way * ui.px(2), tip = at.y + way * ui.px(6), half = ui.px(3.5F);
+    list.AddTriangleFilled(ImVec2(at.x - half, y), ImVec2(at.x + half, y), ImVec2(at.x, tip), ink);
+  }
+  const glm::vec2 reach(ui.px(12));
+  ui.memory->controls["parting height handle"] = {at - reach, at + reach};
+  if (!lively) return;
+  const std::string text = fmt::format("halves meet at {} {}", with_minus(figure(parting_height(state))),
+                                       length_unit(state.model->part));
+  const glm::vec2 room = 0.5F * tag_size(ui, text);
+  const float right = ImGui::GetIO().DisplaySize.x;
+  const float side = at.x + ui.px(18) + 2.0F * room.x < right ? 1.0F : -1.0F;
+  draw_tag(ui, at + glm::vec2(side * (ui.px(18) + room.x), 0.0F), text, ui.colours->text);
+}
+
+FaceHalves halves_of_face(const AppState& state, std::uint32_t face) {
+  const Assignment& assignment = state.mold.line->assignment;
+  FaceHalves halves;
+  for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
+    if (state.faces->of_facet[assignment.mesh.pieces[piece].facet] != face) continue;
+    const double area = 0.5 * glm::length(twice_piece_area(assignment.mesh, piece));
+    const bool free = assignment.free[piece] != 0;
+    switch (assignment.sides[piece]) {
+      case MoldSide::core:
+        (free ? halves.core : halves.fixed_core) += area;
+        break;
+      case MoldSide::cavity:
+        (free ? halves.cavity : halves.fixed_cavity) += area;
+        break;
+      case MoldSide::action:
+        halves.action += area;
+        break;
+    }
+  }
+  return halves;
+}
+
+}  // namespace moldlight::gui

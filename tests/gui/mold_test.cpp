@@ -1,0 +1,308 @@
+// The mold in the window: loops that are looked at, halves that open, sections through steel, the parting
+// height and faces by hand, and files that are those of `mold`.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "gui/panels/mold_panel.hpp"
+#include "gui/view/mold_view.hpp"
+#include "gui/window_with_part.hpp"
+
+namespace moldlight::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_box =
+    "OFF\n8 6 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
+    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+constexpr const char* k_open_box =
+    "OFF\n8 5 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
+    "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+class Mold : public WindowWithPart {
+ protected:
+  void open(const char* off) {
+    window.app().open(part.folder().write("box.off", off));
+    window.wait_until_loaded();
+    window.wait_until_measured();
+    window.settle();
+  }
+  void unfold() {
+    key({.key = 'G'});
+    window.wait_until_measured();
+    window.settle();
+  }
+  [[nodiscard]] const MoldState& mold() const { return state().mold; }
+  [[nodiscard]] const MoldSettings& asked() const { return state().settings.mold; }
+  [[nodiscard]] glm::vec2 pixel_of(const glm::dvec3& point) const {
+    return glm::vec2(project(state().camera, window.size(), glm::dvec3(state().model->frame.to_unit(point)))
+                         .value_or(glm::dvec2(-1.0)));
+  }
+  [[nodiscard]] std::array<int, 3> colour_at(const glm::vec2& at) const {
+    const auto pixels = window.pixels();
+    const glm::ivec2 pixel(at);
+    const std::size_t first = 4 * static_cast<std::size_t>(pixel.y * window.size().x + pixel.x);
+    return {pixels[first], pixels[first + 1], pixels[first + 2]};
+  }
+  [[nodiscard]] Assignment same_assignment() const {
+    return assign_sides(*state().model, state().settings, asked(), Progress{});
+  }
+};
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(Mold, TellsTheLineAsTheCommandDoes) {
+  open(k_box);
+  ASSERT_TRUE(mold().line);
+  const Assignment assignment = same_assignment();
+  const PartingLine line = parting_line(assignment);
+  EXPECT_EQ(mold().line->verdict, parting_verdict(assignment, line, state().model->frame.diagonal));
+  ASSERT_EQ(mold().line->line.loops.size(), 1U);
+  EXPECT_NEAR(mold().line->line.loops[0].length, 100.0, 1e-9);
+  EXPECT_FALSE(mold().solids) << "not before they are looked at";
+  unfold();
+  ASSERT_TRUE(mold().solids);
+  const auto texts = window.app().texts();
+  EXPECT_TRUE(
+      std::ranges::any_of(texts, [&](const DrawnText& each) { return each.text == mold().line->verdict; }));
+}
+
+TEST_F(Mold, DrawsTheLineAndFliesToALoop) {
+  open(k_box);
+  const auto bare = window.pixels();
+  unfold();
+  window.move_mouse({640, 60});
+  window.settle();
+  const glm::dvec3 rim(15, 0, mold().line->line.loops[0].low);
+  const auto lit = colour_at(pixel_of(rim));
+  EXPECT_GT(lit[0], 200) << "the tube is bright";
+  EXPECT_GT(lit[0], lit[2] + 60);
+  const double before = state().camera.height;
+  click("loop 1");
+  window.settle();
+  EXPECT_EQ(state().mold_choices.loop, 0U);
+  EXPECT_NE(state().camera.height, before);
+  const auto chosen = colour_at(pixel_of(rim));
+  EXPECT_GT(chosen[2], lit[2] + 60) << "and brighter where it is looked at";
+  key({.key = k_escape});
+  EXPECT_FALSE(state().mold_choices.loop);
+  key({.key = 'G'});
+  window.settle();
+  key({.key = 'F'});
+  window.move_mouse({640, 60});
+  window.settle();
+  EXPECT_FALSE(state().mold_open);
+}
+
+TEST_F(Mold, OpensAsSolidsThatFitThePart) {
+  open(k_box);
+  key({.key = 'O'});
+  window.wait_until_measured();
+  window.settle();
+  ASSERT_TRUE(mold().solids) << mold().error;
+  const MoldHalves& halves = mold().solids->halves;
+  ASSERT_TRUE(halves.made()) << halves.refusal;
+  EXPECT_LT(std::abs(halves.volume_gap), 1e-9);
+  ASSERT_EQ(mold().solids->shown.size(), 2U);
+  key({.key = 'F'});
+  window.settle();
+  // Beside the part and above it there is steel now.
+  const double diagonal = state().model->frame.diagonal, way = 0.5 * 0.5 * diagonal;
+  const double margin = block_margin(asked(), diagonal);
+  const glm::vec2 steel = pixel_of({30 + 0.5 * margin, 10, 10 + margin + way});
+  const auto solid = colour_at(steel);
+  click("settings");
+  click("Halves=surface");
+  key({.key = k_escape});
+  window.move_mouse({640, 60});
+  window.settle();
+  EXPECT_NE(solid, colour_at(steel));
+  const auto surface = window.pixels();
+  click("settings");
+  click("Halves=clear");
+  key({.key = k_escape});
+  window.move_mouse({640, 60});
+  window.settle();
+  EXPECT_NE(window.pixels(), surface);
+  EXPECT_NE(colour_at(steel), solid);
+  EXPECT_FALSE(state().settings.look.open_mold == 0.0);
+}
+
+TEST_F(Mold, IsCutClosed) {
+  open(k_box);
+  const double margin = block_margin(asked(), state().model->frame.diagonal);
+  click("Section=x");
+  window.move_mouse({640, 60});
+  window.settle();
+  const glm::dvec3 in_steel(15, 20 + 0.5 * margin, 8);
+  const auto without = colour_at(pixel_of(in_steel));
+  unfold();
+  window.move_mouse({640, 60});
+  window.settle();
+  EXPECT_NE(colour_at(pixel_of(in_steel)), without) << "the mold is cut, too, while its panel is open";
+  const auto core = colour_at(pixel_of({15, 20 + 0.5 * margin, 10 + 0.5 * margin}));
+  const auto cavity = colour_at(pixel_of({15, 20 + 0.5 * margin, -0.5 * margin}));
+  EXPECT_GT(core[2], core[1]) << "blue";
+  EXPECT_GT(cavity[1], cavity[2]) << "green";
+}
+
+TEST_F(Mold, TakesAHeightByHand) {
+  open(k_box);
+  unfold();
+  const double found = parting_height(state());
+  const glm::vec2 grip = window.control("parting height handle").centre();
+  const double wanted = 4.0;
+  const glm::dvec3 up(0, 0, (wanted - found) / state().model->frame.diagonal);
+  const auto handle = height_handle(state());
+  ASSERT_TRUE(handle);
+  const glm::dvec2 to = *project(state().camera, window.size(), handle->at + up);
+  drag(grip, glm::vec2(to));
+  window.wait_until_measured();
+  ASSERT_TRUE(asked().parting_height);
+  EXPECT_NEAR(*asked().parting_height, wanted, 0.15);
+  EXPECT_NEAR(mold().line->line.loops[0].low, *asked().parting_height, 1e-9);
+  // All that the halves share with the block's sides lies at that height: the cavity's ends there.
+  const Bounds cavity = bounds(mold().solids->halves.cavity.mesh);
+  EXPECT_NEAR(state().model->frame.center.z + cavity.max.z, *asked().parting_height, 1e-3);
+  undo();
+  EXPECT_FALSE(asked().parting_height) << "a drag is one step";
+  window.wait_until_measured();
+  EXPECT_NEAR(parting_height(state()), found, 1e-12);
+
+  click("mold options");
+  click("parting_height");
+  window.frames(3);
+  window.type("2.5");
+  window.frames(2);
+  key({.key = k_enter});
+  EXPECT_EQ(asked().parting_height, 2.5);
+  window.wait_until_measured();
+  EXPECT_NEAR(mold().line->line.loops[0].low, 2.5, 1e-9);
+  click("find the height");
+  EXPECT_FALSE(asked().parting_height);
+  click("parting_height");
+  window.frames(3);
+  window.type("25");
+  window.frames(2);
+  key({.key = k_enter});
+  EXPECT_FALSE(asked().parting_height) << "the part is not that high";
+  EXPECT_FALSE(state().toasts.empty());
+}
+
+TEST_F(Mold, MovesAFaceToTheOtherHalf) {
+  open(k_box);
+  const glm::vec2 wall = pixel_of({15, 0, 5});  // as the usual view shows it
+  move_to(wall);
+  ASSERT_TRUE(state().hover);
+  ASSERT_EQ(state().hover->point.region, Region::both);
+  const double before = mold().line->assignment.area(MoldSide::core);
+  const std::uint32_t face = state().faces->of_facet[state().hover->point.facet];
+  const FaceHalves first = halves_of_face(state(), face);
+  EXPECT_NEAR(first.core + first.cavity, 300.0, 1e-9) << "one of them forms it";
+  key({.key = 'V'});
+  ASSERT_FALSE(asked().cosmetic.empty());
+  window.wait_until_measured();
+  // The other walls may follow, so that the line stays level.
+  EXPECT_GE(std::abs(mold().line->assignment.area(MoldSide::core) - before), 300.0 - 1e-6);
+  const FaceHalves after = halves_of_face(state(), face);
+  EXPECT_NEAR(first.core, after.cavity, 1e-9);
+  EXPECT_NEAR(first.cavity, after.core, 1e-9);
+  EXPECT_NEAR(same_assignment().area(MoldSide::core), mold().line->assignment.area(MoldSide::core), 1e-9);
+  const PartNotes notes{state().settings, {}};
+  EXPECT_EQ(parse_part_notes(part_notes_json(notes, "box.off"), {}).settings.mold, asked());
+  undo();
+  EXPECT_TRUE(asked().cosmetic.empty());
+  window.wait_until_measured();
+  EXPECT_NEAR(mold().line->assignment.area(MoldSide::core), before, 1e-9);
+
+  window.hold_modifiers(true, false, false);
+  press();
+  window.hold_modifiers(false, false, false);
+  window.frames(2);
+  ASSERT_FALSE(asked().cosmetic.empty());
+  EXPECT_FALSE(state().face) << "it is no choice of a face";
+  window.wait_until_measured();
+  unfold();
+  click("Move faces");
+  move_to(pixel_of({15, 0, 5}));
+  press();
+  window.wait_until_measured();
+  EXPECT_NEAR(mold().line->assignment.area(MoldSide::core), before, 1e-6) << "and back";
+  EXPECT_FALSE(asked().cosmetic.empty()) << "as it was asked";
+  const bool core = !cosmetic_faces(asked().cosmetic, true).empty();
+  click(core ? "faces to the core" : "faces to the cavity");
+  EXPECT_TRUE(asked().cosmetic.empty());
+  // What one half alone can form stays there.
+  move_to(pixel_of({15, 10, 10}));
+  press();
+  EXPECT_TRUE(asked().cosmetic.empty());
+  EXPECT_FALSE(state().toasts.empty());
+}
+
+TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
+  open(k_box);
+  unfold();
+  click("export mold");
+  click("svg");
+  click("Export");
+  const fs::path folder = fs::path(state().path).parent_path() / "box-mold";
+  for (int k = 0; k < 600 && state().toasts.empty(); ++k) window.frame();
+  ASSERT_FALSE(state().toasts.empty());
+  ASSERT_FALSE(state().toasts.back().failure) << state().toasts.back().text;
+  for (const char* name : {"core.stl", "cavity.stl", "parting-line.dxf", "parting-line.svg", "mold.json"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  const Assignment assignment = same_assignment();
+  WrittenMold written =
+      written_mold(make_halves(*state().model, assignment.direction, assignment.height, asked(), Progress{}));
+  const fs::path other = folder.parent_path() / "other";
+  write_mold(other.string(), false, state().model->part.unit, written);
+  for (const char* name : {"core.stl", "cavity.stl"})
+    EXPECT_EQ(bytes_of(folder / name), bytes_of(other / name)) << name;
+  const auto json = nlohmann::json::parse(bytes_of(folder / "mold.json"));
+  EXPECT_EQ(json["schema"], "moldlight.mold/1");
+  EXPECT_EQ(json["verdict"], mold().line->verdict);
+  EXPECT_EQ(json["loops"].size(), 1U);
+}
+
+TEST_F(Mold, IsRefusedWithWhatStandsInTheWay) {
+  window.wait_until_measured();
+  unfold();
+  ASSERT_TRUE(mold().solids);
+  ASSERT_FALSE(mold().solids->halves.inserts.empty()) << "the part has an undercut";
+  ASSERT_FALSE(halves_lines(state()).empty());
+  EXPECT_TRUE(halves_lines(state()).back().doubt);
+  EXPECT_NE(halves_lines(state()).back().text.find(" 1 place "), std::string::npos)
+      << halves_lines(state()).back().text;
+  click("mold options");
+  click("Fill undercuts");
+  window.wait_until_measured();
+  EXPECT_FALSE(halves_lines(state()).back().doubt);
+
+  open(k_open_box);
+  window.wait_until_measured();
+  ASSERT_EQ(halves_lines(state()).size(), 1U);
+  EXPECT_TRUE(halves_lines(state()).front().doubt);
+  EXPECT_NE(halves_lines(state()).front().text.find("not closed"), std::string::npos);
+  key({.key = 'O'});
+  window.settle();
+  EXPECT_GT(state().settings.look.open_mold, 0.0) << "its surface opens";
+}
+
+TEST_F(Mold, LoopsGoByKeys) {
+  open(k_box);
+  unfold();
+  for (int k = 0; k < 120 && window.app().focused() != "loops"; ++k) key({.key = k_tab});
+  ASSERT_EQ(window.app().focused(), "loops");
+  key({.key = k_enter});
+  EXPECT_EQ(state().mold_choices.loop, 0U);
+}
+
+}  // namespace
+}  // namespace moldlight::gui::test
