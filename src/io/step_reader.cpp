@@ -151,22 +151,12 @@ constexpr std::chrono::seconds k_base_time{120};
 constexpr std::uint64_t k_bytes_a_second = 50'000;
 
 [[noreturn]] void fail_for_signal(const ReadContext& context, int signal) {
-  switch (signal) {
-    case SIGINT:
-    case SIGTERM:  // went to both programs
-      throw Cancelled();
-    case SIGKILL:
-    case SIGXCPU:
-      context.fail("",
-                   "cannot be read within the system's limits of memory and time (signal {}); raise "
-                   "them, coarsen the deflection or export the part as STL",
-                   signal);
-    default:
-      context.fail("",
-                   "breaks the STEP reader OpenCASCADE (signal {}); repair it in the CAD program or "
-                   "export STL",
-                   signal);
-  }
+  if (signal == SIGINT || signal == SIGTERM) throw Cancelled();  // went to both programs
+  const bool limit = signal == SIGKILL || signal == SIGXCPU;
+  context.fail("", "{} (signal {}); {} export the part as STL",
+               limit ? "cannot be read within the system's limits of memory and time"
+                     : "breaks the STEP reader OpenCASCADE",
+               signal, limit ? "raise them, coarsen the deflection or" : "repair it in the CAD program or");
 }
 
 /// Leads another program to the same file, which "/dev/stdin" does not.

@@ -176,7 +176,7 @@ TEST(Ring, IsStrippedAtItsStrain) {
     EXPECT_NEAR(action.about->strain, strain, 0.001) << groove.depth << groove.inside;
     EXPECT_EQ(action.about->pitch, 0.0);
     EXPECT_TRUE(plan.unreleased.empty());
-    const auto limited = [&](double pct) { return plan_of(grooved(groove), {0, 0, 1}, pct); };
+    const auto limited = [&ring = groove](double pct) { return plan_of(grooved(ring), {0, 0, 1}, pct); };
     EXPECT_EQ(limited(100.0 * strain + 0.2).actions.size(), 1U);
     // Slides close around an outer groove; inside the segments of a collapsing core move in.
     const ActionPlan refused = limited(100.0 * strain - 0.2);
