@@ -46,6 +46,7 @@ Classification classification_of(const PartModel& model, const Query& asked, con
   result.warnings = model.warnings;
   result.areas = found.areas;
   result.near_vertical_area = found.near_vertical_area;
+  result.reverse_draft = reverse_draft(found.facet_fractions, model.geometry, query.direction);
   result.identity = {.core = found.projected_core,
                      .cavity = found.projected_cavity,
                      .gap = found.projected_core - found.projected_cavity,

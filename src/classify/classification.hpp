@@ -13,6 +13,7 @@
 #include "classify/part_model.hpp"
 #include "classify/settings.hpp"
 #include "mold/exact/exact_regions.hpp"
+#include "mold/measure.hpp"
 #include "mold/region.hpp"
 
 namespace moldlight {
@@ -50,6 +51,7 @@ struct Classification {
   RegionValues areas;
   double total_area = 0.0;
   double near_vertical_area = 0.0;
+  ReverseDraft reverse_draft;       // by exact regions, whatever the readout
   double shadow_area = 0.0;         // the projected area that the clamp force acts on
   double projected_undercut = 0.0;  // area, projected along d, of the surface hidden from both sides
   UndercutUncertainty uncertainty;

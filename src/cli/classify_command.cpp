@@ -78,7 +78,8 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   log_result(result, console);
   std::optional<DraftCheck> draft;
   if (required_deg > 0.0)
-    draft = check_draft(*model, assign_sides(*model, query, {}, progress), result, required_deg);
+    draft =
+        check_draft(*model, assign_sides(*model, query, {}, progress), result.reverse_draft, required_deg);
 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
@@ -91,7 +92,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
       console, flags.part.json,
       [&] {
         nlohmann::ordered_json json = classify_json(*model, result);
-        if (draft) json["draft"] = draft_json(*draft);
+        if (draft) json["draft"] = draft_json(*model, *draft);
         return json;
       },
       [&] {

@@ -34,6 +34,23 @@ double near_vertical_area(const FacetGeometry& geometry, const glm::dvec3& direc
   return area;
 }
 
+ReverseDraft reverse_draft(const FacetFractions& fractions, const FacetGeometry& geometry,
+                           const glm::dvec3& direction) {
+  ReverseDraft reverse;
+  for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
+    const double draft = draft_angle_deg(geometry.normals[facet], direction);
+    if (std::abs(draft) <= k_draft_rounding_deg) continue;
+    const Region leaning = draft < 0.0 ? Region::core : Region::cavity;
+    const double share = fractions[facet][static_cast<std::size_t>(leaning)];
+    if (share <= 0.0) continue;
+    reverse.area += share * geometry.areas[facet];
+    if (std::abs(draft) <= reverse.worst_deg) continue;
+    reverse.worst_deg = std::abs(draft);
+    reverse.facet = facet;
+  }
+  return reverse;
+}
+
 RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry) {
   CHECK(fractions.size() == geometry.areas.size());
   RegionValues areas;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,18 @@ inline constexpr std::uint8_t k_accessible_minus = 2;
 /// Area of the facets with less draft than tau (degrees) along a unit direction, model units squared.
 [[nodiscard]] double near_vertical_area(const FacetGeometry& geometry, const glm::dvec3& direction,
                                         double tau_deg);
+
+/// Draft angles that coordinates of a file in single precision cannot tell apart, degrees.
+inline constexpr double k_draft_rounding_deg = 1e-3;
+
+/// Near-vertical surface that one half alone reaches and that leans against it by more than rounding.
+struct ReverseDraft {
+  double area = 0.0;                // model units squared
+  double worst_deg = 0.0;           // the greatest lean; 0 where there is none
+  std::optional<FacetIndex> facet;  // that leans so
+};
+[[nodiscard]] ReverseDraft reverse_draft(const FacetFractions& fractions, const FacetGeometry& geometry,
+                                         const glm::dvec3& direction);
 
 /// Model units squared.
 [[nodiscard]] RegionValues region_areas(const FacetFractions& fractions, const FacetGeometry& geometry);

@@ -56,6 +56,10 @@ constexpr DirectionFigure k_figures[] = {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
      }},
+    {"reverse_draft", "reverse draft", FigureKind::area,
+     "Area of near-vertical walls that one half alone reaches and that lean against it.",
+     Use{.objective = true, .column = false},
+     [](const Facts& f) { return f.measured ? Found(f.classification.reverse_draft.area) : std::nullopt; }},
     {"patches", "undercuts", FigureKind::count,
      "Connected patches of undercut surface, specks left out; as side actions count them where they are "
      "found.",

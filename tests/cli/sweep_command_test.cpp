@@ -87,6 +87,7 @@ TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
                         "projected_area",
                         "draw_depth",
                         "undraughted_area",
+                        "reverse_draft",
                         "patches",
                         "tilt_margin_deg",
                         "pareto"};

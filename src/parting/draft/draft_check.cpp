@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/check.hpp"
 #include "mesh/faces.hpp"
 #include "mold/draft.hpp"
 
@@ -90,23 +89,6 @@ WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Sh
   return wall;
 }
 
-ReverseDraft reverse_draft(const PartModel& model, const SplitMesh& split, const glm::dvec3& direction) {
-  ReverseDraft reverse;
-  for (PieceIndex k = 0; k < split.pieces.size(); ++k) {
-    const SplitPiece& piece = split.pieces[k];
-    if (piece.region != Region::core && piece.region != Region::cavity) continue;
-    const double draft = draft_angle_deg(model.geometry.normals[piece.facet], direction);
-    const double lean = piece.region == Region::core ? -draft : draft;
-    if (lean <= k_draft_rounding_deg) continue;
-    reverse.area += 0.5 * glm::length(twice_piece_area(split, k));
-    if (lean <= reverse.worst_deg) continue;
-    reverse.worst_deg = lean;
-    const auto& [a, b, c] = piece.corners;
-    reverse.place = (split.vertices[a] + split.vertices[b] + split.vertices[c]) / 3.0;
-  }
-  return reverse;
-}
-
 }  // namespace
 
 std::span<const Option<DraftSettings>> draft_options() {
@@ -120,12 +102,11 @@ std::span<const Option<DraftSettings>> draft_options() {
   return k_options;
 }
 
-DraftCheck check_draft(const PartModel& model, const Assignment& assignment, const Classification& result,
+DraftCheck check_draft(const PartModel& model, const Assignment& assignment, const ReverseDraft& reverse,
                        double required_deg) {
-  CHECK(result.split != nullptr);
   DraftCheck check;
   check.required_deg = required_deg;
-  check.reverse = reverse_draft(model, *result.split, assignment.direction);
+  check.reverse = reverse;
   check.histogram = empty_bins();
   const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
   std::map<std::pair<std::uint32_t, MoldSide>, Shallow> shallow;

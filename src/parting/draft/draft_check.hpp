@@ -10,15 +10,12 @@
 
 #include <glm/vec3.hpp>
 
-#include "classify/classification.hpp"
 #include "classify/option.hpp"
 #include "classify/part_model.hpp"
+#include "mold/measure.hpp"
 #include "parting/assignment.hpp"
 
 namespace moldlight {
-
-/// Draft that coordinates of a file in single precision cannot tell from that asked for, in degrees.
-inline constexpr double k_draft_rounding_deg = 1e-3;
 
 inline constexpr double k_most_required_deg = 45.0;
 
@@ -32,13 +29,6 @@ struct DraftSettings {
 struct DraftBin {
   double from_deg = 0.0, to_deg = 0.0;
   std::array<double, 2> area{};  // of core, of cavity
-};
-
-/// Near-vertical surface that one half alone reaches, and that leans against it.
-struct ReverseDraft {
-  double area = 0.0;
-  double worst_deg = 0.0;           // the greatest lean, positive; 0 where there is none
-  std::optional<glm::dvec3> place;  // of that lean
 };
 
 /// What one half forms of a face with too little draft, and the least that gives it enough: a turn about the
@@ -66,8 +56,8 @@ struct DraftCheck {
   std::vector<WallDraft> walls;     // those that cost most thickness first
 };
 
-/// `result` is of the assignment's direction, with its split mesh; `required_deg` in (0, 45].
+/// `reverse` is the classification's of the assignment's direction; `required_deg` in (0, 45].
 [[nodiscard]] DraftCheck check_draft(const PartModel& model, const Assignment& assignment,
-                                     const Classification& result, double required_deg);
+                                     const ReverseDraft& reverse, double required_deg);
 
 }  // namespace moldlight

@@ -13,6 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+glm::dvec3 facet_centre(const PartModel& model, FacetIndex facet) {
+  const auto& [a, b, c] = model.part.mesh.facets[facet];
+  const auto& vertices = model.part.mesh.vertices;
+  return (vertices[a] + vertices[b] + vertices[c]) / 3.0;
+}
+
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 Json wall_json(const WallDraft& wall) {
@@ -26,7 +32,7 @@ Json wall_json(const WallDraft& wall) {
 
 }  // namespace
 
-Json draft_json(const DraftCheck& check) {
+Json draft_json(const PartModel& model, const DraftCheck& check) {
   Json below, bins = Json::array(), walls = Json::array();
   for (const MoldSide side : {MoldSide::core, MoldSide::cavity}) {
     const auto half = static_cast<std::size_t>(side);
@@ -42,7 +48,7 @@ Json draft_json(const DraftCheck& check) {
           {"reverse",
            {{"area", check.reverse.area},
             {"worst_deg", check.reverse.worst_deg},
-            {"place", check.reverse.place ? point_json(*check.reverse.place) : Json()}}},
+            {"place", check.reverse.facet ? point_json(facet_centre(model, *check.reverse.facet)) : Json()}}},
           {"histogram", bins},
           {"faces", walls}};
 }
@@ -61,8 +67,8 @@ std::string draft_lines(const PartModel& model, const DraftCheck& check) {
   };
   std::string text = fmt::format("draft below {}°: {}, {}\n", check.required_deg, half(MoldSide::core),
                                  half(MoldSide::cavity));
-  if (check.reverse.area > 0.0) {
-    const glm::dvec3 place = check.reverse.place.value_or(glm::dvec3(0.0));
+  if (check.reverse.facet) {
+    const glm::dvec3 place = facet_centre(model, *check.reverse.facet);
     fmt::format_to(std::back_inserter(text),
                    "reverse draft: {:.4g} {}², at worst {:.3g}° near {:.4g}, {:.4g}, {:.4g}\n",
                    check.reverse.area, unit, check.reverse.worst_deg, place.x, place.y, place.z);

@@ -10,7 +10,7 @@
 namespace moldlight {
 
 /// The member `draft` of a classification's report. Areas and lengths are in the part's unit.
-[[nodiscard]] nlohmann::ordered_json draft_json(const DraftCheck& check);
+[[nodiscard]] nlohmann::ordered_json draft_json(const PartModel& model, const DraftCheck& check);
 
 /// How much has too little draft in each half, what leans back, and the wall that costs most.
 [[nodiscard]] std::string draft_lines(const PartModel& model, const DraftCheck& check);

@@ -29,9 +29,9 @@ double tangent(double degrees) { return std::tan(glm::radians(degrees)); }
 DraftCheck check_of(const PartModel& model, double required_deg, double tolerance = 0.0) {
   Query query{glm::dvec3(0, 0, 1), {}};
   query.method.tolerance = tolerance;
-  const Classification result = classify_exact(model, query, Progress{}, true);
+  const Classification result = classify_exact(model, query, Progress{});
   const Assignment assignment = assign_sides(model, query, {}, Progress{});
-  const DraftCheck check = check_draft(model, assignment, result, required_deg);
+  const DraftCheck check = check_draft(model, assignment, result.reverse_draft, required_deg);
   double binned = 0.0;
   for (const DraftBin& bin : check.histogram) binned += bin.area[0] + bin.area[1];
   EXPECT_NEAR(binned, assignment.area(MoldSide::core) + assignment.area(MoldSide::cavity), 1e-9 * binned);
@@ -158,8 +158,8 @@ TEST(DraftCheck, AWallThatLeansAgainstItsHalfIsReverse) {
   EXPECT_NEAR(check.reverse.worst_deg, k_lean_deg, 1e-6);
   const double area = 6.0 * k_depth / std::cos(glm::radians(k_lean_deg));
   EXPECT_NEAR(check.reverse.area, area, 1e-9 * area);
-  ASSERT_TRUE(check.reverse.place);
-  EXPECT_NEAR(check.reverse.place->x, 16.0 + 0.5 * back, 0.5 * back + 1e-9);
+  ASSERT_TRUE(check.reverse.facet);
+  EXPECT_NEAR(model->geometry.normals[*check.reverse.facet].x, -std::cos(glm::radians(k_lean_deg)), 1e-9);
   ASSERT_FALSE(check.walls.empty());
   EXPECT_NEAR(check.walls.front().least_deg, -k_lean_deg, 1e-6) << "it costs most";
   EXPECT_NEAR(check.walls.front().turn_deg, 0.5 + k_lean_deg, 1e-6);

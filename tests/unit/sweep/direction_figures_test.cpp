@@ -29,6 +29,7 @@ class OfABox : public testing::Test {
     classification_.areas[Region::undercut] = 60.0;
     classification_.shadow_area = 100.0;
     classification_.near_vertical_area = 42.0;
+    classification_.reverse_draft = {.area = 7.0, .worst_deg = 0.5, .facet = 0};
   }
   [[nodiscard]] DirectionFacts facts() const {
     return {.model = *model_, .settings = settings_, .classification = classification_, .draw_depth = 5.0};
@@ -58,6 +59,7 @@ TEST_F(OfABox, FiguresAreWrittenByTheirKind) {
   EXPECT_EQ(text("draw_depth", measured), "5.000");
   EXPECT_EQ(text("patches", measured), "3");
   EXPECT_EQ(text("undraughted_area", measured), "42.000");
+  EXPECT_EQ(text("reverse_draft", measured), "7.000");
   EXPECT_EQ(figure_heading(direction_figure("draw_depth"), model_->part), "depth unit");
   EXPECT_EQ(text("clamp_force", measured), "-");
   settings_.pressure = 2.5;
@@ -89,6 +91,7 @@ TEST_F(OfABox, WhatAScoreDoesNotTellIsNotKnown) {
   EXPECT_EQ(text("undercut", facts()), "≈ 60.000");
   EXPECT_EQ(text("patches", facts()), "-");
   EXPECT_EQ(text("undraughted_area", facts()), "≈ 400.000") << "the walls";
+  EXPECT_EQ(text("reverse_draft", facts()), "-") << "known of what is measured";
 }
 
 TEST_F(OfABox, AnObjectiveIsASumOfShares) {
