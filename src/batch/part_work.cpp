@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view k_schema = "moldlight.batch.result/1";
-constexpr int k_criterion_failed = 3, k_interrupted = 130;  // exit codes of the program
+constexpr int k_criterion_failed = 3, k_not_proved = 4, k_interrupted = 130;  // exit codes of the program
 constexpr std::string_view k_picture_size = "240x180";
 /// After its process was ended from outside: whoever ends all processes of a job gets to this one, too.
 constexpr std::chrono::milliseconds k_wait_for_own_end(500);
@@ -147,7 +147,8 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
     if (child.end == ChildEnd::cancelled) throw Cancelled();
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool last = tries > settings.retries;
-    if (child.end == ChildEnd::exited && (child.code == 0 || child.code == k_criterion_failed)) {
+    if (child.end == ChildEnd::exited &&
+        (child.code == 0 || child.code == k_criterion_failed || child.code == k_not_proved)) {
       Json report = Json::parse(child.out, nullptr, false);
       if (FileStamp(file) != stamp && !last) continue;
       if (report.is_object()) {

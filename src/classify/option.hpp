@@ -138,6 +138,7 @@ struct TextKind {
   std::string (*get)(const S&);
   void (*set)(S&, std::string_view text);  // throws UsageError
   Words words = {};
+  std::string_view bare = {};  // where not empty: what the flag means without a value
 
   std::string value(const S& s) const { return get(s); }
   void parse(S& s, const GivenText& given) const { set(s, given.text); }

@@ -102,6 +102,8 @@ CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& sett
                       if (text.empty()) throw UsageError(fmt::format("{}: the value is empty", option.flag));
                       set_option(option, settings, text);
                     });
+  if (const auto* kind = std::get_if<TextKind<S>>(&option.kind); kind != nullptr && !kind->bare.empty())
+    flag->expected(0, 1)->default_str(std::string(kind->bare));
   // Given several times, it is joined by line ends.
   if (std::holds_alternative<DirectionsKind<S>>(option.kind))
     flag->multi_option_policy(CLI::MultiOptionPolicy::Join);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "classify/figures.hpp"
@@ -41,6 +42,10 @@ class SweepMeter {
     if (scored > 0) text += fmt::format(", {} directions", scored);
     if (scored > 0 && (stage == sweep_stage::k_scoring || stage == sweep_stage::k_refining)) {
       text += fmt::format(", {:.0f}/s", static_cast<double>(scored) / elapsed_s);
+    }
+    if (stage == sweep_stage::k_proving) {
+      text += fmt::format(", {:.2f} % of the half-sphere open", 100.0 * (1.0 - fraction));
+      return text;
     }
     // Before that it would be a guess about guesses.
     if (elapsed_s > 1.0 && share > 0.03) {
@@ -82,7 +87,7 @@ struct SweepFlags {
   std::string directions_file, csv, image_folder;
   StillSettings still;
   std::optional<UndercutLimit> limit;
-  bool wide = false;
+  bool wide = false, must_be_proved = false;
   std::vector<const CLI::Option*> of_actions;
 };
 
@@ -97,6 +102,8 @@ SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) 
   if (settings.kinds.empty() && settings.user_directions.empty()) {
     throw UsageError("--candidates none: give --direction or --directions-file");
   }
+  if (flags.must_be_proved && !settings.prove_pct && !settings.all_free_pct)
+    throw UsageError("--fail-unless-proved: give --prove or --all-free, too");
   for (const CLI::Option* flag : flags.of_actions) {
     if (flag->count() > 0 && !seeks_actions(settings))
       throw UsageError(
@@ -135,6 +142,20 @@ bool meets(const UndercutLimit& limit, const PartModel& model, const SweepResult
   return false;
 }
 
+/// Says why not.
+bool is_proved(const SweepResult& result, Console& console) {
+  for (const auto& [asked, proof, flag] :
+       {std::tuple(result.settings.prove_pct.has_value(), &result.proof, "--prove"),
+        std::tuple(result.settings.all_free_pct.has_value(), &result.all_free, "--all-free")}) {
+    if (!asked || (*proof && (*proof)->holds)) continue;
+    console.warning(*proof ? fmt::format("{}: not proved; {:.3g} % of the directions are open", flag,
+                                         100.0 * (1.0 - (*proof)->proved_share))
+                           : fmt::format("{}: not proved; the sweep ended before", flag));
+    return false;
+  }
+  return true;
+}
+
 int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   check_outputs({.inputs = {{"PART", flags.part.part}, {"--directions-file", flags.directions_file}},
                  .files = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}},
@@ -163,6 +184,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   }
   if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
+  if (flags.must_be_proved && !is_proved(result, console)) return k_not_proved;
   return 0;
 }
 
@@ -171,6 +193,7 @@ nlohmann::ordered_json settings(const SweepFlags& flags) {
   json.update(options_json(sweep_options(), flags.sweep));
   json.update(options_json(reading_options(), flags.part.reading));
   if (flags.limit) json["fail_if_undercut"] = {flags.limit->value, flags.limit->per_cent ? "%" : "area"};
+  if (flags.must_be_proved) json["fail_unless_proved"] = true;
   return json;
 }
 
@@ -194,6 +217,9 @@ void add_sweep_command(CLI::App& program, Request& request) {
        "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
        "per cent of its area"},
       [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); });
+  command->add_flag("--fail-unless-proved", flags->must_be_proved,
+                    "End with 4 unless the proof asked for holds: it was not cut short, and directions that "
+                    "are open lie no farther than --apart from one that is listed");
   command->add_flag("--wide", flags->wide,
                     "All figures in the table, and what speaks for each direction, however wide that is");
   add_file_flag(*command, flags->csv,

@@ -135,6 +135,9 @@ void draw_key(DesignSpace& at, const SphereContent& content, bool dark) {
   draw_unknown(at.canvas(), at.box({x - 7.0, base - 11.0}, {14.0, 14.0}),
                {.dark = dark, .scale = at.scale()});
   entry("not looked at");
+  if (content.open.empty()) return;
+  draw_open_sample(at.canvas(), at.place({x, base - 4.0}), at.scale());
+  entry("not proved");
 }
 
 }  // namespace
@@ -169,6 +172,7 @@ Image direction_sphere_picture(const glm::ivec2& size, const UndercutField& fiel
   for (const SphereRow& row : content.rows) marks.push_back(row.mark);
   draw_sphere_map(canvas, {at.place(k_map_centre), k_map_radius * at.scale()}, field, marks,
                   {.dark = dark, .scale = at.scale()});
+  draw_open_caps(canvas, {at.place(k_map_centre), k_map_radius * at.scale()}, content.open, at.scale());
   const TextStyle title = at.title();
   at.elided({k_left, k_top}, content.title, title, k_right - k_left);
   double y = k_top + 24.0;

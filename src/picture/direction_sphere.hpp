@@ -32,6 +32,7 @@ struct SphereContent {
   double total_area = 0.0;              // of the part, for the per cents on the colour bar
   std::array<std::string, k_sphere_columns> headings = {};
   std::vector<SphereRow> rows = {};  // best first
+  std::vector<SphereCap> open = {};  // what a proof left open
   std::string note = {};             // where there are no rows
 };
 

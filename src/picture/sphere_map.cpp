@@ -49,6 +49,7 @@ Box box_beside(const LabelledMark& mark, double gap, int turn) {
 }
 
 constexpr Colour k_dark{24, 16, 20}, k_light{255, 255, 255};
+constexpr Colour k_open{255, 196, 64};  // what a proof left open
 // Lengths at scale 1.
 constexpr double k_best_radius = 9.0, k_listed_radius = 4.0;
 constexpr double k_axis_gap = 20.0, k_axis_px = 15.0, k_small_px = 11.0, k_label_px = 12.0;
@@ -121,17 +122,21 @@ void draw_graticule(Canvas& canvas, const MapPlace& place, double scale) {
   }
 }
 
-/// The directions `tilt_deg` away from a mark's.
-void draw_tilt(Canvas& canvas, const MapPlace& place, const SphereMark& mark, double scale) {
+/// The directions so far away from a cap's middle.
+void draw_circle(Canvas& canvas, const MapPlace& place, const SphereCap& cap, const Ink& line, double scale) {
   constexpr int k_steps = 180;
-  const std::vector<glm::dvec3> ring = ring_around(mark.direction, mark.tilt_deg, k_steps, 0.0);
-  for (const auto& [ink, width] : {std::pair{Ink{k_dark, 0.6}, 3.0}, {Ink{k_light, 0.95}, 1.3}}) {
+  const std::vector<glm::dvec3> ring = ring_around(cap.direction, cap.radius_deg, k_steps, 0.0);
+  for (const auto& [ink, width] : {std::pair{Ink{k_dark, 0.6}, 3.0}, {line, 1.3}}) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const glm::dvec2 a = pixel_of(place, ring[k]), b = pixel_of(place, ring[(k + 1) % ring.size()]);
       // A step over the equator goes on at the other side of the map.
       if (glm::distance(a, b) < 0.5 * place.radius) canvas.line(a, b, ink, width * scale);
     }
   }
+}
+
+void draw_tilt(Canvas& canvas, const MapPlace& place, const SphereMark& mark, double scale) {
+  draw_circle(canvas, place, {mark.direction, mark.tilt_deg}, {k_light, 0.95}, scale);
 }
 
 void draw_label(Canvas& canvas, const Box& box, const SphereMark& mark, double scale) {
@@ -253,6 +258,19 @@ std::vector<std::optional<Box>> place_labels(std::span<const LabelledMark> marks
     places.push_back(place);
   }
   return places;
+}
+
+void draw_open_caps(Canvas& canvas, const MapPlace& place, const std::vector<SphereCap>& caps, double scale) {
+  // Wider than the mark of a listed direction, which often lies in it.
+  constexpr double k_least_px = 14.0;
+  const double least_deg = glm::degrees(std::acos(1.0 - std::pow(k_least_px * scale / place.radius, 2.0)));
+  for (const SphereCap& cap : caps)
+    draw_circle(canvas, place, {cap.direction, std::max(cap.radius_deg, least_deg)}, {k_open}, scale);
+}
+
+void draw_open_sample(Canvas& canvas, const glm::dvec2& at, double scale) {
+  canvas.ring(at, 7.0 * scale, {k_dark, 0.6}, 3.0 * scale);
+  canvas.ring(at, 7.0 * scale, {k_open}, 1.3 * scale);
 }
 
 void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style) {

@@ -29,6 +29,12 @@ struct SphereMark {
   double tilt_deg = 0.0;  // a circle so wide is drawn around it, unless the mark hides it; 0 for none
 };
 
+/// Directions about one, a unit vector, and its opposite that a proof left open.
+struct SphereCap {
+  glm::dvec3 direction{0, 0, 1};
+  double radius_deg = 0.0;
+};
+
 struct MapPlace {
   glm::dvec2 centre{0.0};  // pixels
   double radius = 1.0;
@@ -38,6 +44,12 @@ struct MapPlace {
 /// evaluated the map is gray and hatched.
 void draw_sphere_map(Canvas& canvas, const MapPlace& place, const UndercutField& field,
                      const std::vector<SphereMark>& marks, const LegendStyle& style);
+
+/// Rings around caps, over a map that is drawn; small ones are drawn large enough to be seen.
+void draw_open_caps(Canvas& canvas, const MapPlace& place, const std::vector<SphereCap>& caps, double scale);
+
+/// A small sample of such a ring, for a legend.
+void draw_open_sample(Canvas& canvas, const glm::dvec2& at, double scale);
 
 /// What stands for directions of which nothing is known, in a box.
 void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style);

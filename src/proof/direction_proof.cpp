@@ -21,8 +21,8 @@ namespace {
 /// the cell do more than a cut.
 constexpr double k_worth_cutting = 2.0;
 
-/// A cell in which so much less than the bound is hidden, as in the two that it came from, is likely to be
-/// free as a whole; below this radius it is left open at once.
+/// A cell is left open at once below this radius where so much less than the bound is hidden in its middle,
+/// in those of the two that it came from, and at its corners: it is likely to be free as a whole.
 constexpr double k_little = 0.5, k_calm_deg = 2.5;
 constexpr int k_calm_generations = 3;
 
@@ -55,6 +55,7 @@ class Search {
  private:
   [[nodiscard]] bool enough(const CellState& state) const { return state.to_hand_on.certain >= task_.bound; }
   void find_certain(const SphereCell& cell, const Elements& open, CellState& state);
+  [[nodiscard]] bool little_at_corners(const SphereCell& cell, const Inherited& known);
   void cut_elements(const SphereCell& cell, std::vector<std::pair<const SurfaceElement*, double>> hidden,
                     CellState& state);
   [[nodiscard]] std::vector<ProofCell> end(const SphereCell& cell, double certain, bool proved);
@@ -87,7 +88,8 @@ std::vector<ProofCell> Search::run(const SphereCell& cell, const Inherited& inhe
   if (enough(state)) return end(cell, next.certain, true);
   const bool little = next.certain + state.hidden < k_little * task_.bound;
   next.calm = little ? inherited.calm + 1 : 0;
-  const bool calm = next.calm >= k_calm_generations && cell.radius_deg() < k_calm_deg;
+  const bool calm =
+      next.calm >= k_calm_generations && cell.radius_deg() < k_calm_deg && little_at_corners(cell, next);
   if (calm || cell.radius_deg() < 2.0 * task_.finest_deg) return end(cell, next.certain, false);
   const auto quarters = cell.quarters();
   std::array<std::vector<ProofCell>, 4> found;
@@ -96,6 +98,21 @@ std::vector<ProofCell> Search::run(const SphereCell& cell, const Inherited& inhe
   std::vector<ProofCell> all = std::move(found[0]);
   for (std::size_t k = 1; k < found.size(); ++k) all.insert(all.end(), found[k].begin(), found[k].end());
   return all;
+}
+
+bool Search::little_at_corners(const SphereCell& cell, const Inherited& known) {
+  constexpr int k_generations = 5;  // from a cell to one at its corner
+  CertainUndercut& tester = testers_.local();
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    SphereCell small = cell;
+    for (int k = 0; k < k_generations; ++k) small = small.quarters()[corner];
+    double hidden = known.certain;
+    for (const SurfaceElement* element : known.open) {
+      if (tester.ask(*element, small).hidden_at_centre) hidden += element->area;
+      if (hidden >= k_little * task_.bound) return false;
+    }
+  }
+  return true;
 }
 
 /// Until there are enough; what is hidden in the middle of the cell comes first in its quarters.

@@ -83,6 +83,50 @@ void remark_on_user(const PartModel& model, const SweepResult& result, std::vect
   }
 }
 
+std::string extent_of_open(const SweepProof& proof) {
+  double widest = 0.0;
+  for (const OpenCap& open : proof.open) widest = std::max(widest, open.cap.radius_deg);
+  const std::size_t count = proof.open.size();
+  return fmt::format("{} cap{} of {}{:.1f}°", count, count == 1 ? "" : "s", count == 1 ? "" : "up to ",
+                     widest);
+}
+
+std::string grade_text(const PartModel& model, const SweepProof& proof) {
+  if (proof.grade == ProofGrade::area) return "by area";
+  return fmt::format("for the scoring samples, ± {}", area_text(model, proof.bound_error));
+}
+
+void remark_on_proof(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
+  if (const auto& proof = result.proof; proof && proof->bound <= 0.0) {
+    remarks.push_back(fmt::format(
+        "Proved: no direction has less undercut than the best by more than {}, as the best has no more.",
+        area_text(model, proof->epsilon)));
+  } else if (proof) {
+    const std::string open = proof->open.empty()
+                                 ? "every direction"
+                                 : fmt::format("every direction but {} ({:.3g} % of all)",
+                                               extent_of_open(*proof), 100.0 * (1.0 - proof->proved_share));
+    remarks.push_back(fmt::format("{}: {} has at least {} undercut; {}{}.",
+                                  proof->holds ? "Proved" : "Not proved everywhere", open,
+                                  area_text(model, proof->bound), grade_text(model, *proof),
+                                  proof->open.empty() ? ""
+                                  : proof->holds      ? "; what is open lies around directions listed"
+                                                      : "; there may be better ones in what is open"));
+  }
+  if (const auto& free = result.all_free) {
+    remarks.push_back(
+        free->open.empty()
+            ? fmt::format("No direction has less than {} undercut; {}.", area_text(model, free->bound),
+                          grade_text(model, *free))
+            : fmt::format("All directions with less than {} undercut are within {} ({:.3g} % of all), the "
+                          "largest about {}; {}{}.",
+                          area_text(model, free->bound), extent_of_open(*free),
+                          100.0 * (1.0 - free->proved_share),
+                          direction_text(free->open.front().cap.direction), grade_text(model, *free),
+                          free->complete ? "" : "; ended early"));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult& result) {
@@ -111,6 +155,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
                                   difference_text(model, best, *next),
                                   actions.empty() ? "" : ", and its side actions are: " + actions));
   }
+  remark_on_proof(model, result, remarks);
   return remarks;
 }
 

@@ -20,6 +20,24 @@ std::vector<CandidateKind> kinds_named(const Words& names) {
   return kinds;
 }
 
+/// "off", or per cent of the part's area as "0.5%" or "0.5".
+template <std::optional<double> SweepSettings::*k_member>
+TextKind<SweepSettings> share_or_off(std::string_view flag, std::string_view bare) {
+  const auto get = [](const SweepSettings& s) {
+    return s.*k_member ? real_text(*(s.*k_member)) + "%" : std::string("off");
+  };
+  static const std::string_view k_flag = flag;
+  const auto set = [](SweepSettings& s, std::string_view text) {
+    if (text == "off") {
+      s.*k_member = std::nullopt;
+      return;
+    }
+    if (text.ends_with('%')) text.remove_suffix(1);
+    s.*k_member = parse_real({text, k_flag}, 0.0, 100.0);
+  };
+  return {.name = "[EPS%]", .get = get, .set = set, .words = {"off", "0.1%", "0.5%", "2%"}, .bare = bare};
+}
+
 }  // namespace
 
 std::span<const Option<SweepSettings>> sweep_options() {
@@ -61,6 +79,20 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Find the side actions of the directions listed, which takes longer than the rest of a sweep; of "
        "directions that tie, those of the least weight come first.",
        SwitchKind<S>{&S::actions}},
+      {"prove", "--prove", "Prove the best", "",
+       "Prove that no direction, tried or not, has less undercut than the best by more than EPS per cent of "
+       "the part's area (0.1% if EPS is left out).",
+       share_or_off<&S::prove_pct>("--prove", "0.1%")},
+      {"all_free", "--all-free", "All nearly free", "",
+       "Find caps that hold every direction of at most EPS per cent undercut (0.5% if EPS is left out).",
+       share_or_off<&S::all_free_pct>("--all-free", "0.5%")},
+      {"proof", "--proof", "Proof by", "",
+       "What is proved: for the scoring samples, in about the time of a sweep and with their sampling error, "
+       "or by area for the surface itself, in minutes.",
+       choice<&S::proof_grade>({"samples", "area"})},
+      {"proof_limit_s", "--proof-limit", "Proof limit", "s",
+       "End a proof after this time; what is open by then stays open. 0 for none.",
+       RealKind<S>{&S::proof_limit_s, 0.0, 1e9, 1.0}},
       {"jobs", "--jobs", "Threads", "", "Threads that score directions; 0 takes all cores.",
        IntegerKind<S>{&S::jobs, 0, 256}},
       {"time_limit_s", "--time-limit", "Time limit", "s",

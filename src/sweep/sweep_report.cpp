@@ -69,6 +69,26 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   return json;
 }
 
+/// Of what is open: for the proof of the best the caps alone, for all free directions with what they leave.
+Json proof_json(const SweepProof& proof, bool with_undercuts) {
+  Json open = Json::array();
+  for (const OpenCap& each : proof.open) {
+    Json cap = {{"direction", vector_json(each.cap.direction)}, {"radius_deg", each.cap.radius_deg}};
+    if (with_undercuts) cap["undercut"] = each.undercut ? Json(*each.undercut) : Json();
+    open.push_back(std::move(cap));
+  }
+  return {{"grade", proof.grade == ProofGrade::area ? "area" : "samples"},
+          {"epsilon", proof.epsilon},
+          {"bound", proof.bound},
+          {"bound_error", proof.bound_error},
+          {"proved_share", proof.proved_share},
+          {"open", open},
+          {"cells", proof.looked_at},
+          {"complete", proof.complete},
+          {"proved", proof.holds},
+          {"elapsed_s", proof.elapsed_s}};
+}
+
 /// Rows of cells, each column as wide as its widest cell, all but the first `left` and the last set to the
 /// right.
 class TextTable {
@@ -137,11 +157,14 @@ Json sweep_json(const PartModel& model, const SweepResult& result) {
   for (const SweepCandidate& candidate : result.candidates) {
     candidates.push_back(candidate_json(model, candidate));
   }
-  return {{"schema", "moldlight.sweep/2"},     {"part", part_json(model, model.warnings)},
-          {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
-          {"skipped", result.skipped},         {"complete", result.complete},
-          {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},
-          {"candidates", candidates}};
+  Json json = {{"schema", "moldlight.sweep/2"},     {"part", part_json(model, model.warnings)},
+               {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
+               {"skipped", result.skipped},         {"complete", result.complete},
+               {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},
+               {"candidates", candidates}};
+  if (result.proof) json["proof"] = proof_json(*result.proof, false);
+  if (result.all_free) json["all_free"] = proof_json(*result.all_free, true);
+  return json;
 }
 
 std::string sweep_table(const PartModel& model, const SweepResult& result, TableWidth width) {

@@ -10,6 +10,7 @@
 #include "classify/classification.hpp"
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/direction_actions.hpp"
+#include "sweep/sweep_proof.hpp"
 #include "sweep/sweep_settings.hpp"
 
 namespace moldlight {
@@ -57,6 +58,8 @@ struct SweepResult {
   bool complete = true;
   double elapsed_s = 0.0;
   std::vector<SweepCandidate> candidates;  // best first
+  std::optional<SweepProof> proof;         // that nothing is better than the best, where it was asked for
+  std::optional<SweepProof> all_free;      // of all directions that are as good as was asked for
   std::vector<std::string> remarks;        // for the user
 };
 

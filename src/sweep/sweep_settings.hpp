@@ -19,6 +19,9 @@ namespace moldlight {
 /// processor, or by shadow maps on the GL, in batches.
 enum class SweepEngine : std::uint8_t { rays, gl };
 
+/// What a proof counts: the samples that score directions, or the surface itself, in pieces of facets.
+enum class ProofGrade : std::uint8_t { samples, area };
+
 struct DirectionFigure;
 
 /// What directions are ranked by, smallest first: a weighted sum of figures, each divided by the part's own
@@ -52,8 +55,14 @@ struct SweepSettings {
   ActionSettings action_settings = {};
   double pressure = 0.0;  // cavity pressure for the clamp force, force per area unit of the part; 0: none
   Objective objective = parse_objective("undercut");
-  int jobs = 0;               // threads, 0: all cores, [0, 256]
-  double time_limit_s = 0.0;  // 0: none
+  /// Prove that no direction has less than the best by more than this, per cent of the part's area, [0, 100].
+  std::optional<double> prove_pct = {};
+  /// Find all directions of at most so much undercut, per cent of the part's area, [0, 100].
+  std::optional<double> all_free_pct = {};
+  ProofGrade proof_grade = ProofGrade::samples;
+  double proof_limit_s = 0.0;  // for each proof; 0: none
+  int jobs = 0;                // threads, 0: all cores, [0, 256]
+  double time_limit_s = 0.0;   // 0: none
 };
 
 /// The options of a sweep that are not options of the method.

@@ -13,6 +13,7 @@ inline constexpr std::string_view k_scoring = "scoring";
 inline constexpr std::string_view k_refining = "refining";
 inline constexpr std::string_view k_measuring = "measuring the best";
 inline constexpr std::string_view k_polishing = "polishing";
+inline constexpr std::string_view k_proving = "proving";  // its fraction is what is decided
 inline constexpr std::string_view k_actions = "finding side actions";
 inline constexpr std::string_view k_final = "tilting the best";
 }  // namespace sweep_stage
@@ -25,11 +26,12 @@ inline constexpr std::string_view k_final = "tilting the best";
     double share;
   };
   constexpr double k_of_actions = 0.6;
-  constexpr std::array<Stage, 7> k_stages = {{{sweep_stage::k_candidates, 0.02},
+  constexpr std::array<Stage, 8> k_stages = {{{sweep_stage::k_candidates, 0.02},
                                               {sweep_stage::k_scoring, 0.25},
                                               {sweep_stage::k_refining, 0.15},
                                               {sweep_stage::k_measuring, 0.18},
-                                              {sweep_stage::k_polishing, 0.2},
+                                              {sweep_stage::k_polishing, 0.15},
+                                              {sweep_stage::k_proving, 0.05},
                                               {sweep_stage::k_actions, 0.0},
                                               {sweep_stage::k_final, 0.2}}};
   double before = 0.0;

@@ -214,6 +214,42 @@ TEST(SweepCommand, TakesDirectionsByFlagAndFile) {
   EXPECT_EQ(std::ranges::count_if(json["remarks"], says_best), 1) << json["remarks"];
 }
 
+TEST(SweepCommand, ProvesWhatWasAskedFor) {
+  const SmallPart part;
+  // The side hole is an undercut along z, and the best there is; the part has a hundred times as much area.
+  const Json json = sweep_of(part.sweep({"--json", "-", "--prove", "0.5%", "--all-free", "--proof", "area"}));
+  ASSERT_TRUE(json.contains("proof") && json.contains("all_free"));
+  const Json& proof = json["proof"];
+  EXPECT_EQ(keys(proof), (Names{"grade", "epsilon", "bound", "bound_error", "proved_share", "open", "cells",
+                                "complete", "proved", "elapsed_s"}));
+  EXPECT_EQ(proof["grade"], "area");
+  const double total = json["part"]["area"].get<double>();
+  EXPECT_NEAR(proof["epsilon"].get<double>(), 0.005 * total, 1e-9 * total);
+  const double best = json["candidates"][0]["areas"]["undercut"].get<double>();
+  EXPECT_NEAR(proof["bound"].get<double>(), std::max(0.0, best - 0.005 * total), 1e-9 * total);
+  EXPECT_EQ(proof["complete"], true);
+  EXPECT_NEAR(json["all_free"]["epsilon"].get<double>(), 0.005 * total, 1e-9 * total) << "if EPS is left out";
+  EXPECT_EQ(json["settings"]["prove"], "0.5%");
+  EXPECT_EQ(json["settings"]["all_free"], "0.5%");
+  for (const Json& open : json["all_free"]["open"])
+    EXPECT_EQ(keys(open), (Names{"direction", "radius_deg", "undercut"}));
+  const auto run = run_moldlight(part.sweep({"--prove", "--fail-unless-proved"}));
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_NE(run.out.find("Proved: "), std::string::npos) << run.out;
+}
+
+TEST(SweepCommand, EndsWithFourWhenNothingIsProved) {
+  const SmallPart part;
+  // Hardly a direction has so much: nearly all of them are open.
+  const auto failed = run_moldlight(part.sweep({"--all-free", "90%", "--fail-unless-proved"}));
+  EXPECT_EQ(failed.exit_code, 4) << failed.err;
+  EXPECT_NE(failed.err.find("not proved"), std::string::npos) << failed.err;
+  EXPECT_NE(failed.out.find("undercut unit²"), std::string::npos) << "the result is there all the same";
+  EXPECT_EQ(run_moldlight(part.sweep({"--fail-unless-proved"})).exit_code, 2);
+  for (const std::string eps : {"-1", "101%", "much", "nan"})
+    EXPECT_EQ(run_moldlight(part.sweep({"--prove", eps})).exit_code, 2) << eps;
+}
+
 TEST(SweepCommand, EndsWithThreeWhenTheCriterionFails) {
   const SmallPart part;
   const auto sweep = [&](const std::string& limit) {

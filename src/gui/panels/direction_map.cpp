@@ -91,10 +91,43 @@ void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, con
   }
 }
 
+namespace {
+
+/// Of the proof of the best, or of all free directions where that one tells nothing.
+const SweepProof* shown_proof(const SweepState& sweep) {
+  if (!sweep.result) return nullptr;
+  const SweepResult& result = *sweep.result;
+  if (result.proof && result.proof->bound > 0.0) return &*result.proof;
+  return result.all_free ? &*result.all_free : nullptr;
+}
+
+std::string proof_text(const AppState& state, const SweepProof& proof, const glm::dvec3& direction) {
+  const auto bound = proof.bound_at(direction);
+  if (!bound) return "open: not proved";
+  return fmt::format(
+      "proved: at least {}{}", area_text(state, *bound),
+      proof.grade == ProofGrade::samples ? fmt::format(" ± {}", area_text(state, proof.bound_error)) : "");
+}
+
+void draw_open_caps(const Ui& ui, const Ball& ball, const SweepProof& proof) {
+  constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 180), k_open = IM_COL32(255, 196, 64, 255);
+  constexpr double k_least_deg = 4.0;  // a smaller ring would be hidden by the mark in it
+  for (const OpenCap& open : proof.open) {
+    for (const double sign : {1.0, -1.0}) {
+      const double radius_deg = std::max(open.cap.radius_deg, k_least_deg);
+      draw_circle(ball, sign * open.cap.direction, radius_deg, {k_dark, 2.5F * ui.scale});
+      draw_circle(ball, sign * open.cap.direction, radius_deg, {k_open, 1.2F * ui.scale});
+    }
+  }
+}
+
+}  // namespace
+
 void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep) {
   ImDrawList& list = ball.list;
   constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 230), k_light = IM_COL32(255, 255, 255, 240);
   if (!sweep.result) return;
+  if (const SweepProof* proof = shown_proof(sweep)) draw_open_caps(ui, ball, *proof);
   for (const SweepCandidate& candidate : sweep.result->candidates) {
     const bool best = candidate.rank == 1;
     if (candidate.tie_group != 1 && !best) continue;
@@ -145,6 +178,7 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   heading(ui, title);
   draw_item_text(ui.colours->text, text);
   if (!source.empty()) hint(ui, source);
+  if (const SweepProof* proof = shown_proof(state.sweep)) hint(ui, proof_text(state, *proof, direction));
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }
