@@ -125,9 +125,7 @@ class SlowFrames : public WindowWithPart {
           break;
       }
     }
-    // Until all input has been played, and what it changed is laid out.
-    constexpr int k_last_frames = 30;
-    for (int k = 0; k < k_last_frames; ++k) window.lay_out();
+    window.settle();
   }
 
   PartNotes notes_ = {.settings = state().settings, .bookmarks = {}};
