@@ -26,6 +26,9 @@ constexpr double k_worth_cutting = 2.0;
 constexpr double k_little = 0.5, k_calm_deg = 2.5;
 constexpr int k_calm_generations = 3;
 
+/// Elements between two looks whether to stop.
+constexpr std::size_t k_between_looks = 64;
+
 using Elements = std::vector<const SurfaceElement*>;
 
 /// What a cell hands on to its quarters.
@@ -53,6 +56,11 @@ class Search {
   [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
+  /// Asks, and stays so.
+  bool is_stopped() {
+    if (task_.stop && task_.stop()) stopped_ = true;
+    return stopped_;
+  }
   [[nodiscard]] bool enough(const CellState& state) const { return state.to_hand_on.certain >= task_.bound; }
   void find_certain(const SphereCell& cell, const Elements& open, CellState& state);
   [[nodiscard]] bool little_at_corners(const SphereCell& cell, const Inherited& known);
@@ -78,14 +86,14 @@ std::vector<ProofCell> Search::end(const SphereCell& cell, double certain, bool 
 }
 
 std::vector<ProofCell> Search::run(const SphereCell& cell, const Inherited& inherited) {
-  if (task_.stop && task_.stop()) stopped_ = true;
-  if (stopped_) return end(cell, inherited.certain, inherited.certain >= task_.bound);
+  if (is_stopped()) return end(cell, inherited.certain, inherited.certain >= task_.bound);
   ++looked_at_;
   CellState state;
   Inherited& next = state.to_hand_on;
   next.certain = inherited.certain;
   find_certain(cell, inherited.open, state);
   if (enough(state)) return end(cell, next.certain, true);
+  if (stopped_) return end(cell, next.certain, false);  // elements were left out
   const bool little = next.certain + state.hidden < k_little * task_.bound;
   next.calm = little ? inherited.calm + 1 : 0;
   const bool calm =
@@ -121,7 +129,7 @@ void Search::find_certain(const SphereCell& cell, const Elements& open, CellStat
   std::vector<std::pair<const SurfaceElement*, double>> hidden;
   Elements free;
   for (std::size_t k = 0; k < open.size(); ++k) {
-    if (enough(state)) return;
+    if (enough(state) || (k % k_between_looks == 0 && is_stopped())) return;
     const ElementAnswer answer = tester.ask(*open[k], cell);
     if (answer.certain_area > 0.0) {
       state.to_hand_on.certain += answer.certain_area;
@@ -141,6 +149,7 @@ void Search::cut_elements(const SphereCell& cell,
                           std::vector<std::pair<const SurfaceElement*, double>> hidden, CellState& state) {
   CertainUndercut& tester = testers_.local();
   for (std::size_t k = 0; k < hidden.size(); ++k) {
+    if (k % k_between_looks == 0 && is_stopped()) return;
     const auto [element, distance] = hidden[k];
     const double least = std::max(task_.finest_length, k_worth_cutting * distance * cell.radius_rad());
     if (element->is_point || element->length <= least || enough(state)) {
