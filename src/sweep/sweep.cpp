@@ -25,6 +25,7 @@
 #include "sweep/direction_rating.hpp"
 #include "sweep/listing.hpp"
 #include "sweep/polish.hpp"
+#include "sweep/proving.hpp"
 #include "sweep/remarks.hpp"
 #include "sweep/scoring_pools.hpp"
 #include "sweep/sweep_clock.hpp"
@@ -45,9 +46,6 @@ constexpr std::size_t k_with_actions_per_listed = 2;
 // Of the part's area: what is worse than the best by more is not polished.
 constexpr double k_polished_share = 0.003;
 constexpr std::size_t k_most_polished = 3;
-// Better directions that a proof leads to are followed, and it begins anew, so many times at most.
-constexpr int k_most_rounds = 3;
-constexpr std::size_t k_most_open_tried = 16, k_most_caps_measured = 200;
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 /// The regions of what is listed are exact, whatever the readout that one's classifications have.
@@ -81,11 +79,11 @@ class SweepRun {
     keep_contenders();
     measure_contenders();
     polish_best();
-    prove_best();
+    prove();
     choose();
     find_side_actions();
     list();
-    judge_proofs();
+    judge_proofs(result_);
     result_.remarks = sweep_remarks(model_, result_);
     result_.complete = !clock_.cut_short();
     result_.elapsed_s = clock_.elapsed_s();
@@ -101,14 +99,10 @@ class SweepRun {
   void measure_contenders();
   [[nodiscard]] bool surely_hidden(const Contender& contender) const;
   void measure_batch(std::span<Contender> batch, const std::function<bool()>& stop);
+  [[nodiscard]] Polishing polishing();
   void polish_best();
   [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
-  void prove_best();
-  [[nodiscard]] std::optional<double> least_undercut() const;
-  [[nodiscard]] SweepProof prove_above(double bound, ProofGrade grade);
-  [[nodiscard]] bool found_better(const SweepProof& proof);
-  void measure_caps(SweepProof& proof);
-  void judge_proofs();
+  void prove();
   void choose();
   void find_side_actions();
   void list();
@@ -318,13 +312,17 @@ std::vector<std::size_t> SweepRun::contenders_to_polish() const {
   return chosen;
 }
 
+Polishing SweepRun::polishing() {
+  return {.model = model_,
+          .rating = rating_,
+          .rays = pools_.rays(),
+          .measurer = measurer_,
+          .clock = clock_,
+          .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
+}
+
 void SweepRun::polish_best() {
-  const Polishing polishing{.model = model_,
-                            .rating = rating_,
-                            .rays = pools_.rays(),
-                            .measurer = measurer_,
-                            .clock = clock_,
-                            .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
+  const Polishing polishing = this->polishing();
   const std::vector<std::size_t> chosen = contenders_to_polish();
   for (std::size_t k = 0; k < chosen.size() && !clock_.stopped(); ++k) {
     clock_.report(sweep_stage::k_polishing, static_cast<double>(k) / static_cast<double>(chosen.size()));
@@ -364,111 +362,9 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   return listed;
 }
 
-std::optional<double> SweepRun::least_undercut() const {
-  std::optional<double> least;
-  for (const Contender& contender : contenders_) {
-    if (contender.measured && (!least || contender.figures.undercut < *least))
-      least = contender.figures.undercut;
-  }
-  return least;
-}
-
-/// What is proved is the undercut, whatever the objective.
-void SweepRun::prove_best() {
-  if (!(settings_.prove_pct || settings_.all_free_pct) || !least_undercut() || clock_.stopped()) return;
-  const double pct = 0.01 * model_.geometry.total_area;
-  const auto bound = [&] { return std::max(0.0, *least_undercut() - *settings_.prove_pct * pct); };
-  try {
-    if (settings_.prove_pct) {
-      // By samples first, whatever the grade: it is soon known whether anything better was missed.
-      result_.proof = prove_above(bound(), ProofGrade::samples);
-      for (int round = 0; round < k_most_rounds && found_better(*result_.proof); ++round)
-        result_.proof = prove_above(bound(), ProofGrade::samples);
-      if (settings_.proof_grade == ProofGrade::area) result_.proof = prove_above(bound(), ProofGrade::area);
-      result_.proof->epsilon = *settings_.prove_pct * pct;
-    }
-    if (settings_.all_free_pct) {
-      result_.all_free = prove_above(*settings_.all_free_pct * pct, settings_.proof_grade);
-      result_.all_free->epsilon = *settings_.all_free_pct * pct;
-      measure_caps(*result_.all_free);
-    }
-  } catch (const Cancelled&) {
-    return;
-  }
-}
-
-SweepProof SweepRun::prove_above(double bound, ProofGrade grade) {
-  const double until_s = clock_.elapsed_s() + settings_.proof_limit_s;
-  const ProofRun run{
-      .grade = grade,
-      .bound = bound,
-      .stop =
-          [&] { return clock_.stopped() || (settings_.proof_limit_s > 0.0 && clock_.elapsed_s() > until_s); },
-      .progress = [&](double open) { clock_.report(sweep_stage::k_proving, 1.0 - open); }};
-  tbb::task_arena arena(arena_threads(result_.jobs));
-  return arena.execute([&] { return prove(model_, settings_, run, clock_.until_cancelled()); });
-}
-
-/// Looks where the proof is open and nothing was measured nearby; what has less undercut than all others
-/// joins the contenders.
-bool SweepRun::found_better(const SweepProof& proof) {
-  std::vector<Contender> open;
-  for (const OpenCap& each : proof.open) {
-    const glm::dvec3& direction = each.cap.direction;
-    const bool known = std::ranges::any_of(contenders_, [&](const Contender& contender) {
-      return contender.measured &&
-             line_angle_deg(contender.candidate.direction, direction) + each.cap.radius_deg <=
-                 settings_.apart_deg;
-    });
-    if (known || open.size() == k_most_open_tried || clock_.stopped()) continue;
-    const auto scores = pools_.rays().score(std::vector<ScoringTask>{{direction}}, [] { return false; }, {});
-    tell(evaluated_direction(direction, CandidateKind::refined, *scores[0]));
-    Candidate candidate{direction, {{CandidateKind::refined, "where the proof was open", 0.0}}};
-    const RankedFigures figures = rating_.scored(candidate, *scores[0]);
-    open.push_back({std::move(candidate), *scores[0], figures, {}});
-  }
-  const double before = *least_undercut();
-  const std::size_t first = contenders_.size();
-  limit_ = ListingLimit(wanted(), settings_.apart_deg);
-  measure_batch(open, [this] { return clock_.stopped(); });
-  const Polishing polishing{.model = model_,
-                            .rating = rating_,
-                            .rays = pools_.rays(),
-                            .measurer = measurer_,
-                            .clock = clock_,
-                            .evaluated = [this](const EvaluatedDirection& evaluated) { tell(evaluated); }};
-  for (std::size_t k = first; k < contenders_.size() && !clock_.stopped(); ++k) {
-    if (!contenders_[k].measured) continue;
-    if (std::optional<Contender> better = polish(polishing, contenders_[k]))
-      contenders_[k] = std::move(*better);
-  }
-  std::erase_if(contenders_, [](const Contender& contender) { return !contender.measured; });
-  return *least_undercut() < before;
-}
-
-void SweepRun::measure_caps(SweepProof& proof) {
-  std::vector<ScoringTask> tasks;
-  for (const OpenCap& open : proof.open) {
-    if (tasks.size() < k_most_caps_measured) tasks.push_back({open.cap.direction});
-  }
-  const auto measured =
-      measurer_.measure(tasks, {}, clock_.until_cancelled(), [this] { return clock_.stopped(); });
-  for (std::size_t k = 0; k < measured.size(); ++k) {
-    if (measured[k]) proof.open[k].undercut = measured[k]->classification.areas[Region::undercut];
-  }
-}
-
-void SweepRun::judge_proofs() {
-  for (std::optional<SweepProof>* proof : {&result_.proof, &result_.all_free}) {
-    if (!*proof) continue;
-    const auto is_listed = [&](const OpenCap& open) {
-      return std::ranges::any_of(result_.candidates, [&](const SweepCandidate& candidate) {
-        return line_angle_deg(candidate.candidate.direction, open.cap.direction) + open.cap.radius_deg <=
-               settings_.apart_deg;
-      });
-    };
-    (*proof)->holds = (*proof)->complete && std::ranges::all_of((*proof)->open, is_listed);
-  }
+void SweepRun::prove() {
+  if (!settings_.prove_pct && !settings_.all_free_pct) return;
+  prove_sweep({.polishing = polishing(), .settings = settings_, .jobs = result_.jobs}, contenders_, result_);
 }
 
 /// Those that are listed, or may be once their side actions are known.

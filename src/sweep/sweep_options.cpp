@@ -91,7 +91,7 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "or by area for the surface itself, in minutes.",
        choice<&S::proof_grade>({"samples", "area"})},
       {"proof_limit_s", "--proof-limit", "Proof limit", "s",
-       "End a proof after this time; what is open by then stays open. 0 for none.",
+       "End what is proved after this time, all of it together; what is open by then stays open. 0 for none.",
        RealKind<S>{&S::proof_limit_s, 0.0, 1e9, 1.0}},
       {"jobs", "--jobs", "Threads", "", "Threads that score directions; 0 takes all cores.",
        IntegerKind<S>{&S::jobs, 0, 256}},

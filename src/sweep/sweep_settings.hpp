@@ -60,7 +60,7 @@ struct SweepSettings {
   /// Find all directions of at most so much undercut, per cent of the part's area, [0, 100].
   std::optional<double> all_free_pct = {};
   ProofGrade proof_grade = ProofGrade::samples;
-  double proof_limit_s = 0.0;  // for each proof; 0: none
+  double proof_limit_s = 0.0;  // for all that is proved; 0: none
   int jobs = 0;                // threads, 0: all cores, [0, 256]
   double time_limit_s = 0.0;   // 0: none
 };
