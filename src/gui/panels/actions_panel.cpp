@@ -21,18 +21,12 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 26.0F, k_heading = 20.0F;  // layout units
-constexpr float k_share = 0.25F;                   // of the window's height, that the table takes at most
+constexpr float k_row = 26.0F, k_bar_width = 96.0F;  // layout units
+constexpr float k_share = 0.25F;                     // of the window's height, that the table takes at most
 constexpr float k_pin_width = 104.0F;
 constexpr const char* k_name = "Side actions";
 
-/// A column: where it ends (figures) or begins (words), from the row's left, layout units.
-struct Column {
-  std::string_view heading, help;
-  float at;
-  bool figure;
-};
-constexpr std::array<Column, 6> k_columns = {{
+constexpr std::array<ListColumn, 6> k_columns = {{
     {"#", "", 8.0F, false},
     {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
     {"depth",
@@ -208,24 +202,13 @@ void ActionsPanel::draw(const PanelContext& context) {
 void ActionsPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const ActionsState& actions = context.state.actions;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
-  const float middle = start.y + 0.5F * height;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
-            k_name);
-  const float left = start.x + text_size(ui.fonts.strong, k_name).x + ui.px(12);
-
-  float right = start.x + width - height;
+  BottomHeader header(ui, k_name);
   const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
-  ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-  if (icon_button(
-          ui, {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+  if (header.button(
+          {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
     unfold(!open);
-  right -= height + ui.px(4);
-  ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-  if (icon_button(ui,
-                  {"action options", Icon::settings, "What is allowed of side actions", open && settings_})) {
+  if (header.button(
+          {"action options", Icon::settings, "What is allowed of side actions", open && settings_})) {
     settings_ = !(open && settings_);
     unfold(true);
   }
@@ -234,75 +217,34 @@ void ActionsPanel::draw_header(const PanelContext& context, bool open) {
   if (actions.running || actions.awaited) {
     text = actions.running && !actions.running->stage.empty() ? actions.running->stage + " …"
                                                               : "looking for side actions …";
-    constexpr float k_bar_width = 96.0F;
-    right -= ui.px(k_bar_width + 10);
-    ImGui::SetCursorScreenPos(ImVec2(right, middle - ui.px(2)));
-    progress_bar(ui, actions.running ? actions.running->fraction : 0.0, ui.px(k_bar_width));
+    header.progress(actions.running ? actions.running->fraction : 0.0, k_bar_width);
   } else if (!actions.error.empty()) {
     text = actions.error;
     colour = ui.colours->warning;
   } else if (actions.plan) {
     text = actions_summary(context.state);
   }
-  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
-            fitted(ui.fonts.body, text, right - left - ui.px(8)));
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
-  ImGui::Dummy(ImVec2(width, 0.0F));
+  header.end(text, colour);
 }
 
 void ActionsPanel::draw_settings(const PanelContext& context) const {
-  constexpr float k_column = 190.0F;  // layout units, at least
-  const Ui& ui = context.ui;
-  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
   const RowOptions numbers{
       .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
-  if (ImGui::BeginTable("options", columns,
-                        ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
-    for (const Option<ActionSettings>& option : action_options()) {
-      if (!has_control(option)) continue;
-      ImGui::TableNextColumn();
-      option_row(ui, option, context.edits.settings.actions, numbers);
-    }
-    ImGui::EndTable();
-  }
+  option_table<ActionSettings>(context.ui, action_options(), context.edits.settings.actions, numbers);
   draw_own_directions(context);
 }
 
 void ActionsPanel::draw_table(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const std::size_t count = context.state.actions.plan->patches.size();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (const Column& column : k_columns) {
-    const float x = corner.x + ui.px(column.at);
-    const Lettering lettering{ui.fonts.small, ui.colours->muted};
-    const float size = text_size(ui.fonts.small, column.heading).x;
-    const glm::vec2 at(column.figure ? x - size : x, corner.y + ui.px(3));
-    draw_text(list, lettering, at, column.heading);
-    if (column.help.empty()) continue;
-    ImGui::SetCursorScreenPos(im(at));
-    ImGui::Dummy(ImVec2(size, ui.fonts.small.size));
-    tooltip(ui, {}, column.help);
+  draw_headings(ui, k_columns);
+  const RowList undercuts{.id = "undercuts",
+                          .count = context.state.actions.plan->patches.size(),
+                          .row_height = k_row,
+                          .share = k_share};
+  if (const auto pressed = draw_list(ui, undercuts, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
+    context.edits.action_choices.chosen = *pressed;
+    context.edits.ask(&Commands::look_at_undercut, *pressed);
   }
-  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(k_heading)));
-  const float room = k_share * ImGui::GetIO().DisplaySize.y;
-  const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F),
-              rows = std::min(fits, static_cast<float>(count));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-  ImGui::BeginChild("undercuts", ImVec2(width, rows * ui.px(k_row)), false,
-                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings);
-  if (marked_row_ && std::exchange(row_moved_, false))
-    ImGui::SetScrollY((static_cast<float>(*marked_row_) + 0.5F) * ui.px(k_row) - 0.5F * rows * ui.px(k_row));
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(count), ui.px(k_row));
-  while (clipper.Step()) {
-    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
-      draw_row(context, static_cast<std::size_t>(k));
-  }
-  ImGui::EndChild();
-  choose_row(context, static_cast<int>(fits));
-  ImGui::PopStyleVar();
   draw_own_directions(context);
 }
 
@@ -313,35 +255,24 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   const UndercutReport& patch = plan.patches[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row);
   auto& chosen = context.edits.action_choices.chosen;
   const bool here = state.action_choices.chosen == undercut;
   const std::string id = fmt::format("undercut {}", undercut + 1);
-  const bool clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(width - ui.px(k_pin_width + 6), height));
-  const bool hovered = ImGui::IsItemHovered();
-  const ScreenBox box{start, start + glm::vec2(width, height)};
-  ui.memory->controls[id] = {box.min, from_im(ImGui::GetItemRectMax())};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (here || hovered)
-    list.AddRectFilled(im(box.min), im(box.max), here ? ui.colours->field_active : ui.colours->field,
-                       ui.px(6));
-  if (marked_row_ == static_cast<int>(undercut))
-    list.AddRect(im(box.min), im(box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
-
+  const Row row = list_row(ui, {.id = id.c_str(),
+                                .height = k_row,
+                                .beside = k_pin_width + 6,
+                                .chosen = here,
+                                .marked = cursor_.is_at(undercut)});
+  const glm::vec2& start = row.box.min;
   const bool left_over = is_unreleased(plan, undercut);
   const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
               quiet = ui.colours->muted;
-  const float right = box.max.x - ui.px(k_pin_width + 14);
+  const float right = row.box.max.x - ui.px(k_pin_width + 14);
   const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
     const bool last = column + 1 == k_columns.size();
-    const float x = start.x + ui.px(k_columns[column].at), y = start.y + 0.5F * (height - font.size);
-    if (k_columns[column].figure) {
-      draw_text_to({font, colour}, x, y, text);
-    } else {
-      const float end = last ? right : start.x + ui.px(k_columns[column + 1].at) - ui.px(50);
-      draw_text(list, {font, colour}, {x, y}, fitted(font, text, end - x));
-    }
+    const float end = last ? right : start.x + ui.px(k_columns[column + 1].at) - ui.px(50);
+    draw_cell(ui, row.box, k_columns[column], {font, colour}, text,
+              end - start.x - ui.px(k_columns[column].at));
   };
   const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
   cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
@@ -351,42 +282,23 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
     draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
-                {start.x + ui.px(k_columns[3].at) - ui.px(10), start.y + 0.5F * height});
+                {start.x + ui.px(k_columns[3].at) - ui.px(10), row.box.centre().y});
     cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     detail += others_text(plan, undercut, *action);
     if (left_over) detail += " · some is left";
     cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
   } else {
-    const float x = start.x + ui.px(k_columns[3].at);
-    draw_text(list, {ui.fonts.body, ui.colours->warning}, {x, start.y + 0.5F * (height - ui.fonts.body.size)},
-              fitted(ui.fonts.body, why, right - x));
+    draw_cell(ui, row.box, k_columns[3], {ui.fonts.body, ui.colours->warning}, why,
+              right - start.x - ui.px(k_columns[3].at));
   }
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
-  ImGui::SetCursorScreenPos(ImVec2(box.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
+  ImGui::SetCursorScreenPos(ImVec2(row.box.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
   draw_pin(context, undercut);
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
-  if (!clicked) return;
+  ImGui::SetCursorScreenPos(ImVec2(start.x, row.box.max.y));
+  if (!row.clicked) return;
   chosen = here ? std::nullopt : std::optional(undercut);
   if (chosen) context.edits.ask(&Commands::look_at_undercut, undercut);
-}
-
-void ActionsPanel::choose_row(const PanelContext& context, int page) {
-  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
-  context.ui.memory->controls["undercuts"] = box;
-  Keyboard& keyboard = context.ui.memory->keyboard;
-  if (!has_keyboard(context.ui, "undercuts", box)) {
-    marked_row_.reset();
-    return;
-  }
-  const int count = static_cast<int>(context.state.actions.plan->patches.size());
-  const int steps = keyboard.takes_steps(page, count);
-  row_moved_ = steps != 0 || !marked_row_;
-  marked_row_ = std::clamp(marked_row_.value_or(0) + steps, 0, count - 1);
-  if (!keyboard.takes(ControlKey::press)) return;
-  const auto undercut = static_cast<std::size_t>(*marked_row_);
-  context.edits.action_choices.chosen = undercut;
-  context.edits.ask(&Commands::look_at_undercut, undercut);
 }
 
 }  // namespace moldlight::gui

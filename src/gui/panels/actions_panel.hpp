@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "gui/draw/bottom_panel.hpp"
 #include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
@@ -18,11 +19,9 @@ class ActionsPanel {
   void draw_settings(const PanelContext& context) const;
   void draw_table(const PanelContext& context);
   void draw_row(const PanelContext& context, std::size_t undercut);
-  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
-  void choose_row(const PanelContext& context, int page);
 
-  std::optional<int> marked_row_;  // by the keyboard
-  bool row_moved_ = false, settings_ = false;
+  RowCursor cursor_;
+  bool settings_ = false;
 };
 
 }  // namespace moldlight::gui

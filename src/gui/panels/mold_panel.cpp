@@ -17,17 +17,11 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 24.0F, k_heading = 20.0F, k_line = 18.0F;  // layout units
+constexpr float k_row = 24.0F, k_line = 18.0F, k_bar_width = 96.0F;  // layout units
 constexpr float k_share = 0.1F;  // of the window's height, that the table takes at most
 constexpr const char* k_name = "Mold";
 
-/// A column: where it ends (figures) or begins (words), from the row's left, layout units.
-struct Column {
-  std::string_view heading, help;
-  float at;
-  bool figure;
-};
-constexpr std::array<Column, 9> k_columns = {{
+constexpr std::array<ListColumn, 9> k_columns = {{
     {"#", "", 8.0F, false},
     {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.", 36.0F,
      false},
@@ -171,27 +165,16 @@ void MoldPanel::draw(const PanelContext& context) {
 void MoldPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const MoldState& mold = context.state.mold;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
-  const float middle = start.y + 0.5F * height;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
-            k_name);
-  const float left = start.x + text_size(ui.fonts.strong, k_name).x + ui.px(12);
-  float right = start.x + width;
+  BottomHeader header(ui, k_name);
   const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
-  const auto button = [&](const IconButtonSpec& spec) {
-    right -= height + (spec.icon == Icon::chevron_down || spec.icon == Icon::chevron_up ? 0.0F : ui.px(4));
-    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-    return icon_button(ui, spec);
-  };
-  if (button({"fold mold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold (G)"}))
+  if (header.button(
+          {"fold mold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold (G)"}))
     unfold(!open);
-  if (button({"mold options", Icon::settings, "What is asked of the mold", open && settings_})) {
+  if (header.button({"mold options", Icon::settings, "What is asked of the mold", open && settings_})) {
     settings_ = !(open && settings_);
     unfold(true);
   }
-  if (open && button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
+  if (open && header.button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
     context.edits.dialogs.exporting_mold = true;
   std::string text;
   ImU32 colour = ui.colours->muted;
@@ -199,27 +182,17 @@ void MoldPanel::draw_header(const PanelContext& context, bool open) {
     text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
                                                         : "finding the parting line …";
     if (mold.line && !mold.line_awaited) text = mold.line->verdict + " · " + text;
-    constexpr float k_bar_width = 96.0F;
-    right -= ui.px(k_bar_width + 10);
-    ImGui::SetCursorScreenPos(ImVec2(right, middle - ui.px(2)));
-    progress_bar(ui, mold.running ? mold.running->fraction : 0.0, ui.px(k_bar_width));
+    header.progress(mold.running ? mold.running->fraction : 0.0, k_bar_width);
   } else if (!mold.error.empty()) {
     text = mold.error;
     colour = ui.colours->warning;
   } else if (mold.line) {
     text = mold.line->verdict;
   }
-  ImGui::SetCursorScreenPos(ImVec2(left, start.y));
-  ImGui::Dummy(ImVec2(std::max(right - left - ui.px(8), 1.0F), height));
-  if (mold.line) tooltip(ui, "The parting line", mold.line->verdict);
-  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
-            fitted(ui.fonts.body, text, right - left - ui.px(8)));
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
-  ImGui::Dummy(ImVec2(width, 0.0F));
+  header.end(text, colour, mold.line ? mold.line->verdict : std::string());
 }
 
 void MoldPanel::draw_settings(const PanelContext& context) const {
-  constexpr float k_column = 190.0F;  // layout units, at least
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const PartLengths lengths(state);
@@ -228,56 +201,21 @@ void MoldPanel::draw_settings(const PanelContext& context) const {
       .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); },
       .lengths = &lengths,
       .unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal))};
-  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
-  if (!ImGui::BeginTable("options", columns,
-                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
-    return;
-  ImGui::TableNextColumn();
-  draw_height(context, numbers);
-  for (const Option<MoldSettings>& option : mold_options()) {
-    if (!has_control(option)) continue;
-    ImGui::TableNextColumn();
-    option_row(ui, option, settings, numbers);
-  }
-  ImGui::EndTable();
+  option_table<MoldSettings>(ui, mold_options(), settings, numbers, [&] { draw_height(context, numbers); });
 }
 
 void MoldPanel::draw_table(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  const std::size_t count = state.mold.line->line.loops.size();
   const float width = ImGui::GetContentRegionAvail().x;
-  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (const Column& column : k_columns) {
-    const float x = corner.x + ui.px(column.at), size = text_size(ui.fonts.small, column.heading).x;
-    const glm::vec2 at(column.figure ? x - size : x, corner.y + ui.px(3));
-    draw_text(list, {ui.fonts.small, ui.colours->muted}, at, column.heading);
-    if (column.help.empty()) continue;
-    ImGui::SetCursorScreenPos(im(at));
-    ImGui::Dummy(ImVec2(size, ui.fonts.small.size));
-    tooltip(ui, {}, column.help);
+  draw_headings(ui, k_columns);
+  const RowList loops{
+      .id = "loops", .count = state.mold.line->line.loops.size(), .row_height = k_row, .share = k_share};
+  if (const auto pressed = draw_list(ui, loops, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
+    context.edits.mold_choices.loop = *pressed;
+    context.edits.ask(&Commands::look_at_loop, *pressed);
   }
-  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(k_heading)));
-  const float fits = std::max(std::floor(k_share * ImGui::GetIO().DisplaySize.y / ui.px(k_row)), 2.0F),
-              rows = std::min(fits, static_cast<float>(count));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-  if (count > 0) {
-    ImGui::BeginChild("loops", ImVec2(width, rows * ui.px(k_row)), false,
-                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings);
-    if (marked_row_ && std::exchange(row_moved_, false))
-      ImGui::SetScrollY((static_cast<float>(*marked_row_) + 0.5F) * ui.px(k_row) -
-                        0.5F * rows * ui.px(k_row));
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), ui.px(k_row));
-    while (clipper.Step()) {
-      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
-        draw_row(context, static_cast<std::size_t>(k));
-    }
-    ImGui::EndChild();
-    choose_row(context, static_cast<int>(fits));
-  }
-  ImGui::PopStyleVar();
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
   for (const HalvesLine& line : halves_lines(state)) {
@@ -310,20 +248,10 @@ void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const PartingLoop& loop = state.mold.line->line.loops[number];
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row);
   const bool here = state.mold_choices.loop == number;
   const std::string id = fmt::format("loop {}", number + 1);
-  const bool clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(width, height));
-  const bool hovered = ImGui::IsItemHovered();
-  const ScreenBox box{start, start + glm::vec2(width, height)};
-  ui.memory->controls[id] = box;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (here || hovered)
-    list.AddRectFilled(im(box.min), im(box.max), here ? ui.colours->field_active : ui.colours->field,
-                       ui.px(6));
-  if (marked_row_ == static_cast<int>(number))
-    list.AddRect(im(box.min), im(box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
+  const Row row =
+      list_row(ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number)});
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const FigureColumn lengths(10.0 * state.model->frame.diagonal);
   const std::array<std::string, k_columns.size()> texts = {std::to_string(number + 1),
@@ -335,15 +263,8 @@ void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
                                                            fmt::format("{:.1f}°", loop.sharpest_deg),
                                                            fmt::format("{:.0f} %", 100.0 * loop.on_crease),
                                                            std::to_string(loop.breaks)};
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    const SizedFont& font = k == 0 ? ui.fonts.strong : ui.fonts.body;
-    const float x = start.x + ui.px(k_columns[k].at), y = start.y + 0.5F * (height - font.size);
-    if (k_columns[k].figure) {
-      draw_text_to({font, normal}, x, y, texts[k]);
-    } else {
-      draw_text(list, {font, normal}, {x, y}, texts[k]);
-    }
-  }
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    draw_cell(ui, row.box, k_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
   const std::string unit = length_unit(state.model->part);
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
           with_minus(fmt::format(
@@ -351,27 +272,9 @@ void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
               "{} {}\nClick to look at it.",
               figure(loop.length), unit, figure(loop.low), figure(loop.high), loop.steepest_deg,
               figure(std::abs(loop.area)), powered_unit(state.model->part, 2))));
-  if (!clicked) return;
+  if (!row.clicked) return;
   context.edits.mold_choices.loop = here ? std::nullopt : std::optional(number);
   if (!here) context.edits.ask(&Commands::look_at_loop, number);
-}
-
-void MoldPanel::choose_row(const PanelContext& context, int page) {
-  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
-  context.ui.memory->controls["loops"] = box;
-  Keyboard& keyboard = context.ui.memory->keyboard;
-  if (!has_keyboard(context.ui, "loops", box)) {
-    marked_row_.reset();
-    return;
-  }
-  const int count = static_cast<int>(context.state.mold.line->line.loops.size());
-  const int steps = keyboard.takes_steps(page, count);
-  row_moved_ = steps != 0 || !marked_row_;
-  marked_row_ = std::clamp(marked_row_.value_or(0) + steps, 0, count - 1);
-  if (!keyboard.takes(ControlKey::press)) return;
-  const auto loop = static_cast<std::size_t>(*marked_row_);
-  context.edits.mold_choices.loop = loop;
-  context.edits.ask(&Commands::look_at_loop, loop);
 }
 
 }  // namespace moldlight::gui

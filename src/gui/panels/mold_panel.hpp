@@ -2,8 +2,7 @@
 // with their certificate.
 #pragma once
 
-#include <optional>
-
+#include "gui/draw/bottom_panel.hpp"
 #include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
@@ -17,11 +16,8 @@ class MoldPanel {
   void draw_settings(const PanelContext& context) const;
   void draw_table(const PanelContext& context);
   void draw_row(const PanelContext& context, std::size_t loop);
-  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
-  void choose_row(const PanelContext& context, int page);
 
-  std::optional<int> marked_row_;  // by the keyboard
-  bool row_moved_ = false;
+  RowCursor cursor_;
   bool settings_ = false;
 };
 

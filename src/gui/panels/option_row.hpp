@@ -159,4 +159,26 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOpt
   return option_text(option, settings) != before;
 }
 
+/// Rows of the options that have a narrow control, in as many columns as there is room for; `first` draws a
+/// row before them.
+template <typename S>
+void option_table(const Ui& ui, std::span<const Option<S>> options, S& settings, const RowOptions& row,
+                  const std::function<void()>& first = {}) {
+  constexpr float k_column = 190.0F;  // layout units, at least
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  if (!ImGui::BeginTable("options", columns,
+                         ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+    return;
+  if (first) {
+    ImGui::TableNextColumn();
+    first();
+  }
+  for (const Option<S>& option : options) {
+    if (!has_control(option) || is_wide(option)) continue;
+    ImGui::TableNextColumn();
+    option_row(ui, option, settings, row);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace moldlight::gui

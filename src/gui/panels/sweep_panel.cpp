@@ -193,48 +193,25 @@ void SweepPanel::fold(const PanelContext& context, bool folded) {
 void SweepPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const SweepState& sweep = context.state.sweep;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
-  const float middle = start.y + 0.5F * height;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, {ui.fonts.strong, ui.colours->text}, {start.x, middle - 0.5F * ui.fonts.strong.size},
-            "Sweep");
-
-  // From the right: chevron, options, ball, start or cancel, bar; what is left is text.
-  float right = start.x + width;
-  const auto place = [&](float item_width) {
-    right -= item_width;
-    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-    right -= ui.px(4);
-  };
-  place(height);
-  if (icon_button(ui, {"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+  BottomHeader header(ui, "Sweep");
+  if (header.button({"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
     fold(context, open);
-  place(height);
-  if (icon_button(ui, {"options", Icon::settings, "Options of the sweep", open && options_})) {
+  if (header.button({"options", Icon::settings, "Options of the sweep", open && options_})) {
     options_ = !(open && options_);
     fold(context, false);
   }
   if (sweep.map) {
-    place(height);
     SweepChoices& choices = context.edits.sweep_choices;
-    if (icon_button(ui, {"ball", Icon::sphere, "The map of directions, large", choices.large_ball}))
+    if (header.button({"ball", Icon::sphere, "The map of directions, large", choices.large_ball}))
       choices.large_ball = !choices.large_ball;
   }
   const char* action = sweep.running ? "Cancel" : "Find directions";
-  right -= ui.px(4);
-  place(text_size(ui.fonts.body, action).x + ui.px(24));
+  header.place(text_size(ui.fonts.body, action).x + ui.px(24));
   if (button(ui, action, {.width = 0.0F, .strong = !sweep.running && !sweep.map})) {
     context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
     options_ = false;
   }
-  if (sweep.running) {
-    right -= ui.px(6);
-    place(ui.px(k_bar_width));
-    ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, middle - ui.px(2)));
-    progress_bar(ui, sweep.running->share, ui.px(k_bar_width));
-  }
-  const float left = start.x + text_size(ui.fonts.strong, "Sweep").x + ui.px(12);
+  if (sweep.running) header.progress(sweep.running->share, k_bar_width);
   std::string text;
   ImU32 colour = ui.colours->muted;
   if (sweep.running) {
@@ -247,10 +224,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   } else {
     text = "which way should the mold open?";
   }
-  draw_text(list, {ui.fonts.body, colour}, {left, middle - 0.5F * ui.fonts.body.size},
-            fitted(ui.fonts.body, text, right - left - ui.px(8)));
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
-  ImGui::Dummy(ImVec2(width, 0.0F));
+  header.end(text, colour);
 }
 
 std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
@@ -298,17 +272,15 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count), ui.px(k_row));
-    if (chosen_row_ && std::exchange(row_moved_, false))
-      ImGui::SetScrollY((static_cast<float>(*chosen_row_) + 0.5F) * ui.px(k_row) -
-                        0.5F * fits * ui.px(k_row));
+    cursor_.scroll(ui.px(k_row), std::min(fits, all) * ui.px(k_row));
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-        const std::size_t index = rows_[static_cast<std::size_t>(k)];
-        draw_row(context, figures, index, index < pictures.size() ? pictures[index] : 0);
+        draw_row(context, figures, static_cast<std::size_t>(k), pictures);
       }
     }
     ImGui::EndTable();
-    choose_row(context, static_cast<int>(fits));
+    if (const auto pressed = cursor_.follow(ui, "table", static_cast<std::size_t>(fits), count))
+      context.edits.ask(&Commands::fly_to_direction, result->candidates[rows_[*pressed]].candidate.direction);
   }
   ImGui::PopID();
   ImGui::PopStyleColor();
@@ -316,26 +288,10 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   draw_footer(context, fits < all || expanded_);
 }
 
-void SweepPanel::choose_row(const PanelContext& context, int page) {
-  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
-  Keyboard& keyboard = context.ui.memory->keyboard;
-  if (!has_keyboard(context.ui, "table", box)) {
-    chosen_row_.reset();
-    return;
-  }
-  const int count = static_cast<int>(rows_.size());
-  const int steps = keyboard.takes_steps(page, count);
-  row_moved_ = steps != 0 || !chosen_row_;
-  chosen_row_ = std::clamp(chosen_row_.value_or(0) + steps, 0, count - 1);
-  if (keyboard.takes(ControlKey::press)) {
-    const std::size_t index = rows_[static_cast<std::size_t>(*chosen_row_)];
-    context.edits.ask(&Commands::fly_to_direction, result_->candidates[index].candidate.direction);
-  }
-}
-
-void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t index,
-                          unsigned picture) {
+void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
+                          std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
+  const std::size_t index = rows_[place];
   const SweepCandidate& candidate = result_->candidates[index];
   const glm::dvec3& direction = candidate.candidate.direction;
   const bool here = std::abs(glm::dot(context.state.settings.direction.unit(), direction)) > 1.0 - 1e-10;
@@ -345,7 +301,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const bool clicked = ImGui::Selectable(
       "##row", here, ImGuiSelectableFlags_SpanAllColumns | k_row_below_controls, ImVec2(0.0F, ui.px(k_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
-  if (chosen_row_ && rows_[static_cast<std::size_t>(*chosen_row_)] == index)
+  if (cursor_.is_at(place))
     ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
   ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
@@ -361,7 +317,8 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
     draw_item_text(ui.colours->muted, tip);
     const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = from_im(ImGui::GetCursorScreenPos());
     ImGui::Dummy(im(pixels));
-    draw_picture(*ImGui::GetWindowDrawList(), picture, {at, at + pixels}, ui.px(4));
+    draw_picture(*ImGui::GetWindowDrawList(), index < pictures.size() ? pictures[index] : 0,
+                 {at, at + pixels}, ui.px(4));
     end_tooltip();
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -35,15 +35,13 @@ class SweepPanel {
   void fold(const PanelContext& context, bool folded);
   void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
   using Figures = std::vector<const DirectionFigure*>;
-  void draw_row(const PanelContext& context, const Figures& figures, std::size_t index, unsigned picture);
+  void draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
+                std::span<const unsigned> pictures);
   void draw_footer(const PanelContext& context, bool more);
-  /// By the keyboard, where the table that was just drawn has it; `page` in rows.
-  void choose_row(const PanelContext& context, int page);
 
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
-  std::optional<int> chosen_row_;              // by the keyboard; its place among rows_
-  bool row_moved_ = false;
+  RowCursor cursor_;                           // its row is a place among rows_
   bool options_ = false, expanded_ = false;
   bool asked_for_ = false;  // the table of a sweep that ran by itself
 };
