@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "batch/csv.hpp"
-#include "batch/digest.hpp"
 #include "batch/work.hpp"
+#include "io/digest.hpp"
 
 namespace moldlight::batch {
 

@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "batch/digest.hpp"
 #include "batch/work.hpp"
+#include "io/digest.hpp"
 
 namespace moldlight::batch {
 

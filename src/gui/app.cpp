@@ -154,7 +154,7 @@ void App::frame(const FrameInput& input) {
                   {.maps = maps,
                    .shipped_parts = shipped,
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>(),
-                   .batch = [this](const batch::Digest& part) { return batch_pictures_->texture(part); }});
+                   .batch = [this](const Digest& part) { return batch_pictures_->texture(part); }});
   if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   draw_hints({ui, state_, edits, layout_});

@@ -196,7 +196,7 @@ TEST(Batch, PicturesAreDrawnAlsoOfWhatIsDone) {
   EXPECT_EQ(pictures, 2u) << run.err;
   const std::string page = parts.path("all.html");
   EXPECT_EQ(parts.batch("merge", {"--html", page}).exit_code, 0);
-  EXPECT_NE(file_bytes(page).find("const pictures = \"night/results/\""), std::string::npos);
+  EXPECT_NE(file_bytes(page).find("\"pictures\": \"night/results/\""), std::string::npos);
 }
 
 struct Refusal {

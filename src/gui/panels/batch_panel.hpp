@@ -12,7 +12,7 @@
 namespace moldlight::gui {
 
 /// The texture of a part's picture; 0 where there is none yet.
-using BatchPicture = std::function<unsigned(const batch::Digest&)>;
+using BatchPicture = std::function<unsigned(const Digest&)>;
 
 class BatchPanel {
  public:

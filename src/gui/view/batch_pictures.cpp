@@ -19,7 +19,7 @@ constexpr std::size_t k_most = 500;
 BatchPictures::BatchPictures(const gl::Context& context, std::string batch_folder)
     : context_(&context), folder_(std::move(batch_folder)) {}
 
-unsigned BatchPictures::texture(const batch::Digest& key) {
+unsigned BatchPictures::texture(const Digest& key) {
   if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
   if (++read_ > k_a_frame) return 0;
   if (textures_.size() >= k_most) textures_.clear();

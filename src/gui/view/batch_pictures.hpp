@@ -4,9 +4,9 @@
 #include <string>
 #include <unordered_map>
 
-#include "batch/digest.hpp"
 #include "gl/context.hpp"
 #include "gl/objects.hpp"
+#include "io/digest.hpp"
 
 namespace moldlight::gui {
 
@@ -18,7 +18,7 @@ class BatchPictures {
   /// A few pictures are read in a frame; call it at the frame's beginning.
   void begin_frame() { read_ = 0; }
   /// 0 while it is not there yet, and for a picture that cannot be read.
-  [[nodiscard]] unsigned texture(const batch::Digest& key);
+  [[nodiscard]] unsigned texture(const Digest& key);
   /// True if one was asked for in this frame that another frame is to read.
   [[nodiscard]] bool unfinished() const { return read_ > k_a_frame; }
 
@@ -27,7 +27,7 @@ class BatchPictures {
 
   const gl::Context* context_;
   std::string folder_;
-  std::unordered_map<batch::Digest, gl::Texture, batch::DigestHash> textures_;
+  std::unordered_map<Digest, gl::Texture, DigestHash> textures_;
   int read_ = 0;  // asked for in this frame
 };
 

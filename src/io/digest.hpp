@@ -11,7 +11,7 @@
 
 #include "base/progress.hpp"
 
-namespace moldlight::batch {
+namespace moldlight {
 
 using Digest = std::array<std::uint8_t, 32>;
 
@@ -37,4 +37,4 @@ struct FileDigest {
 /// Nothing for what is no such text.
 [[nodiscard]] std::optional<Digest> digest_from(std::string_view hex);
 
-}  // namespace moldlight::batch
+}  // namespace moldlight

@@ -1,5 +1,5 @@
 // SHA-256 of known texts, and of files.
-#include "batch/digest.hpp"
+#include "io/digest.hpp"
 
 #include <cerrno>
 
@@ -7,7 +7,7 @@
 
 #include "support/scratch_folder.hpp"
 
-namespace moldlight::batch {
+namespace moldlight {
 namespace {
 
 TEST(Digest, OfTheTextsOfTheStandard) {
@@ -36,4 +36,4 @@ TEST(Digest, OfAFileIsThatOfItsBytes) {
 }
 
 }  // namespace
-}  // namespace moldlight::batch
+}  // namespace moldlight

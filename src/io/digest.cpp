@@ -1,4 +1,4 @@
-#include "batch/digest.hpp"
+#include "io/digest.hpp"
 
 #include <cerrno>
 #include <new>
@@ -11,7 +11,7 @@
 
 #include "base/check.hpp"
 
-namespace moldlight::batch {
+namespace moldlight {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::optional<Digest> digest_from(std::string_view hex) {
   return digest;
 }
 
-}  // namespace moldlight::batch
+}  // namespace moldlight
