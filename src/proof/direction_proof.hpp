@@ -21,8 +21,8 @@ struct ProofTask {
   /// Cells of less than twice this radius are not divided any more; in a neighbourhood with far less undercut
   /// than the bound, cells of less than 2.5 degrees.
   double finest_deg = 0.15;
-  /// A triangle is not cut any more when it is smaller (unit frame), or much smaller than what may hide it
-  /// seems wide from it.
+  /// A triangle is not cut any more when it is smaller (unit frame), or much smaller than the
+  /// cell's cone is wide where something hides it.
   double finest_length = 1e-3;
   /// Asked between cells, from any thread; once it says true what is open stays open.
   std::function<bool()> stop = {};
@@ -47,11 +47,16 @@ struct DirectionProof {
   bool complete = true;               // not stopped
 };
 
-/// Elements of points prove it for these points, with the sampling error that they have; triangles for the
-/// surface itself. Exact regions with the same tau and lateral tolerance never have less undercut in a proved
-/// cell. Uses all cores of the calling thread's TBB arena; the result is the same to the bit for any number
-/// of threads, unless it was stopped. For a part that has bodies which are inside out nothing is certain.
-[[nodiscard]] DirectionProof prove_directions(const ProofPart& part, std::span<const SurfaceElement> elements,
+/// Proves it for points, with the sampling error that they have. Exact regions with the same tau and lateral
+/// tolerance never have less undercut in a proved cell, but for that error. Uses all cores of the calling
+/// thread's TBB arena; the result is the same to the bit for any number of threads, unless it was stopped.
+/// For a part that has bodies which are inside out nothing is certain.
+[[nodiscard]] DirectionProof prove_directions(const ProofPart& part, std::span<const SurfaceElement> points,
+                                              const ProofTask& task);
+
+/// Proves it for the surface itself, in the same way but without sampling error: pieces count, and the guides
+/// only tell where to look at them.
+[[nodiscard]] DirectionProof prove_directions(const ProofPart& part, const SurfacePieces& surface,
                                               const ProofTask& task);
 
 }  // namespace moldlight

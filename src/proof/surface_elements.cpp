@@ -1,6 +1,8 @@
 #include "proof/surface_elements.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -25,6 +27,27 @@ std::size_t longest_side(const SurfaceElement& triangle) {
 
 double side_length(const SurfaceElement& triangle, std::size_t side) {
   return glm::distance(triangle.corners[side], triangle.corners[(side + 1) % 3]);
+}
+
+SurfaceElement whole_facet(const ProofPart& part, FacetIndex facet) {
+  SurfaceElement element;
+  for (std::size_t k = 0; k < 3; ++k) element.corners[k] = part.positions[part.mesh.facets[facet][k]];
+  element.facet = facet;
+  element.area = part.geometry.areas[facet];
+  element.length = side_length(element, longest_side(element));
+  return element;
+}
+
+/// How far within a triangle's sides a point lies, as seen along the normal; below 0 outside.
+double depth_within(const SurfaceElement& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3 side = triangle.corners[(k + 1) % 3] - triangle.corners[k];
+    const double length = glm::length(side);
+    if (length > 0.0)
+      least = std::min(least, glm::dot(glm::cross(normal, side), point - triangle.corners[k]) / length);
+  }
+  return least;
 }
 
 }  // namespace
@@ -60,29 +83,36 @@ std::array<SurfaceElement, 2> halves(const SurfaceElement& triangle) {
   return both;
 }
 
-std::vector<SurfaceElement> facet_elements(const ProofPart& part, double longest, std::size_t most) {
-  std::vector<SurfaceElement> elements, open;
+SurfacePieces surface_pieces(const ProofPart& part, double longest, std::size_t most,
+                             std::vector<SurfaceElement> guides) {
+  SurfacePieces all;
+  std::vector<SurfaceElement> open;
   for (FacetIndex facet = 0; facet < part.mesh.facets.size(); ++facet) {
+    all.first.push_back(static_cast<std::uint32_t>(all.pieces.size()));
     if (part.geometry.areas[facet] <= 0.0) continue;
-    SurfaceElement element;
-    for (std::size_t k = 0; k < 3; ++k) element.corners[k] = part.positions[part.mesh.facets[facet][k]];
-    element.facet = facet;
-    element.area = part.geometry.areas[facet];
-    element.length = side_length(element, longest_side(element));
-    open.assign(1, element);
+    open.assign(1, whole_facet(part, facet));
     while (!open.empty()) {
       const SurfaceElement piece = open.back();
       open.pop_back();
-      if (piece.length <= longest || elements.size() + open.size() >= most) {
-        elements.push_back(piece);
+      if (piece.length <= longest || all.pieces.size() + open.size() + 1 >= most) {
+        all.pieces.push_back(piece);
         continue;
       }
       const auto both = halves(piece);
       open.insert(open.end(), both.begin(), both.end());
     }
   }
-  std::ranges::stable_sort(elements, std::greater(), &SurfaceElement::area);
-  return elements;
+  all.first.push_back(static_cast<std::uint32_t>(all.pieces.size()));
+  for (const SurfaceElement& guide : guides) {
+    const auto begin = all.pieces.begin() + all.first[guide.facet],
+               end = all.pieces.begin() + all.first[guide.facet + 1];
+    const auto nearest = std::ranges::max_element(begin, end, {}, [&](const SurfaceElement& piece) {
+      return depth_within(piece, guide.corners[0], part.geometry.normals[guide.facet]);
+    });
+    all.piece_of_guide.push_back(static_cast<std::uint32_t>(nearest - all.pieces.begin()));
+  }
+  all.guides = std::move(guides);
+  return all;
 }
 
 }  // namespace moldlight

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,20 @@ struct SurfaceElement {
 [[nodiscard]] std::vector<SurfaceElement> sample_elements(const ProofPart& part,
                                                           const SurfaceSamples& samples);
 
-/// The facets in pieces of at most `longest` (unit frame), as long as these are no more than `most`; largest
-/// areas first.
-[[nodiscard]] std::vector<SurfaceElement> facet_elements(const ProofPart& part, double longest,
-                                                         std::size_t most);
+/// The surface in pieces of facets, and points on it that tell where it is worth looking at them.
+struct SurfacePieces {
+  std::vector<SurfaceElement> pieces;         // facet by facet; none of facets without area
+  std::vector<std::uint32_t> first;           // piece of each facet, and one past the last
+  std::vector<SurfaceElement> guides;         // points that each stand for the same area
+  std::vector<std::uint32_t> piece_of_guide;  // the piece that it is on
+
+  [[nodiscard]] std::uint32_t count_of(FacetIndex facet) const { return first[facet + 1] - first[facet]; }
+};
+
+/// Pieces of at most `longest` (unit frame), as long as these are no more than `most`, with sample_elements()
+/// as guides.
+[[nodiscard]] SurfacePieces surface_pieces(const ProofPart& part, double longest, std::size_t most,
+                                           std::vector<SurfaceElement> guides);
 
 /// The two halves of a triangle, cut through its longest side.
 [[nodiscard]] std::array<SurfaceElement, 2> halves(const SurfaceElement& triangle);

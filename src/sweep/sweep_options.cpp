@@ -88,7 +88,7 @@ std::span<const Option<SweepSettings>> sweep_options() {
        share_or_off<&S::all_free_pct>("--all-free", "0.5%")},
       {"proof", "--proof", "Proof by", "",
        "What is proved: for the scoring samples, in about the time of a sweep and with their sampling error, "
-       "or by area for the surface itself, in minutes.",
+       "or by area for the surface itself, which takes a few times as long.",
        choice<&S::proof_grade>({"samples", "area"})},
       {"proof_limit_s", "--proof-limit", "Proof limit", "s",
        "End what is proved after this time, all of it together; what is open by then stays open. 0 for none.",

@@ -13,15 +13,22 @@ namespace moldlight {
 namespace {
 
 /// Longest side of the pieces that a proof by area begins with, unit frame, and how many there may be.
-constexpr double k_longest_piece = 0.05;
+constexpr double k_longest_piece = 0.1;
 constexpr std::size_t k_most_pieces = 400'000;
+/// Points that tell a proof by area where to look.
+constexpr int k_guides = 20'000;
 constexpr double k_level_95 = 2.0;  // standard errors
 
-std::vector<SurfaceElement> elements_of(const PartModel& model, const ProofPart& part, ProofGrade grade,
-                                        int samples) {
-  if (grade == ProofGrade::area) return facet_elements(part, k_longest_piece, k_most_pieces);
+std::vector<SurfaceElement> points_of(const PartModel& model, const ProofPart& part, int count) {
   return sample_elements(part, sample_surface_evenly(model.part.mesh, model.geometry, model.frame,
-                                                     static_cast<std::uint64_t>(samples)));
+                                                     static_cast<std::uint64_t>(count)));
+}
+
+DirectionProof prove(const PartModel& model, const ProofPart& part, const ProofTask& task, ProofGrade grade,
+                     int samples) {
+  if (grade == ProofGrade::samples) return prove_directions(part, points_of(model, part, samples), task);
+  return prove_directions(
+      part, surface_pieces(part, k_longest_piece, k_most_pieces, points_of(model, part, k_guides)), task);
 }
 
 }  // namespace
@@ -47,8 +54,7 @@ SweepProof prove(const PartModel& model, const SweepSettings& settings, const Pr
   task.bound = run.bound;
   task.stop = run.stop;
   task.progress = run.progress;
-  DirectionProof found =
-      prove_directions(part, elements_of(model, part, run.grade, settings.scoring_samples), task);
+  DirectionProof found = prove(model, part, task, run.grade, settings.scoring_samples);
   SweepProof proof;
   proof.grade = run.grade;
   proof.bound = run.bound;

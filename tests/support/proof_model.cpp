@@ -26,6 +26,10 @@ std::vector<SurfaceElement> ProofModel::samples(std::uint64_t count) const {
                          sample_surface_evenly(model_->part.mesh, model_->geometry, model_->frame, count));
 }
 
+SurfacePieces ProofModel::pieces(std::uint64_t guides) const {
+  return surface_pieces(part_, 0.1, 100'000, samples(guides));
+}
+
 glm::dvec3 random_direction(const SphereCell& cell, Random& random) {
   const auto& [a, b, c] = cell.corners();
   const double u = random.between(0.0, 1.0), v = random.between(0.0, 1.0), w = random.between(0.0, 1.0);

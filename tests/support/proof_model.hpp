@@ -21,6 +21,8 @@ class ProofModel {
   [[nodiscard]] double undercut(const glm::dvec3& direction) const { return undercut(direction, query()); }
   [[nodiscard]] double undercut(const glm::dvec3& direction, const ProofQuery& query) const;
   [[nodiscard]] std::vector<SurfaceElement> samples(std::uint64_t count) const;
+  /// At most a tenth of the diagonal long.
+  [[nodiscard]] SurfacePieces pieces(std::uint64_t guides) const;
 
  private:
   std::shared_ptr<const PartModel> model_;

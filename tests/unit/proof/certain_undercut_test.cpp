@@ -97,7 +97,7 @@ TEST(CertainUndercut, OfTrianglesIsBlockedFromEveryPoint) {
   for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({}), test::cup_with_side_hole({}),
                                    test::hollow_sphere({}), test::dovetail_slot({})}) {
     const test::ProofModel model(test::model_of(test::subdivided(shape.mesh, 600)));
-    const Checked checked = check(model, facet_elements(model.part(), 0.05, 100'000), k_checks);
+    const Checked checked = check(model, model.pieces(100).pieces, k_checks);
     EXPECT_GT(checked.certain, k_checks / 20) << shape.name;
     EXPECT_EQ(checked.wrong, 0U) << shape.name << ", of " << checked.certain;
   }
@@ -170,7 +170,7 @@ TEST(CertainUndercut, PilesOfBoxesThatTouchAndOverlapAreCheckedByRays) {
   const test::ProofModel model(test::model_of(test::subdivided(mesh, 800)));
   for (const bool of_points : {true, false}) {
     const Checked checked =
-        check(model, of_points ? model.samples(5000) : facet_elements(model.part(), 0.05, 100'000), k_checks);
+        check(model, of_points ? model.samples(5000) : model.pieces(100).pieces, k_checks);
     EXPECT_GT(checked.certain, k_checks / 20);
     EXPECT_EQ(checked.wrong, 0U) << "of " << checked.certain;
   }

@@ -46,9 +46,9 @@ TEST(DirectionProof, AClosedVoidIsUndercutEverywhere) {
   solid.box({1, 1, 1}, {2, 2, 2}, {}, true);
   const test::ProofModel model(test::model_of(solid.mesh()));
   const double area = 6.0;
-  const auto triangles = facet_elements(model.part(), 0.1, 100'000);
+  const SurfacePieces pieces = model.pieces(5000);
   const DirectionProof by_area =
-      prove_directions(model.part(), triangles, {.query = model.query(), .bound = 0.9 * area});
+      prove_directions(model.part(), pieces, {.query = model.query(), .bound = 0.9 * area});
   EXPECT_NEAR(by_area.proved_share, 1.0, 1e-12);
   const auto points = model.samples(5000);
   const auto inside = static_cast<double>(std::ranges::count_if(points, [&](const SurfaceElement& point) {
@@ -127,8 +127,7 @@ TEST(DirectionProof, IsNeverAboveExactRegions) {
     const double total = model.part().geometry.total_area;
     const ProofTask task{
         .query = model.query(), .bound = 0.03 * total, .finest_deg = 3.0, .finest_length = 0.02};
-    const DirectionProof proof =
-        prove_directions(model.part(), facet_elements(model.part(), 0.1, 50'000), task);
+    const DirectionProof proof = prove_directions(model.part(), model.pieces(2000), task);
     EXPECT_GT(proof.proved_share, 0.2) << shape.name;
     test::Random random(5);
     for (const ProofCell& cell : proof.cells) {
@@ -140,9 +139,22 @@ TEST(DirectionProof, IsNeverAboveExactRegions) {
   }
 }
 
+/// Pieces are found from the points' side, and must not be fewer by much.
+TEST(DirectionProof, ByAreaProvesNearlyWhatPointsTell) {
+  for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({})}) {
+    const test::ProofModel model(test::model_of(test::subdivided(shape.mesh, 1000)));
+    const ProofTask task{
+        .query = model.query(), .bound = 0.02 * model.part().geometry.total_area, .finest_deg = 3.0};
+    const DirectionProof by_points = prove_directions(model.part(), model.samples(3000), task);
+    const DirectionProof by_area = prove_directions(model.part(), model.pieces(3000), task);
+    EXPECT_GT(by_points.proved_share, 0.5) << shape.name;
+    EXPECT_GT(by_area.proved_share, by_points.proved_share - 0.01) << shape.name;
+  }
+}
+
 TEST(DirectionProof, IsTheSameForAnyNumberOfThreads) {
   const test::ProofModel model(test::model_of(test::snap_hook({}).mesh));
-  const auto elements = facet_elements(model.part(), 0.1, 50'000);
+  const SurfacePieces pieces = model.pieces(2000);
   const ProofTask task{.query = model.query(),
                        .bound = 0.05 * model.part().geometry.total_area,
                        .finest_deg = 3.0,
@@ -150,7 +162,7 @@ TEST(DirectionProof, IsTheSameForAnyNumberOfThreads) {
   std::vector<DirectionProof> proofs;
   for (const int threads : {1, 4}) {
     tbb::task_arena arena(threads);
-    arena.execute([&] { proofs.push_back(prove_directions(model.part(), elements, task)); });
+    arena.execute([&] { proofs.push_back(prove_directions(model.part(), pieces, task)); });
   }
   ASSERT_EQ(proofs[0].cells.size(), proofs[1].cells.size());
   EXPECT_EQ(proofs[0].looked_at, proofs[1].looked_at);
