@@ -12,6 +12,9 @@
 
 namespace moldlight {
 
+/// Of the part's area: what is worse than the best by more is not polished.
+inline constexpr double k_polished_share = 0.003;
+
 struct Polishing {
   const PartModel& model;
   const DirectionRating& rating;

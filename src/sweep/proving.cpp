@@ -34,11 +34,16 @@ std::optional<double> least_undercut(std::span<const Contender> contenders) {
 class Prover {
  public:
   Prover(const Proving& proving, std::vector<Contender>& contenders)
-      : with_(proving.polishing),
+      : clock_(proving.polishing.clock, proving.settings.proof_limit_s),
+        with_{.model = proving.polishing.model,
+              .rating = proving.polishing.rating,
+              .rays = proving.polishing.rays,
+              .measurer = proving.polishing.measurer,
+              .clock = clock_,
+              .evaluated = proving.polishing.evaluated},
         settings_(proving.settings),
         jobs_(proving.jobs),
-        contenders_(contenders),
-        until_s_(with_.clock.elapsed_s() + settings_.proof_limit_s) {}
+        contenders_(contenders) {}
 
   /// Keeps the last proof that came to its end.
   void prove_best(std::optional<SweepProof>& proof);
@@ -50,17 +55,16 @@ class Prover {
   [[nodiscard]] std::vector<Contender> looked_at(const SweepProof& proof) const;
   [[nodiscard]] std::vector<std::optional<MeasuredDirection>> measure(
       const std::vector<ScoringTask>& tasks) const {
-    return with_.measurer.measure(tasks, {}, with_.clock.until_cancelled(),
-                                  [this] { return with_.clock.stopped(); });
+    return with_.measurer.measure(tasks, {}, clock_.until_cancelled(), [this] { return clock_.stopped(); });
   }
   /// Area of so many per cent of the part's.
   [[nodiscard]] double area(double pct) const { return 0.01 * pct * with_.model.geometry.total_area; }
 
-  const Polishing& with_;
+  const SweepClock clock_;  // all proofs together end by it
+  const Polishing with_;
   const SweepSettings& settings_;
   const int jobs_;
   std::vector<Contender>& contenders_;
-  const double until_s_;  // by the clock; all proofs together end there
 };
 
 void Prover::prove_best(std::optional<SweepProof>& proof) {
@@ -71,7 +75,7 @@ void Prover::prove_best(std::optional<SweepProof>& proof) {
   };
   // By samples first, whatever the grade: it is soon known whether anything better was missed.
   prove_again(ProofGrade::samples);
-  for (int round = 0; round < k_most_rounds && found_better(*proof); ++round)
+  for (int round = 0; round < k_most_rounds && proof->complete && found_better(*proof); ++round)
     prove_again(ProofGrade::samples);
   if (settings_.proof_grade == ProofGrade::area) prove_again(ProofGrade::area);
 }
@@ -90,24 +94,19 @@ void Prover::prove_all_free(std::optional<SweepProof>& proof) const {
 }
 
 SweepProof Prover::prove_above(double bound, ProofGrade grade) const {
-  const ProofRun run{
-      .grade = grade,
-      .bound = bound,
-      .stop =
-          [this] {
-            return with_.clock.stopped() ||
-                   (settings_.proof_limit_s > 0.0 && with_.clock.elapsed_s() > until_s_);
-          },
-      .progress = [this](double open) { with_.clock.report(sweep_stage::k_proving, 1.0 - open); }};
+  const ProofRun run{.grade = grade,
+                     .bound = bound,
+                     .stop = [this] { return clock_.stopped(); },
+                     .progress = [this](double open) { clock_.report(sweep_stage::k_proving, 1.0 - open); }};
   tbb::task_arena arena(arena_threads(jobs_));
-  return arena.execute([&] { return prove(with_.model, settings_, run, with_.clock.until_cancelled()); });
+  return arena.execute([&] { return prove(with_.model, settings_, run, clock_.until_cancelled()); });
 }
 
 /// Directions in the middle of what is open, where nothing was measured nearby, by their scores.
 std::vector<Contender> Prover::looked_at(const SweepProof& proof) const {
   std::vector<Contender> found;
   for (const OpenCap& each : proof.open) {
-    if (found.size() == k_most_open_tried || with_.clock.stopped()) break;
+    if (found.size() == k_most_open_tried || clock_.stopped()) break;
     const glm::dvec3& direction = each.cap.direction;
     const bool known = std::ranges::any_of(contenders_, [&](const Contender& contender) {
       return contender.measured &&
@@ -124,7 +123,7 @@ std::vector<Contender> Prover::looked_at(const SweepProof& proof) const {
   return found;
 }
 
-/// Measures, polishes and keeps them; says whether one has less undercut than all others.
+/// Measures and keeps them, polished where that may help; says whether one has less undercut than all others.
 bool Prover::found_better(const SweepProof& proof) {
   const double before = *least_undercut(contenders_);
   std::vector<Contender> open = looked_at(proof);
@@ -136,7 +135,7 @@ bool Prover::found_better(const SweepProof& proof) {
     Contender& contender = open[k];
     contender.figures = with_.rating.measured(contender.candidate, *measured[k]);
     contender.measured = std::make_shared<const MeasuredDirection>(std::move(*measured[k]));
-    if (!with_.clock.stopped()) {
+    if (contender.figures.undercut <= before + area(100.0 * k_polished_share)) {
       if (std::optional<Contender> better = polish(with_, contender)) contender = std::move(*better);
     }
     contenders_.push_back(std::move(contender));

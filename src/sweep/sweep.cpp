@@ -43,8 +43,6 @@ constexpr std::size_t k_measured_together = 8;
 // A direction of more undercut often asks for fewer actions, but seldom one of far more; and each may take
 // seconds.
 constexpr std::size_t k_with_actions_per_listed = 2;
-// Of the part's area: what is worse than the best by more is not polished.
-constexpr double k_polished_share = 0.003;
 constexpr std::size_t k_most_polished = 3;
 constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
