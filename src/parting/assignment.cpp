@@ -10,18 +10,17 @@
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
-#include "base/error.hpp"
 #include "mesh/edges.hpp"
-#include "mesh/faces.hpp"
 #include "mesh/union_find.hpp"
 #include "parting/height_cut.hpp"
+#include "parting/line_cost.hpp"
 #include "parting/min_cut.hpp"
+#include "parting/wished_facets.hpp"
 
 namespace moldlight {
 
 namespace {
 
-constexpr double k_climb_weight = 3.0;  // what a climb costs beside its length
 constexpr double k_crease_weight = 0.5;
 /// A wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much as two climbs along it.
 constexpr double k_draft_weight = 2300.0;
@@ -75,8 +74,7 @@ Costs costs_of(const PartModel& model, const Assignment& assignment) {
   for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
     const PieceEdge& edge = assignment.edges.edges[k];
     const glm::dvec3 along = mesh.vertices[edge.to] - mesh.vertices[edge.from];
-    const double line = glm::length(along) + k_climb_weight * std::abs(glm::dot(along, d));
-    costs.line.push_back(line * (assignment.crease[k] != 0 ? k_crease_weight : 1.0));
+    costs.line.push_back(line_cost(along, d) * (assignment.crease[k] != 0 ? k_crease_weight : 1.0));
   }
   for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
     const auto& corners = mesh.pieces[piece].corners;
@@ -175,25 +173,15 @@ std::vector<MoldSide> cut_sides(const Assignment& assignment, const Costs& costs
 
 /// Costs of the faces that a half is to form at the other; a warning for those that it cannot.
 void add_wishes(const PartModel& model, const MoldSettings& settings, Assignment& assignment, Costs& costs) {
-  std::vector<std::uint8_t> wished(model.part.mesh.facets.size(), 0);  // 1: core, 2: cavity
-  if (!settings.cosmetic.empty()) {
-    const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
-    for (const CosmeticFaces& half : parse_cosmetic(settings.cosmetic)) {
-      for (const std::uint32_t face : half.faces) {
-        if (face >= faces.count())
-          throw UsageError(
-              fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
-        for (const FacetIndex facet : faces.facets(face)) wished[facet] = half.core ? 1 : 2;
-      }
-    }
-  }
+  const std::vector<FacetWish> wished = wished_facets(model, settings);
   double refused = 0.0;
   for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
-    const std::uint8_t wish = wished[assignment.mesh.pieces[piece].facet];
-    if (wish == 0) continue;
+    const FacetWish wish = wished[assignment.mesh.pieces[piece].facet];
+    if (wish == FacetWish::none) continue;
     if (assignment.free[piece] != 0) {
-      costs.draft[piece][wish == 1 ? 1 : 0] += k_wish_weight * costs.area[piece] / model.frame.diagonal;
-    } else if (assignment.sides[piece] != (wish == 1 ? MoldSide::core : MoldSide::cavity)) {
+      costs.draft[piece][wish == FacetWish::core ? 1 : 0] +=
+          k_wish_weight * costs.area[piece] / model.frame.diagonal;
+    } else if (assignment.sides[piece] != (wish == FacetWish::core ? MoldSide::core : MoldSide::cavity)) {
       refused += costs.area[piece];
     }
   }

@@ -8,13 +8,13 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/triangle_mesh.hpp"
+#include "parting/line_cost.hpp"
 
 namespace moldlight {
 
 namespace {
 
 constexpr int k_most_rounds = 12;
-constexpr double k_climb_weight = 3.0;  // as in the assignment
 constexpr double k_least_gain = 1e-3;   // of a loop's length with its climb
 constexpr double k_off_surface = 1e-4;  // of the diagonal
 
@@ -40,14 +40,10 @@ glm::dvec3 nearest_on(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
   return best;
 }
 
-double cost_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& d) {
-  return glm::distance(a, b) + k_climb_weight * std::abs(glm::dot(b - a, d));
-}
-
 double cost_of(const std::vector<glm::dvec3>& points, const glm::dvec3& d) {
   double cost = 0.0;
   for (std::size_t k = 0; k < points.size(); ++k)
-    cost += cost_of(points[k], points[(k + 1) % points.size()], d);
+    cost += line_cost(points[(k + 1) % points.size()] - points[k], d);
   return cost;
 }
 
@@ -146,10 +142,10 @@ std::vector<glm::dvec3> LineSmoother::smoothed(const Loop& loop) const {
       const double squared = glm::dot(along, along);
       if (squared <= 0.0) continue;
       const double share = std::clamp(glm::dot(points[k] - a, along) / squared, 0.1, 0.9);
-      const double cost = cost_of(a, points[k], d) + cost_of(points[k], b, d);
+      const double cost = line_cost(points[k] - a, d) + line_cost(b - points[k], d);
       for (const double step : {1.0, 0.5, 0.25}) {
         const Nearest found = nearest(near[k], glm::mix(points[k], a + share * along, step));
-        const double becomes = cost_of(a, found.free, d) + cost_of(found.free, b, d);
+        const double becomes = line_cost(found.free - a, d) + line_cost(b - found.free, d);
         if (!std::isfinite(found.to_free) || becomes >= cost * (1.0 - 1e-6)) continue;
         if (!may_run(near[prior], near[k], a, found.free) || !may_run(near[k], near[next], found.free, b))
           continue;
