@@ -55,7 +55,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   progress.report("writing", 0.0);
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
   const MoldHalves halves =
-      make_halves(*model, assignment.direction, assignment.height, flags.settings, progress);
+      make_halves(*model, assignment.direction, {assignment.height, &line}, flags.settings, progress);
   WrittenMold written = written_mold(halves);
   const std::string refusal =
       why_not(flags, *model, halves, written,

@@ -13,22 +13,20 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "mold/exact/facet_encounters.hpp"
+#include "parting/hull/half_checks.hpp"
 #include "parting/hull/parting_surface.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/part_sheets.hpp"
+#include "parting/wished_facets.hpp"
 
 namespace moldlight {
 
 namespace {
 
-/// What is tried, one after the other: the tolerance as a share of the part's diagonal, and the width, as a
-/// share of it, below which facets as seen along the direction count as upright.
-struct Attempt {
-  double tolerance, upright;
-};
-constexpr Attempt k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
-                                  {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
-                                  {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
+/// What is tried, one after the other.
+constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
+                                         {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
+                                         {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
 /// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
 /// in an edge.
 constexpr std::size_t k_most_for_beauty = 5;
@@ -42,77 +40,13 @@ constexpr double k_speck_thickness = 0.5 / 2048.0;
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
                    k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
 
+/// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
+/// given by hand is not missed.
+constexpr double k_least_contact = 1e-6, k_least_missed = 1e-5;
 /// Facets with a smaller height, as a share of the diagonal, are told of as needles.
 constexpr double k_needle = 1e-7;
 
 using Facets = std::vector<std::array<SheetVertex, 3>>;
-
-/// Least height of the triangle as seen along z.
-double seen_width(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec2 p(b - a), q(c - a), r(c - b);
-  const double longest = std::sqrt(std::max({glm::dot(p, p), glm::dot(q, q), glm::dot(r, r)}));
-  return longest > 0.0 ? std::abs(p.x * q.y - p.y * q.x) / longest : 0.0;
-}
-
-Sheets part_sheets(const SplitMesh& split, const MoldHalves& halves, double diagonal,
-                   const Attempt& attempt) {
-  Sheets sheets;
-  for (const glm::dvec3& vertex : split.vertices)
-    sheets.vertices.push_back(halves.frame.to_mold((vertex - halves.centre) / diagonal));
-  sheets.column_of.assign(sheets.vertices.size(), k_no_column);
-  const double least = std::max(attempt.upright * attempt.tolerance, 1e-14);
-  for (const SplitPiece& piece : split.pieces) {
-    const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
-                     &c = sheets.vertices[piece.corners[2]];
-    if (seen_width(a, b, c) < least) continue;
-    const bool up = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
-    const Sheet sheet = piece.region == Region::core && up      ? Sheet::upper
-                        : piece.region == Region::cavity && !up ? Sheet::lower
-                                                                : Sheet::hidden;
-    sheets.facets.push_back({piece.corners, sheet});
-  }
-  return sheets;
-}
-
-/// Where the ends of the upper and the lower sheet do not sum up to nothing over a segment.
-std::optional<MoldFault> residual(const Sheets& sheets, double diagonal) {
-  double length = 0.0, longest = 0.0;
-  glm::dvec3 place(0.0);
-  for (const SegmentEdges& segment : sheets.by_segment(sheets.ends(k_upper | k_lower))) {
-    int sum = 0;
-    for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
-    if (sum == 0) continue;
-    const double run = glm::distance(sheets.columns[segment.a], sheets.columns[segment.b]);
-    length += run;
-    if (run <= longest) continue;
-    longest = run;
-    place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
-  }
-  if (length <= 0.0) return std::nullopt;
-  return MoldFault{
-      fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
-                  "of its length: bodies overlap or touch there, or the surface is folded",
-                  length * diagonal),
-      k_mend_surface, place};
-}
-
-struct GraphTest {
-  double covered = 0.0, folded = 0.0, most = 0.0;
-  glm::dvec3 place{0.0};  // of the facet that is folded most
-};
-/// Facets as seen along z, those that face along `sign` and the others.
-GraphTest graph_test(const std::vector<glm::dvec3>& vertices, const Facets& facets, double sign) {
-  GraphTest test;
-  for (const auto& [i, j, k] : facets) {
-    const glm::dvec3 &a = vertices[i], &b = vertices[j], &c = vertices[k];
-    const double seen = 0.5 * sign * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    (seen < 0.0 ? test.folded : test.covered) += std::abs(seen);
-    if (-seen <= test.most) continue;
-    test.most = -seen;
-    test.place = (a + b + c) / 3.0;
-  }
-  return test;
-}
 
 MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
   const BodyCheck check = check_body(vertices, facets);
@@ -147,43 +81,6 @@ double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
   return static_cast<double>(volume / 6.0L);
 }
 
-void measure_surface(const Sheets& sheets, double diagonal, double slope_deg, MoldHalves& halves) {
-  constexpr double k_rounding_deg = 0.01;
-  // A shut-off hangs together without the block's rim.
-  UnionFind joined(sheets.vertices.size());
-  glm::dvec2 low(INFINITY);
-  for (const SheetFacet& facet : sheets.facets) {
-    if (facet.sheet != Sheet::parting) continue;
-    joined.join(facet.corners[0], facet.corners[1]);
-    joined.join(facet.corners[1], facet.corners[2]);
-  }
-  std::uint32_t rim = 0;
-  for (const SheetFacet& facet : sheets.facets) {
-    if (facet.sheet != Sheet::parting) continue;
-    for (const SheetVertex v : facet.corners) {
-      const glm::dvec2 at(sheets.vertices[v]);
-      if (at.x + at.y < low.x + low.y) {
-        low = at;
-        rim = v;
-      }
-    }
-  }
-  double steepest = 0.0;
-  for (const SheetFacet& facet : sheets.facets) {
-    if (facet.sheet != Sheet::parting) continue;
-    const glm::dvec3 normal =
-        glm::cross(sheets.vertices[facet.corners[1]] - sheets.vertices[facet.corners[0]],
-                   sheets.vertices[facet.corners[2]] - sheets.vertices[facet.corners[0]]);
-    const double area = 0.5 * glm::length(normal) * diagonal * diagonal;
-    (joined.find(facet.corners[0]) == joined.find(rim) ? halves.parting_area : halves.shut_off_area) += area;
-    if (glm::length(normal) <= 0.0) continue;
-    const double slope = std::acos(std::clamp(normal.z / glm::length(normal), -1.0, 1.0));
-    steepest = std::max(steepest, slope);
-    if (glm::degrees(slope) > slope_deg + k_rounding_deg) halves.too_steep_area += area;
-  }
-  halves.steepest_deg = glm::degrees(steepest);
-}
-
 /// Where ends were moved farthest to stand in columns.
 std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
   std::optional<glm::dvec3> place;
@@ -197,164 +94,224 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
   return place;
 }
 
-/// Counts facets whose least height is below `thinnest`; a corner of the longest of them.
-std::optional<glm::dvec3> count_needles(const TriangleMesh& mesh, double thinnest, std::size_t& needles) {
-  std::optional<glm::dvec3> place;
-  double most = 0.0;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    double longest = 0.0;
-    for (int k = 0; k < 3; ++k)
-      longest = std::max(longest, glm::distance(mesh.corner(facet, k), mesh.corner(facet, (k + 1) % 3)));
-    const double twice_area = glm::length(glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
-                                                     mesh.corner(facet, 2) - mesh.corner(facet, 0)));
-    if (twice_area >= thinnest * longest) continue;
-    ++needles;
-    if (longest <= most) continue;
-    most = longest;
-    place = mesh.corner(facet, 0);
+/// What the halves are made from.
+struct HalvesWish {
+  const SplitMesh& split;
+  const PartModel& model;
+  const MeetingPlace& place;
+  const std::vector<FacetWish>& wished;
+  const MoldSettings& settings;
+};
+
+/// The line in the mold's frame.
+std::vector<LinePiece> line_pieces(const PartingLine* line, const SheetFrame& frame) {
+  std::vector<LinePiece> pieces;
+  if (line == nullptr) return pieces;
+  for (const PartingLoop& loop : line->loops) {
+    if (loop.kind == LoopKind::action) continue;
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
+      pieces.push_back(
+          {frame.in_mold(loop.points[k]), frame.in_mold(loop.points[(k + 1) % loop.points.size()])});
   }
-  return place;
+  return pieces;
 }
 
-/// Facets that cross others.
-std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
-  const UnitFrame frame = unit_frame(bounds(mesh));
-  std::vector<glm::dvec3> positions;
-  for (const glm::dvec3& vertex : mesh.vertices)
-    positions.push_back((vertex - frame.center) / frame.diagonal);
-  const FacetEncounters met = facet_encounters(mesh, positions, facet_geometry(mesh).normals, progress);
-  std::vector<FacetIndex> crossed;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    if (!met.crossings.of(facet).empty()) crossed.push_back(facet);
+Bounds box_of(const Sheets& sheets) {
+  Bounds box;
+  for (const SheetFacet& facet : sheets.facets) {
+    for (const SheetVertex v : facet.corners) box.add(sheets.vertices[v]);
   }
-  return crossed;
+  return box;
 }
 
-/// Fills `halves`; says why not, and where in the mold's frame.
-std::optional<MoldFault> try_halves(const SplitMesh& split, const PartModel& model, double height,
-                                    const MoldSettings& settings, const Attempt& attempt, MoldHalves& halves,
-                                    const Progress& progress) {
-  const double diagonal = model.frame.diagonal;
-  Sheets sheets = part_sheets(split, halves, diagonal, attempt);
-  if (const auto place = sheets.stand_in_columns(attempt.tolerance))
-    return MoldFault{"facets are so small or so close to each other that their ends cannot be told apart",
-                     k_avoid_rounding, place};
-  if (auto fault = residual(sheets, diagonal)) return fault;
-  sheets.keep_volume(centred_volume(model.part.mesh, model.frame.center) / (diagonal * diagonal * diagonal),
-                     k_most_restored);
+/// The halves with one tolerance. Each step fills the halves, or says why not, and where in the mold's frame.
+class Trial {
+ public:
+  Trial(const HalvesWish& asked, const SheetTolerance& attempt, MoldHalves& halves)
+      : asked_(asked),
+        attempt_(attempt),
+        halves_(halves),
+        frame_{halves.frame, halves.centre, asked.model.frame.diagonal} {}
 
-  const double margin = block_margin(settings, diagonal) / diagonal;
-  glm::dvec3 low(INFINITY), high(-INFINITY);
-  for (const SheetFacet& facet : sheets.facets) {
-    for (const SheetVertex v : facet.corners) {
-      low = glm::min(low, sheets.vertices[v]);
-      high = glm::max(high, sheets.vertices[v]);
+  std::optional<MoldFault> run(const Progress& progress) {
+    if (auto fault = make_surface()) return fault;
+    if (auto fault = make_bodies()) return fault;
+    if (auto fault = make_inserts()) return fault;
+    return certify(progress);
+  }
+
+ private:
+  /// The sheets with the parting surface between them.
+  std::optional<MoldFault> make_surface() {
+    const double diagonal = frame_.diagonal;
+    sheets_ = part_sheets(asked_.split, frame_, attempt_);
+    hand_ = hand_walls(asked_.split, sheets_, asked_.wished, attempt_);
+    if (const auto at = sheets_.stand_in_columns(attempt_.tolerance))
+      return MoldFault{"facets are so small or so close to each other that their ends cannot be told apart",
+                       k_avoid_rounding, at};
+    if (auto fault = residual(sheets_, diagonal)) return fault;
+    sheets_.keep_volume(
+        centred_volume(asked_.model.part.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
+        k_most_restored);
+    const double margin = block_margin(asked_.settings, diagonal) / diagonal;
+    const Bounds box = box_of(sheets_);
+    const std::vector<LinePiece> line = line_pieces(asked_.place.line, frame_);
+    const double middle = glm::dot(halves_.centre, halves_.frame.z);
+    const SurfaceWish wish{.low = on_grid(glm::dvec2(box.min) - margin),
+                           .high = on_grid(glm::dvec2(box.max) + margin),
+                           .height = (asked_.place.height - middle) / diagonal,
+                           .slope = std::tan(glm::radians(asked_.settings.slope_deg)),
+                           .tolerance = attempt_.tolerance,
+                           .cone_margin = asked_.settings.registration ? margin : 0.0,
+                           .walls = hand_.walls,
+                           .line = line};
+    ForcedSlope forced;
+    if (auto fault = add_parting_surface(sheets_, wish, forced)) return fault;
+    const Bounds all = box_of(sheets_);
+    block_ = {.low = all.min.z - margin, .high = all.max.z + margin};
+    rectangle_ = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
+    tell_surface(forced);
+    return std::nullopt;
+  }
+
+  void tell_surface(const ForcedSlope& forced) {
+    const double square = frame_.diagonal * frame_.diagonal;
+    halves_.surface = surface_figures(sheets_, asked_.settings.slope_deg, k_narrow, attempt_.tolerance);
+    for (double* area :
+         {&halves_.surface.parting_area, &halves_.surface.shut_off_area, &halves_.surface.too_steep_area})
+      *area *= square;
+    if (forced.tangent > 0.0) {
+      halves_.forced_deg = glm::degrees(std::atan(forced.tangent));
+      halves_.forced_at = frame_.in_part(0.5 * (forced.high + forced.low));
     }
-  }
-  const double middle = glm::dot(halves.centre, halves.frame.z);
-  const SurfaceWish wish{.low = on_grid(glm::dvec2(low) - margin),
-                         .high = on_grid(glm::dvec2(high) + margin),
-                         .height = (height - middle) / diagonal,
-                         .slope = std::tan(glm::radians(settings.slope_deg)),
-                         .tolerance = attempt.tolerance,
-                         .cone_margin = settings.registration ? margin : 0.0};
-  if (auto fault = add_parting_surface(sheets, wish)) return fault;
-  for (const SheetFacet& facet : sheets.facets) {
-    for (const SheetVertex v : facet.corners) {
-      low.z = std::min(low.z, sheets.vertices[v].z);
-      high.z = std::max(high.z, sheets.vertices[v].z);
+    halves_.contacts = contact_walls(sheets_, k_least_contact);
+    for (ContactWall& contact : halves_.contacts) {
+      contact.place = frame_.in_part(contact.place);
+      contact.height *= frame_.diagonal;
+      contact.area *= square;
+      halves_.contact_area += contact.area;
     }
+    const double lean = tell_missed();
+    halves_.missed_leaning = told(lean, hand_.leaning_at);
   }
-  const BlockHeights block{.low = low.z - margin, .high = high.z + margin};
-  halves.contacts = contact_walls(sheets, 1e-6);
-  halves.parting_area = halves.shut_off_area = halves.too_steep_area = halves.contact_area = 0.0;
-  measure_surface(sheets, diagonal, settings.slope_deg, halves);
 
-  Facets core, cavity, fill;
-  for (const auto& [body, bounded] :
-       {std::pair{BodySheets{.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, &core},
-        {BodySheets{.sheets = k_lower | k_parting, .turned = k_lower}, &cavity},
-        {BodySheets{.sheets = k_hidden, .turned = k_hidden}, &fill}}) {
-    if (const auto place = close_upright(sheets, body, *bounded))
-      return MoldFault{
-          bounded == &fill ? "the walls of an insert do not close" : "the walls of a half do not close",
-          k_avoid_rounding, place};
+  /// What of the faces given by hand the halves form otherwise; returns the area of those that lean.
+  double tell_missed() {
+    const MissedWalls missed = missed_walls(sheets_, hand_.walls, k_wall_reach * attempt_.tolerance);
+    halves_.missed_upright = told(missed.area, missed.at);
+    double leaning = hand_.leaning_area;
+    for (std::size_t k = 0; k < hand_.walls.size(); ++k) {
+      if (hand_.released[k]) continue;
+      const auto& [a, b, c] = hand_.walls[k].corners;
+      leaning += std::max(0.5 * glm::length(glm::cross(b - a, c - a)) - missed.met_area[k], 0.0);
+      if (!hand_.leaning_at) hand_.leaning_at = (a + b + c) / 3.0;
+    }
+    return leaning;
   }
-  const GraphTest above = graph_test(sheets.vertices, core, -1.0),
-                  below = graph_test(sheets.vertices, cavity, 1.0);
-  const double rectangle = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
-  halves.fold_area = std::max(above.folded, below.folded) / rectangle;
-  halves.cover_gap = std::max(std::abs(above.covered - above.folded - rectangle),
-                              std::abs(below.covered - below.folded - rectangle)) /
-                     rectangle;
-  if (halves.fold_area > k_most_fold || halves.cover_gap > k_most_fold)
-    return MoldFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
-                                 std::max(halves.fold_area, halves.cover_gap)),
-                     k_avoid_rounding, above.most > below.most ? above.place : below.place};
-  add_block(sheets, block, true, core);
-  add_block(sheets, block, false, cavity);
+  [[nodiscard]] MissedFaces told(double area, const std::optional<glm::dvec3>& at) const {
+    if (area <= k_least_missed * hand_.wished_area || !at) return {};
+    return {area * frame_.diagonal * frame_.diagonal, frame_.in_part(*at)};
+  }
 
-  const double scale = diagonal * halves.scale, cube = scale * scale * scale;
-  halves.core = scaled_body(sheets.vertices, core, scale);
-  halves.cavity = scaled_body(sheets.vertices, cavity, scale);
-  for (const Facets* half : {&core, &cavity}) {
-    if (const BodyCheck check = check_body(sheets.vertices, *half); check.open_at)
-      return MoldFault{"a half is not closed", k_avoid_rounding, check.open_at};
+  /// Core and cavity with the block around them, and what bounds the inserts.
+  std::optional<MoldFault> make_bodies() {
+    Facets core, cavity;
+    for (const auto& [body, bounded] :
+         {std::pair{BodySheets{.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, &core},
+          {BodySheets{.sheets = k_lower | k_parting, .turned = k_lower}, &cavity},
+          {BodySheets{.sheets = k_hidden, .turned = k_hidden}, &fill_}}) {
+      if (const auto at = close_upright(sheets_, body, *bounded))
+        return MoldFault{
+            bounded == &fill_ ? "the walls of an insert do not close" : "the walls of a half do not close",
+            k_avoid_rounding, at};
+    }
+    const GraphTest above = graph_test(sheets_.vertices, core, -1.0),
+                    below = graph_test(sheets_.vertices, cavity, 1.0);
+    halves_.fold_area = std::max(above.folded, below.folded) / rectangle_;
+    halves_.cover_gap = std::max(std::abs(above.covered - above.folded - rectangle_),
+                                 std::abs(below.covered - below.folded - rectangle_)) /
+                        rectangle_;
+    if (halves_.fold_area > k_most_fold || halves_.cover_gap > k_most_fold)
+      return MoldFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
+                                   std::max(halves_.fold_area, halves_.cover_gap)),
+                       k_avoid_rounding, above.most > below.most ? above.place : below.place};
+    add_block(sheets_, block_, true, core);
+    add_block(sheets_, block_, false, cavity);
+    const double scale = frame_.diagonal * halves_.scale;
+    halves_.core = scaled_body(sheets_.vertices, core, scale);
+    halves_.cavity = scaled_body(sheets_.vertices, cavity, scale);
+    for (const Facets* half : {&core, &cavity}) {
+      if (const BodyCheck check = check_body(sheets_.vertices, *half); check.open_at)
+        return MoldFault{"a half is not closed", k_avoid_rounding, check.open_at};
+    }
+    halves_.block_volume = rectangle_ * (block_.high - block_.low) * scale * scale * scale;
+    return std::nullopt;
   }
-  halves.block_volume = rectangle * (block.high - block.low) * cube;
-  const double grown = halves.scale * halves.scale * halves.scale;
-  halves.part_volume = centred_volume(model.part.mesh, model.frame.center) * grown;
-  halves.inserts.clear();
-  halves.insert_volume = halves.specks_volume = 0.0;
-  for (const Facets& facets : components(sheets.vertices.size(), fill)) {
-    MoldBody body = scaled_body(sheets.vertices, facets, scale);
-    halves.insert_volume += body.volume;
-    const double area = facet_geometry(body.mesh).total_area;
-    if (2.0 * std::abs(body.volume) > k_speck_thickness * scale * area) {
+
+  std::optional<MoldFault> make_inserts() {
+    const double scale = frame_.diagonal * halves_.scale;
+    for (const Facets& facets : components(sheets_.vertices.size(), fill_)) {
+      MoldBody body = scaled_body(sheets_.vertices, facets, scale);
+      halves_.insert_volume += body.volume;
+      const double area = facet_geometry(body.mesh).total_area;
+      if (2.0 * std::abs(body.volume) <= k_speck_thickness * scale * area) {
+        halves_.specks_volume += body.volume;
+        continue;
+      }
       // Material that is there twice would be an insert inside out.
       if (body.volume < 0.0)
         return MoldFault{"bodies of the part overlap", k_mend_surface, bounds(body.mesh).center() / scale};
-      halves.inserts.push_back(std::move(body));
-    } else {
-      halves.specks_volume += body.volume;
+      halves_.inserts.push_back(std::move(body));
     }
+    std::ranges::stable_sort(halves_.inserts, std::greater(), &MoldBody::volume);
+    return std::nullopt;
   }
-  std::ranges::stable_sort(halves.inserts, std::greater(), &MoldBody::volume);
-  halves.volume_gap = (halves.block_volume - halves.core.volume - halves.cavity.volume - halves.part_volume -
-                       halves.insert_volume) /
-                      halves.block_volume;
-  if (std::abs(halves.volume_gap) > k_most_gap)
-    return MoldFault{
-        fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
-                    std::abs(halves.volume_gap)),
-        k_avoid_rounding, most_moved(sheets)};
-  for (ContactWall& contact : halves.contacts) {
-    contact.place = halves.centre + diagonal * halves.frame.to_part(contact.place);
-    contact.height *= diagonal;
-    contact.area *= diagonal * diagonal;
-    halves.contact_area += contact.area;
+
+  /// The volumes, the bodies as they will be written, and what rounding does to the halves.
+  std::optional<MoldFault> certify(const Progress& progress) {
+    halves_.part_volume = centred_volume(asked_.model.part.mesh, asked_.model.frame.center) * halves_.scale *
+                          halves_.scale * halves_.scale;
+    halves_.volume_gap = (halves_.block_volume - halves_.core.volume - halves_.cavity.volume -
+                          halves_.part_volume - halves_.insert_volume) /
+                         halves_.block_volume;
+    if (std::abs(halves_.volume_gap) > k_most_gap)
+      return MoldFault{
+          fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
+                      std::abs(halves_.volume_gap)),
+          k_avoid_rounding, most_moved(sheets_)};
+    halves_.tolerance = attempt_.tolerance;
+    const WrittenMold written = written_mold(halves_);
+    if (!written.refusal.empty()) {
+      MoldFault fault{written.refusal, k_avoid_rounding};
+      if (written.refused_at) fault.place = frame_.in_mold(*written.refused_at);
+      return fault;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      MoldBody& half = k == 0 ? halves_.core : halves_.cavity;
+      const TriangleMesh& mesh = written.bodies[k].mesh;
+      const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+      half.crossed_facets = crossed.size();
+      if (!crossed.empty())
+        half.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
+      const Needles needles = find_needles(mesh, k_needle * frame_.diagonal * halves_.scale);
+      half.needles = needles.count;
+      if (needles.place) half.needle_at = place_in_part(halves_, written, *needles.place);
+      half.crowded_edges = written.bodies[k].crowded_edges;
+      half.leaning = written.bodies[k].leaning;
+    }
+    return std::nullopt;
   }
-  halves.tolerance = attempt.tolerance;
-  const WrittenMold written = written_mold(halves);
-  if (!written.refusal.empty()) {
-    MoldFault fault{written.refusal, k_avoid_rounding};
-    if (written.refused_at)
-      fault.place = halves.frame.to_mold(*written.refused_at - halves.centre) / diagonal;
-    return fault;
-  }
-  for (std::size_t k = 0; k < 2; ++k) {
-    MoldBody& half = k == 0 ? halves.core : halves.cavity;
-    const TriangleMesh& mesh = written.bodies[k].mesh;
-    const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
-    half.crossed_facets = crossed.size();
-    if (!crossed.empty()) half.crossed_at = place_in_part(halves, written, mesh.corner(crossed.front(), 0));
-    if (const auto place = count_needles(mesh, k_needle * scale, half.needles))
-      half.needle_at = place_in_part(halves, written, *place);
-    half.crowded_edges = written.bodies[k].crowded_edges;
-    half.leaning = written.bodies[k].leaning;
-  }
-  return std::nullopt;
-}
+
+  const HalvesWish& asked_;
+  const SheetTolerance& attempt_;
+  MoldHalves& halves_;
+  SheetFrame frame_;
+  Sheets sheets_;
+  HandWalls hand_;
+  BlockHeights block_;
+  double rectangle_ = 0.0;
+  Facets fill_;
+};
 
 }  // namespace
 
@@ -362,7 +319,7 @@ glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert) {
   return halves.centre + halves.frame.to_part(bounds(halves.inserts[insert].mesh).center() / halves.scale);
 }
 
-MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, double height,
+MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
                        const MoldSettings& settings, const Progress& progress) {
   MoldHalves halves;
   halves.frame = mold_frame(direction);
@@ -380,15 +337,17 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, doub
   }
   const ExactSplit split =
       exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
+  const std::vector<FacetWish> wished = wished_facets(model, settings);
+  const HalvesWish asked{split.mesh, model, place, wished, settings};
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
   std::size_t tried = 0;
-  for (const Attempt& attempt : k_attempts) {
+  for (const SheetTolerance& attempt : k_attempts) {
     if (best && tried >= k_most_for_beauty) break;
     ++tried;
     progress.report("making the halves", 0.0);
     MoldHalves attempted = halves;
-    const auto fault = try_halves(split.mesh, model, height, settings, attempt, attempted, progress);
+    const auto fault = Trial(asked, attempt, attempted).run(progress);
     if (fault) {
       if (!first) first = fault;
       continue;

@@ -11,6 +11,8 @@
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "parting/hull/bodies.hpp"
+#include "parting/hull/half_checks.hpp"
+#include "parting/loops.hpp"
 #include "parting/mold_frame.hpp"
 #include "parting/mold_settings.hpp"
 
@@ -28,6 +30,12 @@ struct MoldBody {
   std::size_t needles = 0;                    // facets thinner than a ten-millionth of the part's diagonal
   std::optional<glm::dvec3> needle_at = {};   // the longest of these, in the part's coordinates
   double leaning = 0.0;  // share of its area that leans along its pull by more than 0.01 degrees
+};
+
+/// Faces given to a half by hand that it does not form.
+struct MissedFaces {
+  double area = 0.0;
+  std::optional<glm::dvec3> at;  // where the most of it is, in the part's coordinates
 };
 
 /// Lengths in the part's unit, without the shrinkage but for bodies.
@@ -50,8 +58,12 @@ struct MoldHalves {
       0.0;  // of facets of a half that face away from its pull, as a share of the block's rectangle
   double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
 
-  double parting_area = 0.0, shut_off_area = 0.0, steepest_deg = 0.0;
-  double too_steep_area = 0.0;  // of the parting surface, steeper than asked
+  SurfaceFigures surface;
+  /// How steep the part's own outline is, where that is more than was asked: less than that no parting
+  /// surface can be that meets it, so that the halves touch on upright walls there. 90 at steps, 0: nowhere.
+  double forced_deg = 0.0;
+  std::optional<glm::dvec3> forced_at;         // in the part's coordinates
+  MissedFaces missed_leaning, missed_upright;  // lean against the half; the surface would be too steep
   double contact_area = 0.0;
   std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
   double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal
@@ -74,9 +86,16 @@ struct MoldHalves {
 /// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
 [[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);
 
-/// The halves for a unit direction, whatever the undercut. `height`: where they are to meet, in the part's
-/// coordinates. Throws Cancelled.
-[[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, double height,
-                                     const MoldSettings& settings, const Progress& progress);
+/// Where the halves are to meet on walls that either could form.
+struct MeetingPlace {
+  double height = 0.0;                // along the direction, in the part's coordinates
+  const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
+};
+
+/// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
+/// have them, outweigh the place. Throws UsageError for faces that the part has not, Cancelled.
+[[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
+                                     const MeetingPlace& place, const MoldSettings& settings,
+                                     const Progress& progress);
 
 }  // namespace moldlight

@@ -94,6 +94,10 @@ Json contacts_json(const MoldHalves& halves) {
   return list;
 }
 
+Json missed_json(const MissedFaces& missed) {
+  return {{"area", missed.area}, {"place", missed.at ? point_json(*missed.at) : Json()}};
+}
+
 /// The loop at which the halves were refused.
 std::string refused_loop(const MoldReport& report) {
   const auto& place = report.halves.refused_at;
@@ -140,29 +144,51 @@ void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
   const bool made = halves.made();
-  json["surfaces"] = made ? Json{{"parting", halves.parting_area},      {"shut_offs", halves.shut_off_area},
-                                 {"steepest_deg", halves.steepest_deg}, {"too_steep", halves.too_steep_area},
-                                 {"contact", halves.contact_area},      {"contacts", contacts_json(halves)}}
+  json["surfaces"] = made ? Json{{"parting", halves.surface.parting_area},
+                                 {"shut_offs", halves.surface.shut_off_area},
+                                 {"steepest_deg", halves.surface.steepest_deg},
+                                 {"too_steep", halves.surface.too_steep_area},
+                                 {"contact", halves.contact_area},
+                                 {"contacts", contacts_json(halves)},
+                                 {"forced_deg", halves.forced_deg},
+                                 {"forced_at", halves.forced_at ? point_json(*halves.forced_at) : Json()}}
                           : Json();
   json["halves"] = Json();
   json["inserts"] = Json::array();
   json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
   json["refused"] = refusal_json(report);
   if (!made || written.bodies.size() < 2) return;
-  json["halves"] = {{"core", half_json(written.bodies[0], halves.core)},
-                    {"cavity", half_json(written.bodies[1], halves.cavity)},
-                    {"frame", written.part_frame ? "part" : "mold"},
-                    {"scale", halves.scale},
-                    {"block_volume", halves.block_volume},
-                    {"part_volume", halves.part_volume},
-                    {"insert_volume", halves.insert_volume},
-                    {"specks_volume", halves.specks_volume}};
+  json["halves"] = {
+      {"core", half_json(written.bodies[0], halves.core)},
+      {"cavity", half_json(written.bodies[1], halves.cavity)},
+      {"frame", written.part_frame ? "part" : "mold"},
+      {"scale", halves.scale},
+      {"block_volume", halves.block_volume},
+      {"part_volume", halves.part_volume},
+      {"insert_volume", halves.insert_volume},
+      {"specks_volume", halves.specks_volume},
+      {"missed",
+       {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}};
   for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
     Json insert = body_json(written.bodies[k + 2]);
     insert["place"] = point_json(insert_place(halves, k));
     if (report.plan != nullptr) add_actions(*report.plan, report.by_action[k], insert);
     json["inserts"].push_back(std::move(insert));
   }
+}
+
+/// Faces given by hand that the halves form otherwise.
+std::string missed_text(const MoldReport& report) {
+  std::string text;
+  for (const auto& [missed, why] :
+       {std::pair(&report.halves.missed_leaning, "they lean against it or are hidden"),
+        {&report.halves.missed_upright, "the parting surface would have to be steeper there"}}) {
+    if (!missed->at) continue;
+    text += fmt::format("          {} {} of the faces that a half was to form, near {}, it cannot: {}\n",
+                        figure(missed->area), powered_unit(report.model.part, 2),
+                        figures(*missed->at, report.model.frame.diagonal), why);
+  }
+  return text;
 }
 
 std::string halves_table(const MoldReport& report) {
@@ -180,11 +206,11 @@ std::string halves_table(const MoldReport& report) {
       figure(halves.core.volume), volume_unit, figure(halves.cavity.volume),
       error_text(std::abs(halves.volume_gap)));
   fmt::format_to(out, "          parting surface {} {}, shut-offs {}; no steeper than {:.0f}°{}\n",
-                 figure(halves.parting_area), area_unit, figure(halves.shut_off_area),
-                 std::ceil(std::min(halves.steepest_deg, report.settings.slope_deg) - 1e-6),
-                 halves.too_steep_area > 0.0
-                     ? fmt::format(" but for {} {}, up to {:.0f}°", error_text(halves.too_steep_area),
-                                   area_unit, std::ceil(halves.steepest_deg))
+                 figure(halves.surface.parting_area), area_unit, figure(halves.surface.shut_off_area),
+                 std::ceil(std::min(halves.surface.steepest_deg, report.settings.slope_deg) - 1e-6),
+                 halves.surface.too_steep_area > 0.0
+                     ? fmt::format(" but for {} {}, up to {:.0f}°", error_text(halves.surface.too_steep_area),
+                                   area_unit, std::ceil(halves.surface.steepest_deg))
                      : "");
   if (!halves.contacts.empty()) {
     const ContactWall& most = halves.contacts.front();
@@ -193,6 +219,13 @@ std::string halves_table(const MoldReport& report) {
                    figure(halves.contact_area), area_unit, halves.contacts.size(),
                    halves.contacts.size() == 1 ? "" : "s", figures(most.place, 1.0), figure(most.height));
   }
+  if (halves.forced_at) {
+    fmt::format_to(out, "          the part's own outline {}, near {}: no parting surface meets all of it\n",
+                   halves.forced_deg > 89.99 ? std::string("has steps")
+                                             : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
+                   figures(*halves.forced_at, report.model.frame.diagonal));
+  }
+  text += missed_text(report);
   if (!halves.inserts.empty()) {
     fmt::format_to(out, "          left to {} insert{}: {} {}, {} of the part's volume\n",
                    halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),

@@ -259,8 +259,9 @@ TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
   for (const char* name : {"core.stl", "cavity.stl", "parting-line.dxf", "parting-line.svg", "mold.json"})
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   const Assignment assignment = same_assignment();
-  WrittenMold written =
-      written_mold(make_halves(*state().model, assignment.direction, assignment.height, asked(), Progress{}));
+  const PartingLine line = parting_line(assignment);
+  WrittenMold written = written_mold(
+      make_halves(*state().model, assignment.direction, {assignment.height, &line}, asked(), Progress{}));
   const fs::path other = folder.parent_path() / "other";
   write_mold(other.string(), false, state().model->part.unit, written);
   for (const char* name : {"core.stl", "cavity.stl"})

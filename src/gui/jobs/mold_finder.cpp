@@ -18,7 +18,6 @@ MoldSettings of_solids(MoldSettings settings) {
   const MoldSettings line = of_line({});
   settings.soft_deg = line.soft_deg;
   settings.parting_height = line.parting_height;
-  settings.cosmetic = line.cosmetic;
   settings.fill_undercut = line.fill_undercut;  // tells what is written
   return settings;
 }
@@ -49,10 +48,12 @@ ViewSolid shown_solid(const MoldHalves& halves, const MoldBody& body, Steel stee
   return view_solid(mesh, frame, steel);
 }
 
-MoldSolids find_solids(const PartModel& model, const glm::dvec3& direction, double height,
-                       const MoldSettings& settings, const Progress& progress) {
-  MoldSolids found{
-      .halves = make_halves(model, direction, height, settings, progress), .written = {}, .shown = {}};
+MoldSolids find_solids(const PartModel& model, const MoldLine& line, const MoldSettings& settings,
+                       const Progress& progress) {
+  MoldSolids found{.halves = make_halves(model, line.assignment.direction,
+                                         {line.assignment.height, &line.line}, settings, progress),
+                   .written = {},
+                   .shown = {}};
   found.written = written_mold(found.halves);
   if (!found.halves.made()) return found;
   found.shown.push_back(shown_solid(found.halves, found.halves.core, Steel::core, model.frame));
@@ -107,8 +108,7 @@ void MoldFinder::update_line(const AppState& state, MoldState& mold, bool moving
 void MoldFinder::update_solids(const AppState& state, MoldState& mold, const Wants& wants) {
   const auto& line = mold.line;
   const bool ready = line && !mold.line_awaited;
-  const SolidInputs inputs{state.figures.split, line ? line->assignment.height : 0.0,
-                           of_solids(state.settings.mold)};
+  const SolidInputs inputs{state.figures.split, line, of_solids(state.settings.mold)};
   const bool stale = solids_of_ && (solids_of_->split != inputs.split || (ready && *solids_of_ != inputs));
   if (stale || (!wants.solids && solids_job_.running())) {
     solids_job_.give_up();
@@ -116,10 +116,9 @@ void MoldFinder::update_solids(const AppState& state, MoldState& mold, const Wan
   }
   if (ready && wants.solids && !wants.moving && !solids_of_) {
     solids_of_ = inputs;
-    solids_job_.start(
-        [model = state.model, direction = line->assignment.direction, inputs](const Progress& progress) {
-          return find_solids(*model, direction, inputs.height, inputs.settings, progress);
-        });
+    solids_job_.start([model = state.model, inputs](const Progress& progress) {
+      return find_solids(*model, *inputs.line, inputs.settings, progress);
+    });
   }
   if (auto outcome = solids_job_.take()) {
     if (!outcome->error.empty()) mold.error = std::move(outcome->error);

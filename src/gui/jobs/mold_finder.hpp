@@ -36,8 +36,8 @@ class MoldFinder {
   };
   struct SolidInputs {
     std::shared_ptr<const SplitMesh> split;
-    double height = 0.0;
-    MoldSettings settings;  // without those of the line
+    std::shared_ptr<const MoldLine> line;
+    MoldSettings settings;  // without those of the line alone
     bool operator==(const SolidInputs&) const = default;
   };
   void update_line(const AppState& state, MoldState& mold, bool moving);

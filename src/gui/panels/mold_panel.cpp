@@ -118,11 +118,12 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
                    "volumes agree to {} of the block",
                    short_figure(halves.core.volume), volume, short_figure(halves.cavity.volume),
                    gap_text(halves.volume_gap))});
-  std::string surfaces = fmt::format("Parting surface {} {}, shut-offs {}", short_figure(halves.parting_area),
-                                     area, short_figure(halves.shut_off_area));
-  if (halves.too_steep_area > 0.0)
-    surfaces += fmt::format(" · too steep {}, up to {:.0f}°", short_figure(halves.too_steep_area),
-                            std::ceil(halves.steepest_deg));
+  std::string surfaces =
+      fmt::format("Parting surface {} {}, shut-offs {}", short_figure(halves.surface.parting_area), area,
+                  short_figure(halves.surface.shut_off_area));
+  if (halves.surface.too_steep_area > 0.0)
+    surfaces += fmt::format(" · too steep {}, up to {:.0f}°", short_figure(halves.surface.too_steep_area),
+                            std::ceil(halves.surface.steepest_deg));
   if (halves.contacts.empty()) {
     surfaces += " · no steel on steel";
   } else {

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <queue>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "parting/hull/plane_mesh.hpp"
+#include "parting/hull/meeting_heights.hpp"
+#include "parting/hull/outline_plane.hpp"
+#include "parting/hull/segment_cuts.hpp"
 
 namespace moldlight {
 
@@ -21,84 +22,11 @@ namespace {
 constexpr int k_most_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;
-constexpr double k_least_segment = 4e-3;  // of the part's diagonal: shorter ones are not halved
-/// Slopes tried for the edges, as shares of the greatest allowed: facets are steeper than their edges.
-constexpr double k_slope_shares[] = {1.0, 0.85, 0.7, 0.55, 0.4};
-
-struct Outline {
-  std::vector<std::array<Column, 2>> segments;
-};
-
-/// The segments at which the upper sheet ends as a whole.
-std::optional<MoldFault> find_outline(const Sheets& sheets, Outline& outline) {
-  for (const SegmentEdges& segment : sheets.by_segment(sheets.ends(Sheets::bit(Sheet::upper)))) {
-    int sum = 0;
-    for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
-    if (sum == 0) continue;
-    if (std::abs(sum) > 1)
-      return MoldFault{"what is seen from above lies over itself", k_mend_surface,
-                       sheets.vertices[segment.edges.front().a]};
-    outline.segments.push_back({segment.a, segment.b});
-  }
-  if (outline.segments.empty())
-    return MoldFault{"the part is too thin to be seen along the direction, so that it has no outline",
-                     "choose a direction across the part's faces, not along them"};
-  return std::nullopt;
-}
-
-/// The plane mesh with the outline's points and segments; columns by point.
-struct Plane {
-  PlaneMesh mesh;
-  std::vector<Column> column_of;  // of each point; k_no_column: none
-};
-
-/// Cuts where a point or a segment stands in the way of another; empty where the mesh was made.
-std::vector<SegmentCut> triangulate(Sheets& sheets, const Outline& outline, Plane& plane) {
-  std::unordered_map<Column, std::uint32_t> point_of;
-  const auto point = [&](Column column) {
-    const auto [entry, fresh] = point_of.try_emplace(column, 0);
-    if (fresh) {
-      entry->second = plane.mesh.add_point(sheets.columns[column]);
-      plane.column_of.resize(plane.mesh.points().size(), k_no_column);
-      plane.column_of[entry->second] = column;
-    }
-    return entry->second;
-  };
-  // Neighbours one after the other, so that each is found near the last.
-  std::vector<std::array<Column, 2>> segments = outline.segments;
-  std::ranges::sort(segments, {}, [&](const auto& s) {
-    const glm::dvec2& at = sheets.columns[s[0]];
-    const auto band = static_cast<std::int64_t>(std::floor(64.0 * at.y));
-    return std::tuple(band, band % 2 == 0 ? at.x : -at.x);
-  });
-  for (const auto& [a, b] : segments) {
-    static_cast<void>(point(a));
-    static_cast<void>(point(b));
-  }
-  std::vector<SegmentCut> cuts;
-  for (const auto& [a, b] : segments) {
-    const auto obstacle = plane.mesh.add_segment(point(a), point(b), PlaneMesh::k_outline);
-    if (!obstacle) continue;
-    if (obstacle->point != PlaneMesh::k_none) {
-      cuts.push_back({a, b, plane.column_of[obstacle->point]});
-    } else if (obstacle->segment[0] != PlaneMesh::k_none) {
-      const Column c = plane.column_of[obstacle->segment[0]], d = plane.column_of[obstacle->segment[1]];
-      if (c == k_no_column || d == k_no_column) continue;
-      const glm::dvec2 &pa = sheets.columns[a], &pb = sheets.columns[b], &pc = sheets.columns[c],
-                       &pd = sheets.columns[d];
-      const glm::dvec2 r = pb - pa, s = pd - pc;
-      const double t = ((pc.x - pa.x) * s.y - (pc.y - pa.y) * s.x) / (r.x * s.y - r.y * s.x);
-      const Column at = sheets.add_column(pa + t * r);
-      cuts.push_back({a, b, at});
-      cuts.push_back({c, d, at});
-    }
-  }
-  return cuts;
-}
-
-struct HeightRange {
-  double low = -INFINITY, high = INFINITY;
-};
+/// How far in the plane the line, which may be a little off the surface, is from the outline, in diagonals of
+/// the part.
+constexpr double k_line_reach = 1.5e-4;
+/// Ramps are somewhat less steep than they may be, and no shorter than a share of their segment.
+constexpr double k_ramp_slope = 0.99, k_least_ramp = 0.02;
 
 /// Between what heights the surface has to stay at the outline, so that the halves touch nowhere else.
 std::unordered_map<Column, HeightRange> outline_ranges(const Sheets& sheets) {
@@ -118,26 +46,65 @@ std::unordered_map<Column, HeightRange> outline_ranges(const Sheets& sheets) {
   return ranges;
 }
 
-/// For every point the least of `from` + `slope` times the way along edges outside.
-std::vector<double> spread(const PlaneMesh& mesh, const std::vector<std::vector<std::uint32_t>>& around,
-                           std::vector<double> value, double slope) {
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::uint32_t k = 0; k < value.size(); ++k) {
-    if (std::isfinite(value[k])) queue.emplace(value[k], k);
+/// One a point of the plane; no range inside.
+std::vector<OutlinePoint> outline_points(const Sheets& sheets, const OutlinePlane& plane) {
+  const auto ranges = outline_ranges(sheets);
+  std::vector<OutlinePoint> points;
+  for (std::size_t point = 0; point < plane.column_of.size(); ++point) {
+    points.push_back({plane.mesh.points()[point], {}});
+    if (const auto found = ranges.find(plane.column_of[point]); found != ranges.end())
+      points.back().part = found->second;
   }
-  while (!queue.empty()) {
-    const auto [at, point] = queue.top();
-    queue.pop();
-    if (at > value[point]) continue;
-    for (const std::uint32_t other : around[point]) {
-      const double reached = at + slope * glm::distance(mesh.points()[point], mesh.points()[other]);
-      if (reached >= value[other]) continue;
-      value[other] = reached;
-      queue.emplace(reached, other);
+  return points;
+}
+
+HeightWishes wishes_at(const std::vector<OutlinePoint>& outline, const SurfaceWish& wish) {
+  HeightWishes wishes{.height = wish.height,
+                      .slope = wish.slope,
+                      .line = line_ranges(outline, wish.line, k_line_reach),
+                      .hand = wall_ranges(outline, wish.walls, k_wall_reach * wish.tolerance),
+                      .part = part_ranges(outline)};
+  if (wish.line.empty() && wish.walls.empty()) return wishes;
+  // All of the outline has its height then, so that shut-offs are level where it is.
+  for (std::size_t point = 0; point < outline.size(); ++point) {
+    if (!outline[point].on_outline()) continue;
+    auto& [low, high] = wishes.line[point];
+    if (!std::isfinite(low)) low = high = wish.height;
+    for (const HeightRange& range : {wishes.hand[point], wishes.part[point]}) {
+      low = std::max(range.low, std::min(low, range.high));
+      high = std::max(range.low, std::min(high, range.high));
     }
   }
-  return value;
+  return wishes;
+}
+
+/// Where the surface may be level again beside points of the outline between which wishes differ, so that it
+/// climbs no longer way than it has to.
+std::vector<SegmentCut> ramp_ends(Sheets& sheets, const OutlinePlane& plane, const SurfaceWish& wish) {
+  const HeightWishes wishes = wishes_at(outline_points(sheets, plane), wish);
+  const auto height_at = [&](std::uint32_t point) {
+    double z = wishes.height;
+    for (const auto* ranges : {&wishes.line, &wishes.hand, &wishes.part}) {
+      const auto [low, high] = (*ranges)[point];
+      z = low <= high ? std::clamp(z, low, high) : 0.5 * (low + high);
+    }
+    return z;
+  };
+  std::vector<SegmentCut> cuts;
+  std::set<std::array<std::uint32_t, 2>> done;
+  for (const PlaneMesh::Triangle& t : plane.mesh.triangles()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(t.corners[k], t.corners[(k + 1) % 3]);
+      if (t.fixed[k] != PlaneMesh::k_outline || !done.insert({a, b}).second) continue;
+      const glm::dvec2 &from = plane.mesh.points()[a], &to = plane.mesh.points()[b];
+      const double share =
+          std::abs(height_at(a) - height_at(b)) / (k_ramp_slope * wish.slope) / glm::distance(from, to);
+      if (share <= k_least_ramp || share >= 1.0 - k_least_ramp) continue;
+      for (const double at : {share, 1.0 - share})
+        cuts.push_back({plane.column_of[a], plane.column_of[b], sheets.add_column(glm::mix(from, to, at))});
+    }
+  }
+  return cuts;
 }
 
 /// A frustum by which the upper half reaches into the lower one.
@@ -184,41 +151,8 @@ void add_circles(PlaneMesh& mesh, const std::vector<Cone>& cones) {
   }
 }
 
-/// Area of the facets outside that are steeper than the tangent, and the heights that give it.
-struct Heights {
-  std::vector<double> z;
-  double too_steep = INFINITY;
-};
-
-Heights heights_at(const PlaneMesh& mesh, const std::vector<std::vector<std::uint32_t>>& around,
-                   const std::vector<HeightRange>& ranges, const SurfaceWish& wish, double share) {
-  std::vector<double> from_low, from_high;
-  for (const HeightRange& range : ranges) {
-    from_low.push_back(-range.low);
-    from_high.push_back(range.high);
-  }
-  const double slope = share * wish.slope;
-  const std::vector<double> low = spread(mesh, around, std::move(from_low), slope),
-                            high = spread(mesh, around, std::move(from_high), slope);
-  Heights heights{.z = std::vector<double>(low.size()), .too_steep = 0.0};
-  for (std::size_t k = 0; k < low.size(); ++k) {
-    const double least = -low[k], greatest = high[k];
-    heights.z[k] = least <= greatest ? std::clamp(wish.height, least, greatest) : 0.5 * (least + greatest);
-  }
-  for (const PlaneMesh::Triangle& t : mesh.triangles()) {
-    if (t.inside) continue;
-    const auto corner = [&](std::size_t k) {
-      return glm::dvec3(mesh.points()[t.corners[k]], heights.z[t.corners[k]]);
-    };
-    const glm::dvec3 normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-    if (glm::length(glm::dvec2(normal)) > 1.000001 * wish.slope * normal.z)
-      heights.too_steep += 0.5 * glm::length(normal);
-  }
-  return heights;
-}
-
 /// Vertices of the sheet at the points, and its facets.
-void add_sheet(Sheets& sheets, const Plane& plane, const std::vector<double>& z, double tolerance) {
+void add_sheet(Sheets& sheets, const OutlinePlane& plane, const std::vector<double>& z, double tolerance) {
   std::unordered_map<Column, std::vector<SheetVertex>> standing;
   for (const Column column : plane.column_of) {
     if (column != k_no_column) standing[column];
@@ -286,129 +220,31 @@ std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
 
 }  // namespace
 
-void cut_segments(Sheets& sheets, std::vector<SegmentCut> cuts) {
-  std::unordered_map<std::uint64_t, std::vector<Column>> on_segment;
-  for (const SegmentCut& cut : cuts) on_segment[Sheets::edge_key(cut.a, cut.b)].push_back(cut.at);
-  Sheets::OnEdges on_edges;
-  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::parting}) {
-    for (const SheetEdge& edge : sheets.ends(Sheets::bit(sheet))) {
-      const auto [low, high] = std::minmax(edge.from, edge.to);
-      const auto found = on_segment.find(Sheets::edge_key(sheets.column_of[low], sheets.column_of[high]));
-      if (sheets.column_of[low] == k_no_column || sheets.column_of[high] == k_no_column ||
-          found == on_segment.end() || on_edges.contains(Sheets::edge_key(low, high)))
-        continue;
-      const glm::dvec2 a(sheets.vertices[low]), b(sheets.vertices[high]);
-      std::vector<std::pair<double, Column>> places;
-      for (const Column column : found->second)
-        places.emplace_back(glm::dot(sheets.columns[column] - a, b - a) / glm::dot(b - a, b - a), column);
-      std::ranges::sort(places);
-      std::vector<SheetVertex>& list = on_edges[Sheets::edge_key(low, high)];
-      const double z_low = sheets.vertices[low].z, z_high = sheets.vertices[high].z;
-      for (const auto& [share, column] : places) {
-        if (!list.empty() && sheets.column_of[list.back()] == column) continue;
-        list.push_back(sheets.add_vertex(column, glm::mix(z_low, z_high, share)));
-      }
-    }
-  }
-  sheets.divide_edges(on_edges);
-}
-
-std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish) {
-  std::optional<Plane> plane;
-  for (int round = 0;; ++round) {
-    Outline outline;
-    if (const auto fault = find_outline(sheets, outline)) return fault;
-    plane.emplace(Plane{.mesh = PlaneMesh(wish.low, wish.high), .column_of = {}});
-    plane->column_of.resize(4, k_no_column);
-    std::vector<SegmentCut> cuts = triangulate(sheets, outline, *plane);
-    if (cuts.empty()) break;
-    if (round == k_most_rounds) {
-      const glm::dvec2& at = sheets.columns[cuts.front().at];
-      return MoldFault{"the outline crosses itself", k_mend_surface, glm::dvec3(at, wish.height)};
-    }
-    cut_segments(sheets, std::move(cuts));
+std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish, ForcedSlope& forced) {
+  OutlinePlane plane(wish.low, wish.high);
+  const OutlinePlane empty = plane;
+  if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
+  if (const std::vector<SegmentCut> ramps = ramp_ends(sheets, plane, wish); !ramps.empty()) {
+    cut_segments(sheets, ramps);
     sheets.weld_columns(wish.tolerance);
+    plane = empty;
+    if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
   }
-  PlaneMesh& mesh = plane->mesh;
   const std::vector<Cone> cones = register_cones(wish);
-  add_circles(mesh, cones);
-  mesh.find_inside();
-  const std::size_t before = mesh.points().size();
-  mesh.refine({.least_angle_deg = 20.0, .least_segment = k_least_segment, .most_points = 2000 + 12 * before});
-
-  // Halves of the outline's segments are columns, too.
-  std::vector<SegmentCut> cuts;
-  plane->column_of.resize(mesh.points().size(), k_no_column);
-  std::vector<std::vector<std::uint32_t>> around(mesh.points().size());
-  std::map<std::array<std::uint32_t, 2>, bool> outline_sides;
-  for (const PlaneMesh::Triangle& t : mesh.triangles()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3];
-      if (!t.inside) {
-        around[a].push_back(b);
-        around[b].push_back(a);
-      }
-      if (t.fixed[k] == PlaneMesh::k_outline) outline_sides[{std::min(a, b), std::max(a, b)}] = true;
-    }
+  add_circles(plane.mesh, cones);
+  refine_outside(sheets, wish.tolerance, plane);
+  const std::vector<OutlinePoint> outline = outline_points(sheets, plane);
+  const MeetingHeights found = meeting_heights(plane.mesh, wishes_at(outline, wish), k_narrow);
+  forced = found.forced;
+  std::vector<double> z = found.z;
+  for (std::size_t point = 0; point < z.size(); ++point) {
+    for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }
-  {
-    // Chains of new points between two that had a column.
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> next;
-    for (const auto& [ends, unused] : outline_sides) {
-      for (const auto& [from, to] : {std::pair{ends[0], ends[1]}, std::pair{ends[1], ends[0]}}) {
-        if (from >= before || to >= before) next[from].push_back(to);
-      }
-    }
-    for (const auto& [ends, unused] : outline_sides) {
-      for (auto [from, to] : {std::pair{ends[0], ends[1]}, std::pair{ends[1], ends[0]}}) {
-        if (from >= before || to < before) continue;
-        const Column first = plane->column_of[from];
-        std::vector<std::uint32_t> chain;
-        while (to >= before) {
-          chain.push_back(to);
-          const auto& ways = next.at(to);
-          const std::uint32_t onward = ways[0] == from ? ways[1] : ways[0];
-          from = to;
-          to = onward;
-        }
-        const Column last = plane->column_of[to];
-        if (first > last) continue;  // it comes from the other end, too
-        for (const std::uint32_t point : chain) {
-          plane->column_of[point] = sheets.add_column(mesh.points()[point]);
-          cuts.push_back({first, last, plane->column_of[point]});
-        }
-      }
-    }
-  }
-  if (!cuts.empty()) {
-    cut_segments(sheets, std::move(cuts));
-    sheets.weld_columns(wish.tolerance);
-  }
-
-  const auto ranges_by_column = outline_ranges(sheets);
-  std::vector<HeightRange> ranges(mesh.points().size());
-  for (std::uint32_t point = 0; point < ranges.size(); ++point) {
-    if (plane->column_of[point] == k_no_column) continue;
-    const auto found = ranges_by_column.find(plane->column_of[point]);
-    if (found != ranges_by_column.end()) ranges[point] = found->second;
-  }
-  for (HeightRange& range : ranges) {
-    if (!std::isfinite(range.low)) range.low = -INFINITY;
-  }
-  Heights best;
-  for (const double share : k_slope_shares) {
-    Heights heights = heights_at(mesh, around, ranges, wish, share);
-    if (heights.too_steep < best.too_steep) best = std::move(heights);
-    if (best.too_steep <= 0.0) break;
-  }
-  for (std::size_t point = 0; point < best.z.size(); ++point) {
-    for (const Cone& cone : cones) best.z[point] -= cone.depth_at(mesh.points()[point]);
-  }
-  add_sheet(sheets, *plane, best.z, wish.tolerance);
+  add_sheet(sheets, plane, z, wish.tolerance);
   for (int round = 0; round < k_most_rounds; ++round) {
-    std::vector<SegmentCut> crossings = find_crossings(sheets, wish.tolerance);
+    const std::vector<SegmentCut> crossings = find_crossings(sheets, wish.tolerance);
     if (crossings.empty()) break;
-    cut_segments(sheets, std::move(crossings));
+    cut_segments(sheets, crossings);
     sheets.weld_columns(wish.tolerance);
   }
   return std::nullopt;

@@ -136,7 +136,7 @@ void expect_known(const KnownMold& known, const Pose& pose) {
   EXPECT_NEAR(shut_offs, known.shut_off_length * pose.scale, slack * static_cast<double>(1 + known.shut_offs))
       << name;
 
-  const MoldHalves halves = make_halves(*model, direction, assignment.height, {}, Progress{});
+  const MoldHalves halves = make_halves(*model, direction, {assignment.height}, {}, Progress{});
   ASSERT_TRUE(halves.made()) << name << ": " << halves.refusal;
   EXPECT_LE(std::abs(halves.volume_gap), 1e-9) << name;
   const double cube = pose.scale * pose.scale * pose.scale;
@@ -212,7 +212,7 @@ TEST(KnownMolds, LeaveToInsertsWhatFormulasSay) {
         const glm::dquat turn = seed == 0 ? glm::dquat(1, 0, 0, 0) : test::random_rotation(seed);
         const auto model = test::model_of(test::rotated(test::scaled(known.mesh, scale), turn));
         const glm::dvec3 d = turn * known.direction;
-        const MoldHalves halves = make_halves(*model, d, glm::dot(model->frame.center, d), {}, Progress{});
+        const MoldHalves halves = make_halves(*model, d, {glm::dot(model->frame.center, d)}, {}, Progress{});
         ASSERT_TRUE(halves.made()) << name << ": " << halves.refusal;
         EXPECT_LE(std::abs(halves.volume_gap), 1e-9) << name;
         EXPECT_NEAR(halves.insert_volume / (known.insert_volume * scale * scale * scale), 1.0, 0.005) << name;

@@ -15,44 +15,17 @@
 #include "support/curved_solids.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
+#include "unit/parting/certified_halves.hpp"
 
 namespace moldlight {
 namespace {
 
+using test::expect_certified;
 using test::model_of;
 
 MoldHalves halves_of(const std::shared_ptr<const PartModel>& model, const glm::dvec3& direction,
                      double height, const MoldSettings& settings = {}) {
-  return make_halves(*model, direction, height, settings, Progress{});
-}
-
-/// All that the certificate promises, found anew on what would be written.
-void expect_certified(const MoldHalves& halves, const std::string& name, const TriangleMesh* part = nullptr) {
-  ASSERT_TRUE(halves.made()) << name << ": " << halves.refusal;
-  EXPECT_LE(std::abs(halves.volume_gap), 1e-9) << name;
-  EXPECT_LE(halves.fold_area, 1e-8) << name;
-  const WrittenMold written = written_mold(halves);
-  ASSERT_EQ(written.refusal, "") << name;
-  std::vector<TriangleMesh> bodies;
-  for (const WrittenBody& body : written.bodies) {
-    EXPECT_TRUE(body.closed) << name;
-    EXPECT_NEAR(signed_volume(body.mesh), body.volume, 1e-5 * halves.block_volume) << name;
-    bodies.push_back(body.mesh);
-  }
-  const glm::dvec3 up = written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);
-  EXPECT_LE(test::undercut_share(bodies[0], up, 0.01), 1e-6) << name;
-  EXPECT_LE(test::undercut_share(bodies[1], -up, 0.01), 1e-6) << name;
-  if (part != nullptr) bodies.push_back(*part);
-  if (part != nullptr) {
-    EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U) << name;
-  }
-  for (const TriangleMesh& body : bodies) {
-    const Bounds box = bounds(body);
-    const test::SectionCheck sections = test::check_sections(body, (box.max.z - box.min.z) / 40.0);
-    EXPECT_GE(sections.sections, 39U) << name;
-    EXPECT_EQ(sections.open, 0U) << name;
-    EXPECT_EQ(sections.crossing, 0U) << name;
-  }
+  return make_halves(*model, direction, {height}, settings, Progress{});
 }
 
 TEST(MoldHalves, OfABoxAreTwoHalvesOfABlock) {
@@ -64,10 +37,10 @@ TEST(MoldHalves, OfABoxAreTwoHalvesOfABlock) {
   EXPECT_NEAR(halves.block_volume, 6.0 * 5.0 * 4.0, 1e-9);
   EXPECT_NEAR(halves.core.volume, 6.0 * 5.0 * 2.5 - 4.0 * 3.0 * 1.5, 1e-9);
   EXPECT_NEAR(halves.cavity.volume, 6.0 * 5.0 * 1.5 - 4.0 * 3.0 * 0.5, 1e-9);
-  EXPECT_NEAR(halves.parting_area, 6.0 * 5.0 - 4.0 * 3.0, 1e-9);
-  EXPECT_EQ(halves.shut_off_area, 0.0);
+  EXPECT_NEAR(halves.surface.parting_area, 6.0 * 5.0 - 4.0 * 3.0, 1e-9);
+  EXPECT_EQ(halves.surface.shut_off_area, 0.0);
   EXPECT_NEAR(halves.contact_area, 0.0, 1e-12);
-  EXPECT_NEAR(halves.steepest_deg, 0.0, 1e-6);
+  EXPECT_NEAR(halves.surface.steepest_deg, 0.0, 1e-6);
   EXPECT_TRUE(halves.inserts.empty());
   EXPECT_EQ(test::crossed_facets(halves.core.mesh), 0U);
   EXPECT_TRUE(written_mold(halves).part_frame);
@@ -98,7 +71,7 @@ TEST(MoldHalves, HaveConesThatKeepThemInRegister) {
   };
   const double grown = halves.core.volume - plain.core.volume;
   EXPECT_NEAR(grown / (3.0 * frustum(0.36, 0.16) + frustum(0.288, 0.128)), 1.0, 0.02);
-  EXPECT_LE(halves.steepest_deg, 60.001);
+  EXPECT_LE(halves.surface.steepest_deg, 60.001);
 }
 
 TEST(MoldHalves, OfPlatesCloseTheirHoles) {
@@ -106,7 +79,7 @@ TEST(MoldHalves, OfPlatesCloseTheirHoles) {
     const TriangleMesh plate = test::plate_with_holes(rows, columns, 2.0);
     const MoldHalves halves = halves_of(model_of(plate), {0, 0, 1}, 1.0);
     expect_certified(halves, "plate", &plate);
-    EXPECT_NEAR(halves.shut_off_area, 16.0 * rows * columns, 1e-6);
+    EXPECT_NEAR(halves.surface.shut_off_area, 16.0 * rows * columns, 1e-6);
     EXPECT_NEAR(halves.contact_area, 0.0, 1e-9);
   }
 }
@@ -118,8 +91,8 @@ TEST(MoldHalves, OfCurvedSolidsKeepTheSlope) {
       test::sheet_mesh(90, 10.0, 0.5, [](double x, double y) { return 0.02 * (x * x - y * y); });
   const MoldHalves halves = halves_of(model_of(saddle), {0, 0, 1}, 0.0);
   expect_certified(halves, "saddle", &saddle);
-  EXPECT_GT(halves.steepest_deg, 5.0);
-  EXPECT_LE(halves.steepest_deg, 60.001);
+  EXPECT_GT(halves.surface.steepest_deg, 5.0);
+  EXPECT_LE(halves.surface.steepest_deg, 60.001);
   EXPECT_NEAR(halves.contact_area, 0.0, 1e-9);
 }
 
@@ -216,7 +189,8 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
   square(Sheet::upper, 1.0, true, twice);
   square(Sheet::upper, 2.0, true, twice);
   ASSERT_FALSE(twice.stand_in_columns(1e-7).has_value());
-  const auto over = add_parting_surface(twice, wish);
+  ForcedSlope forced;
+  const auto over = add_parting_surface(twice, wish, forced);
   ASSERT_TRUE(over.has_value());
   EXPECT_NE(over->what.find("over itself"), std::string::npos) << over->what;
   EXPECT_TRUE(on_rim(over->place));

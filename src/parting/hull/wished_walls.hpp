@@ -1,0 +1,54 @@
+// What is wished of the upright walls of a part: which half is to form them, and where on them the halves are
+// to meet; both as ranges of the parting surface's height at the outline.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "parting/hull/meeting_heights.hpp"
+#include "parting/hull/sheets.hpp"
+
+namespace moldlight {
+
+/// Upright surface that one half is to form.
+struct WishedWall {
+  std::array<glm::dvec3, 3> corners{};
+  bool core = true;
+};
+using LinePiece = std::array<glm::dvec3, 2>;
+
+/// A point of the plane; at the outline, between what heights the surface has to be so that the halves touch
+/// nowhere else.
+struct OutlinePoint {
+  glm::dvec2 at{0.0};
+  HeightRange part;
+
+  [[nodiscard]] bool on_outline() const { return std::isfinite(part.low) && std::isfinite(part.high); }
+};
+
+/// The ranges of the part.
+[[nodiscard]] std::vector<HeightRange> part_ranges(std::span<const OutlinePoint> points);
+/// Ranges in these at which the walls are formed as wished; where walls want the opposite, the middle.
+/// Points farther from a wall than `reach` in the plane are not on it.
+[[nodiscard]] std::vector<HeightRange> wall_ranges(std::span<const OutlinePoint> points,
+                                                   std::span<const WishedWall> walls, double reach);
+/// The heights of the line where it passes a point within `reach` in the plane, as far as the part leaves
+/// them.
+[[nodiscard]] std::vector<HeightRange> line_ranges(std::span<const OutlinePoint> points,
+                                                   std::span<const LinePiece> line, double reach);
+
+/// Area of the walls that the other half forms between the sheets `lower` and `upper`, and where the most of
+/// it is. With a sheet `parting`; walls farther than `reach` from the outline count as formed.
+struct MissedWalls {
+  double area = 0.0;
+  std::optional<glm::dvec3> at;
+  std::vector<double> met_area;  // of each wall, what of it is over the outline between the sheets
+};
+[[nodiscard]] MissedWalls missed_walls(const Sheets& sheets, std::span<const WishedWall> walls, double reach);
+
+}  // namespace moldlight

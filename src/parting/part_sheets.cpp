@@ -1,0 +1,95 @@
+#include "parting/part_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+/// Least height of the triangle as seen along z.
+double seen_width(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec2 p(b - a), q(c - a), r(c - b);
+  const double longest = std::sqrt(std::max({glm::dot(p, p), glm::dot(q, q), glm::dot(r, r)}));
+  return longest > 0.0 ? std::abs(p.x * q.y - p.y * q.x) / longest : 0.0;
+}
+
+bool is_upright(const SplitPiece& piece, const Sheets& sheets, const SheetTolerance& attempt) {
+  return seen_width(sheets.vertices[piece.corners[0]], sheets.vertices[piece.corners[1]],
+                    sheets.vertices[piece.corners[2]]) < std::max(attempt.upright * attempt.tolerance, 1e-14);
+}
+
+Sheet sheet_of(const SplitPiece& piece, const Sheets& sheets) {
+  const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
+                   &c = sheets.vertices[piece.corners[2]];
+  const bool up = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
+  return piece.region == Region::core && up      ? Sheet::upper
+         : piece.region == Region::cavity && !up ? Sheet::lower
+                                                 : Sheet::hidden;
+}
+
+}  // namespace
+
+Sheets part_sheets(const SplitMesh& split, const SheetFrame& frame, const SheetTolerance& attempt) {
+  Sheets sheets;
+  for (const glm::dvec3& vertex : split.vertices) sheets.vertices.push_back(frame.in_mold(vertex));
+  sheets.column_of.assign(sheets.vertices.size(), k_no_column);
+  for (const SplitPiece& piece : split.pieces) {
+    if (!is_upright(piece, sheets, attempt))
+      sheets.facets.push_back({piece.corners, sheet_of(piece, sheets)});
+  }
+  return sheets;
+}
+
+HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets, const std::vector<FacetWish>& wished,
+                     const SheetTolerance& attempt) {
+  HandWalls found;
+  double most = 0.0;
+  for (const SplitPiece& piece : split.pieces) {
+    if (wished[piece.facet] == FacetWish::none) continue;
+    const bool core = wished[piece.facet] == FacetWish::core;
+    const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
+                     &c = sheets.vertices[piece.corners[2]];
+    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    found.wished_area += area;
+    if (is_upright(piece, sheets, attempt)) {
+      found.walls.push_back({{a, b, c}, core});
+      found.released.push_back(piece.region == Region::both ||
+                               piece.region == (core ? Region::core : Region::cavity));
+      continue;
+    }
+    if (sheet_of(piece, sheets) == (core ? Sheet::upper : Sheet::lower)) continue;
+    found.leaning_area += area;
+    if (area <= most) continue;
+    most = area;
+    found.leaning_at = (a + b + c) / 3.0;
+  }
+  return found;
+}
+
+std::optional<MoldFault> residual(const Sheets& sheets, double diagonal) {
+  double length = 0.0, longest = 0.0;
+  glm::dvec3 place(0.0);
+  for (const SegmentEdges& segment :
+       sheets.by_segment(sheets.ends(Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower)))) {
+    int sum = 0;
+    for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
+    if (sum == 0) continue;
+    const double run = glm::distance(sheets.columns[segment.a], sheets.columns[segment.b]);
+    length += run;
+    if (run <= longest) continue;
+    longest = run;
+    place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
+  }
+  if (length <= 0.0) return std::nullopt;
+  return MoldFault{
+      fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
+                  "of its length: bodies overlap or touch there, or the surface is folded",
+                  length * diagonal),
+      k_mend_surface, place};
+}
+
+}  // namespace moldlight

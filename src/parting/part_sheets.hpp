@@ -1,0 +1,55 @@
+// The sheets of a part, from its split mesh: what is seen from above, from below, or hidden.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mold/exact/split_mesh.hpp"
+#include "parting/hull/mold_fault.hpp"
+#include "parting/hull/sheets.hpp"
+#include "parting/hull/wished_walls.hpp"
+#include "parting/mold_frame.hpp"
+#include "parting/wished_facets.hpp"
+
+namespace moldlight {
+
+/// The tolerance as a share of the part's diagonal, and the width, as a share of it, below which facets as
+/// seen along the direction count as upright.
+struct SheetTolerance {
+  double tolerance = 1e-7, upright = 1.0;
+};
+
+/// Where sheets are: in the mold's frame about a centre, in diagonals of the part.
+struct SheetFrame {
+  MoldFrame frame;
+  glm::dvec3 centre{0.0};
+  double diagonal = 1.0;
+
+  [[nodiscard]] glm::dvec3 in_mold(const glm::dvec3& at) const {
+    return frame.to_mold((at - centre) / diagonal);
+  }
+  [[nodiscard]] glm::dvec3 in_part(const glm::dvec3& at) const {
+    return centre + diagonal * frame.to_part(at);
+  }
+};
+
+/// Of a mesh that is split at no draft. Upright facets are left out; ends do not stand in columns yet.
+[[nodiscard]] Sheets part_sheets(const SplitMesh& split, const SheetFrame& frame,
+                                 const SheetTolerance& attempt);
+
+/// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean
+/// the other way or are hidden.
+struct HandWalls {
+  std::vector<WishedWall> walls;
+  std::vector<bool> released;  // whether the half could form the wall where the halves do not meet on it, too
+  double wished_area = 0.0, leaning_area = 0.0;
+  std::optional<glm::dvec3> leaning_at;  // where the most of them is
+};
+/// `wished`: one a facet of the part. `sheets`: of that split mesh, not divided yet.
+[[nodiscard]] HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets,
+                                   const std::vector<FacetWish>& wished, const SheetTolerance& attempt);
+
+/// Where the ends of the sheets `upper` and `lower` do not sum up to nothing over a segment.
+[[nodiscard]] std::optional<MoldFault> residual(const Sheets& sheets, double diagonal);
+
+}  // namespace moldlight
