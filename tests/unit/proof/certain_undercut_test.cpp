@@ -10,10 +10,10 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/draft.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
+#include "support/proof_checks.hpp"
 #include "support/proof_model.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
@@ -21,64 +21,9 @@
 namespace moldlight {
 namespace {
 
-/// A cell of the given generation, anywhere.
-SphereCell random_cell(int generation, test::Random& random) {
-  SphereCell cell = half_sphere_cells()[random.below(4)];
-  for (int k = 0; k < generation; ++k) cell = cell.quarters()[random.below(4)];
-  return cell;
-}
-
-glm::dvec3 random_point(const SurfaceElement& element, test::Random& random) {
-  if (element.is_point) return element.corners[0];
-  double u = random.between(0.0, 1.0), v = random.between(0.0, 1.0);
-  if (u + v > 1.0) {
-    u = 1.0 - u;
-    v = 1.0 - v;
-  }
-  const auto& [a, b, c] = element.corners;
-  return a + u * (b - a) + v * (c - a);
-}
-
-/// By single rays, of which only those count that meet what faces them.
-bool undercut_by_rays(const test::ProofModel& model, FacetIndex facet, const glm::dvec3& point,
-                      const glm::dvec3& direction) {
-  const ProofQuery query = model.query();
-  const glm::dvec3& normal = model.part().geometry.normals[facet];
-  const auto blocked = [&](const glm::dvec3& from, const glm::dvec3& along) {
-    return model.part().rays.first_hit(glm::vec3(from), glm::vec3(along), true).has_value();
-  };
-  switch (facet_class(normal, direction, query.tau_deg)) {
-    case FacetClass::up:
-      return blocked(point, direction);
-    case FacetClass::down:
-      return blocked(point, -direction);
-    case FacetClass::near_vertical:
-      break;
-  }
-  const glm::dvec3 beside(
-      lateral_point(glm::vec3(point), normal, {.direction = direction, .lateral = query.lateral}));
-  return blocked(beside, direction) && blocked(beside, -direction);
-}
-
-struct Checked {
-  std::size_t certain = 0, wrong = 0;
-};
-
-/// Random cells until so many answers were checked, or there were none for long.
-Checked check(const test::ProofModel& model, const std::vector<SurfaceElement>& elements,
-              std::size_t wanted) {
-  CertainUndercut tester(model.part(), model.query());
-  test::Random random(11);
-  Checked checked;
-  for (std::size_t tried = 0; checked.certain < wanted && tried < 40 * wanted; ++tried) {
-    const SphereCell cell = random_cell(2 + static_cast<int>(random.below(7)), random);
-    const SurfaceElement& element = elements[random.below(elements.size())];
-    if (tester.ask(element, cell).certain_area <= 0.0) continue;
-    ++checked.certain;
-    const glm::dvec3 point = random_point(element, random);
-    if (!undercut_by_rays(model, element.facet, point, test::random_direction(cell, random))) ++checked.wrong;
-  }
-  return checked;
+test::RaysChecked check(const test::ProofModel& model, const std::vector<SurfaceElement>& elements,
+                        std::size_t wanted) {
+  return test::check_certain(model, elements, wanted, 1, 11);
 }
 
 constexpr std::size_t k_checks = 2000;
@@ -87,7 +32,7 @@ TEST(CertainUndercut, OfPointsIsBlockedAlongEveryDirection) {
   for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({}), test::cup_with_side_hole({}),
                                    test::hollow_sphere({}), test::dovetail_slot({})}) {
     const test::ProofModel model(test::model_of(test::subdivided(shape.mesh, 600)));
-    const Checked checked = check(model, model.samples(5000), k_checks);
+    const test::RaysChecked checked = check(model, model.samples(5000), k_checks);
     EXPECT_GT(checked.certain, k_checks / 20) << shape.name;
     EXPECT_EQ(checked.wrong, 0U) << shape.name << ", of " << checked.certain;
   }
@@ -97,7 +42,7 @@ TEST(CertainUndercut, OfTrianglesIsBlockedFromEveryPoint) {
   for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({}), test::cup_with_side_hole({}),
                                    test::hollow_sphere({}), test::dovetail_slot({})}) {
     const test::ProofModel model(test::model_of(test::subdivided(shape.mesh, 600)));
-    const Checked checked = check(model, model.pieces(100).pieces, k_checks);
+    const test::RaysChecked checked = check(model, model.pieces(100).pieces, k_checks);
     EXPECT_GT(checked.certain, k_checks / 20) << shape.name;
     EXPECT_EQ(checked.wrong, 0U) << shape.name << ", of " << checked.certain;
   }
@@ -161,7 +106,7 @@ TEST(CertainUndercut, DuplicatedFacetsMakeNothingCertainThatIsNot) {
   TriangleMesh mesh = test::snap_hook({}).mesh;
   mesh.facets.insert(mesh.facets.end(), mesh.facets.begin(), mesh.facets.begin() + 12);
   const test::ProofModel model(test::model_of(mesh));
-  const Checked checked = check(model, model.samples(3000), 1000);
+  const test::RaysChecked checked = check(model, model.samples(3000), 1000);
   EXPECT_EQ(checked.wrong, 0U);
 }
 
@@ -169,7 +114,7 @@ TEST(CertainUndercut, PilesOfBoxesThatTouchAndOverlapAreCheckedByRays) {
   TriangleMesh mesh = test::joined(plate_under_slab(0.7), test::box_mesh({0.2, 0.2, 0.1}, {0.4, 0.4, 0.55}));
   const test::ProofModel model(test::model_of(test::subdivided(mesh, 800)));
   for (const bool of_points : {true, false}) {
-    const Checked checked =
+    const test::RaysChecked checked =
         check(model, of_points ? model.samples(5000) : model.pieces(100).pieces, k_checks);
     EXPECT_GT(checked.certain, k_checks / 20);
     EXPECT_EQ(checked.wrong, 0U) << "of " << checked.certain;
