@@ -33,13 +33,14 @@ void add_classify_command(CLI::App& program, Request& request);
 void add_actions_command(CLI::App& program, Request& request);
 void add_mold_command(CLI::App& program, Request& request);
 void add_sweep_command(CLI::App& program, Request& request);
+void add_compare_command(CLI::App& program, Request& request);
 void add_view_command(CLI::App& program, Request& request);
 void add_doctor_command(CLI::App& program, Request& request);
 void add_manual_command(CLI::App& program, Request& request);
 void add_batch_command(CLI::App& program, Request& request);
-inline constexpr std::array k_add_commands = {add_info_command,  add_classify_command, add_actions_command,
-                                              add_mold_command,  add_sweep_command,    add_view_command,
-                                              add_batch_command, add_doctor_command,   add_manual_command};
+inline constexpr std::array k_add_commands = {
+    add_info_command,    add_classify_command, add_actions_command, add_mold_command,   add_sweep_command,
+    add_compare_command, add_view_command,     add_batch_command,   add_doctor_command, add_manual_command};
 
 /// Where the command line asks for `command`, its work is `run` with these flags.
 template <typename Flags>

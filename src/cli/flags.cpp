@@ -41,6 +41,10 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
       .add_option("PART", flags.part,
                   fmt::format("Part file: {}, known by its content", part_format_names(" or ")))
       ->required();
+  add_report_flags(command, flags, request);
+}
+
+void add_report_flags(CLI::App& command, PartFlags& flags, Request& request) {
   add_file_flag(command, flags.json,
                 {"--json", "FILE|-", "Write the report as JSON; - for stdout, in place of the table"});
   add_option_flags(command, reading_options(), flags.reading);

@@ -44,7 +44,9 @@ struct PartFlags {
   /// The file that --json names; empty where it names stdout.
   [[nodiscard]] std::string json_file() const { return json == "-" ? std::string() : json; }
 };
-/// Adds PART, --json, --quiet, --verbose and how the part is read.
+/// Adds --json, --quiet, --verbose and how the part is read.
+void add_report_flags(CLI::App& command, PartFlags& flags, Request& request);
+/// The same and PART.
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request);
 
 /// What stands for the value in the help: "DEG", "TEXELS", "on|off", …

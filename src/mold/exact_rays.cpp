@@ -46,6 +46,20 @@ RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction) {
   return ray;
 }
 
+/// What visit_near() goes on with.
+struct NearVisit {
+  const std::function<float(FacetIndex)>& visit;
+};
+
+/// True where the radius has changed.
+bool visit_near_facet(RTCPointQueryFunctionArguments* arguments) {
+  const auto* near = static_cast<const NearVisit*>(arguments->userPtr);
+  const float radius = near->visit(arguments->primID);
+  if (radius >= arguments->query->radius) return false;
+  arguments->query->radius = radius;
+  return true;
+}
+
 RTCIntersectContext make_context(bool facing_only) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -133,6 +147,19 @@ std::optional<ExactRays::Hit> ExactRays::first_hit(const glm::vec3& origin, cons
   rtcIntersect1(scene_->scene, &context, &rayhit);
   if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return Hit{rayhit.hit.primID, rayhit.ray.tfar};
+}
+
+void ExactRays::visit_near(const glm::vec3& point, float radius,
+                           const std::function<float(FacetIndex)>& visit) const {
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  RTCPointQuery query{};
+  query.x = point.x;
+  query.y = point.y;
+  query.z = point.z;
+  query.radius = radius;
+  NearVisit near{visit};
+  rtcPointQuery(scene_->scene, &query, &context, visit_near_facet, &near);
 }
 
 glm::vec3 lateral_point(const glm::vec3& point, const glm::dvec3& normal, const AccessibilityQuery& query) {

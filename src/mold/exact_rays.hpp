@@ -1,8 +1,9 @@
-// Exact visibility along straight rays (Embree): scores directions, finds what blocks a point and what is
-// seen from where.
+// Exact visibility along straight rays (Embree): scores directions, finds what blocks a point, what is
+// seen from where, and what lies near a point.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +41,11 @@ class ExactRays {
   /// First facet that the ray meets; with `facing_only`, the first that faces it.
   [[nodiscard]] std::optional<Hit> first_hit(const glm::vec3& origin, const glm::vec3& direction,
                                              bool facing_only) const;
+
+  /// Calls `visit` for the facets whose boxes come within `radius` (unit frame) of the point, none of them
+  /// left out, some that are farther among them, in no order; it returns the radius that is of interest from
+  /// then on, which may only shrink.
+  void visit_near(const glm::vec3& point, float radius, const std::function<float(FacetIndex)>& visit) const;
 
  private:
   struct Scene;

@@ -28,8 +28,8 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(with(k_parting, "parting"), "proof"),
-                      k_entry = with(with(k_sweep, "sweep"), "batch"), k_program = with(k_entry, "gui");
+                      k_sweep = with(with(k_parting, "parting"), "proof"), k_compare = with(k_sweep, "sweep"),
+                      k_entry = with(with(k_compare, "compare"), "batch"), k_program = with(k_entry, "gui");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -43,6 +43,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"actions", k_actions},
       {"parting", k_parting},
       {"sweep", k_sweep},
+      {"compare", k_compare},
       {"batch", {"base", "io", "page", "classify"}},
       {"step", {"io", "mesh"}},
       {"gui", k_entry},
@@ -73,7 +74,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"SQLite", std::regex("sqlite3.h"), {"batch"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "page", "parting", "sweep", "gui", "cli"}},
+       {"actions", "batch", "classify", "compare", "page", "parting", "sweep", "gui", "cli"}},
   };
   return k_rules;
 }

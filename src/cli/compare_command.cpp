@@ -1,0 +1,78 @@
+// moldlight compare: what a revision of a part changes for the mold.
+#include <memory>
+
+#include "classify/option_table.hpp"
+#include "cli/flags.hpp"
+#include "compare/compare_report.hpp"
+#include "sweep/sweep.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+/// Along which direction each part is looked at.
+enum class DirectionChoice : std::uint8_t { given, best, each };
+
+struct CompareFlags {
+  PartFlags a;
+  std::string b;
+  Direction direction;
+  DirectionChoice choice = DirectionChoice::best;
+  MethodSettings method;
+  CompareSettings settings;
+};
+
+ComparedQuery compared_query(const CompareFlags& flags, const std::shared_ptr<const PartModel>& a,
+                             const std::shared_ptr<const PartModel>& b, const Progress& progress) {
+  ComparedQuery query{flags.direction, flags.direction, flags.method};
+  if (flags.choice == DirectionChoice::given) return query;
+  query.former = query.fresh = best_direction(a, flags.method, progress);
+  if (flags.choice == DirectionChoice::each) query.fresh = best_direction(b, flags.method, progress);
+  return query;
+}
+
+int run(const CompareFlags& flags, Console& console, const Progress& progress) {
+  validate(flags.method);
+  check_outputs(
+      {.inputs = {{"A", flags.a.part}, {"B", flags.b}}, .files = {{"--json", flags.a.json_file()}}});
+  const auto a = load_part(flags.a.part, flags.a.reading, progress);
+  const auto b = load_part(flags.b, flags.a.reading, progress);
+  validate(flags.method, a->frame.diagonal);
+  const Comparison comparison =
+      compare_parts(a, b, compared_query(flags, a, b, progress), flags.settings, progress);
+  for (const auto& [name, part] : {std::pair("A", &comparison.a), std::pair("B", &comparison.b)})
+    for (const std::string& warning : part->result.warnings)
+      console.warning(fmt::format("{}: {}", name, warning));
+  put_report(
+      console, flags.a.json, [&] { return compare_json(comparison); },
+      [&] { return compare_table(comparison); });
+  return 0;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program, Request& request) {
+  CLI::App* command = program.add_subcommand(
+      "compare", "Compare two revisions of a part: what is new, gone or formed otherwise in the mold");
+  const auto flags = std::make_shared<CompareFlags>();
+  command->add_option("A", flags->a.part, "Part file: the former revision")->required();
+  command->add_option("B", flags->b, "Part file: the new revision")->required();
+  add_report_flags(*command, flags->a, request);
+  add_text_flag(
+      *command,
+      {"--direction", "X,Y,Z|AXIS|best|each",
+       "Parting direction +d of both: three numbers of any length, an axis such as z or -y, the best of "
+       "A, or of each part its own best [default best]"},
+      [flags = flags.get()](const std::string& text) {
+        flags->choice = text == "best"   ? DirectionChoice::best
+                        : text == "each" ? DirectionChoice::each
+                                         : DirectionChoice::given;
+        if (flags->choice == DirectionChoice::given)
+          flags->direction = parse_direction({text, "--direction"});
+      });
+  add_option_flags(*command, compare_options(), flags->settings);
+  add_method_flags(*command, flags->method);
+  set_work(*command, request, flags, run);
+}
+
+}  // namespace moldlight::cli

@@ -1,0 +1,137 @@
+#include "compare/comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "classify/figures.hpp"
+#include "mesh/length_unit.hpp"
+
+namespace moldlight {
+
+namespace {
+
+std::array<double, 3> sorted_extents(const PartModel& model) {
+  const glm::dvec3 extent = model.health.bounds.max - model.health.bounds.min;
+  std::array<double, 3> sorted = {extent.x, extent.y, extent.z};
+  std::ranges::sort(sorted);
+  return sorted;
+}
+
+/// What is said where B is larger or smaller than A by the ratio of two units; empty where it is not.
+std::string unit_remark(const PartModel& a, const PartModel& b) {
+  struct Ratio {
+    double ratio;
+    std::string_view units;
+  };
+  constexpr std::array<Ratio, 3> k_ratios = {{{25.4, "millimetres and inches"},
+                                              {1000.0, "metres and millimetres"},
+                                              {10.0, "centimetres and millimetres"}}};
+  constexpr double k_alike = 1e-3;
+  const auto extents_a = sorted_extents(a), extents_b = sorted_extents(b);
+  for (const Ratio& one : k_ratios) {
+    for (const bool larger : {true, false}) {
+      const double factor = larger ? one.ratio : 1.0 / one.ratio;
+      bool all = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        all = all && std::abs(extents_b[k] - factor * extents_a[k]) <= k_alike * factor * extents_a[2];
+      if (all)
+        return fmt::format("B is {} times as {} as A in all extents: one is in another unit, such as {}",
+                           real_text(one.ratio), larger ? "large" : "small", one.units);
+    }
+  }
+  return {};
+}
+
+std::string count_text(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::span<const Option<CompareSettings>> compare_options() {
+  static const std::array<Option<CompareSettings>, 1> k_options = {
+      {{.key = "same_within",
+        .flag = "--same-within",
+        .label = "Same within",
+        .unit = "part's unit",
+        .help =
+            "Surface of one part that is no farther than this from the other's is the same. Where it bends, "
+            "what the tessellations may be off is added. By default a 10,000th of A's diagonal.",
+        .kind = PositiveKind<CompareSettings>{[](CompareSettings& s) -> double& { return s.same_within; }}}}};
+  return k_options;
+}
+
+std::shared_ptr<const PartModel> in_unit_of(const std::shared_ptr<const PartModel>& a,
+                                            const std::shared_ptr<const PartModel>& b,
+                                            std::vector<std::string>& remarks, const Progress& progress) {
+  std::shared_ptr<const PartModel> converted = b;
+  const auto unit_a = find_length_unit(a->part.unit), unit_b = find_length_unit(b->part.unit);
+  if (unit_a && unit_b && unit_a->mm != unit_b->mm) {
+    Part part = b->part;
+    for (glm::dvec3& vertex : part.mesh.vertices) vertex *= unit_b->mm / unit_a->mm;
+    part.unit = a->part.unit;
+    converted = prepare_part(std::move(part), progress);
+    remarks.push_back(fmt::format("B is in {}, A in {}: B was converted", b->part.unit, a->part.unit));
+  }
+  const std::string remark = unit_remark(*a, *converted);
+  if (!remark.empty()) remarks.push_back(remark);
+  return converted;
+}
+
+Comparison compare_parts(const std::shared_ptr<const PartModel>& a, const std::shared_ptr<const PartModel>& b,
+                         const ComparedQuery& query, const CompareSettings& settings,
+                         const Progress& progress) {
+  Comparison comparison;
+  comparison.a.model = a;
+  comparison.b.model = in_unit_of(a, b, comparison.remarks, progress);
+  const double diagonal = a->frame.diagonal;
+  require_within_part("--same-within", settings.same_within, diagonal);
+  comparison.settings = settings;
+  OverlayTolerance tolerance = usual_tolerance(diagonal);
+  if (settings.same_within > 0.0) tolerance.apart = settings.same_within;
+  tolerance.rounding = std::min(tolerance.rounding, 0.1 * tolerance.apart);
+  MethodSettings method = query.method;
+  // One lateral tolerance for both, or near-vertical surface would change with the box.
+  if (method.tolerance == 0.0 && method.kernel == 0) method.tolerance = lateral_tolerance(method, diagonal);
+  comparison.a.result = classify_exact(*a, {query.former, method}, progress, true);
+  comparison.b.result = classify_exact(*comparison.b.model, {query.fresh, method}, progress, true);
+  const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
+  comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
+  return comparison;
+}
+
+std::string comparison_verdict(const Comparison& comparison) {
+  const SurfaceChange& surface = comparison.surface;
+  const Part& part = comparison.a.model->part;
+  const std::string area_unit = powered_unit(part, 2);
+  if (!surface.any())
+    return fmt::format("Nothing changed: surface and regions are the same within {} {}.",
+                       figure(surface.tolerance.apart), length_unit(part));
+  std::vector<std::string> facts;
+  if (!surface.places.empty())
+    facts.push_back(fmt::format("{} changed, {} {} of surface gone and {} new",
+                                count_text(surface.places.size(), "place"), figure(surface.gone.area),
+                                area_unit, figure(surface.fresh.area)));
+  if (!surface.regions.empty()) {
+    double area = 0.0;
+    for (const ChangedRegion& region : surface.regions) area += region.area;
+    facts.push_back(fmt::format("{} {} of the same surface {} of another region", figure(area), area_unit,
+                                surface.places.empty() ? "is" : "are"));
+  }
+  const double before = comparison.a.result.areas[Region::undercut],
+               after = comparison.b.result.areas[Region::undercut];
+  const double doubt = comparison.a.result.uncertainty.total() + comparison.b.result.uncertainty.total() +
+                       surface.gone.error + surface.fresh.error;
+  facts.push_back(std::abs(after - before) <= doubt
+                      ? fmt::format("undercut as before, {} {}", figure(after), area_unit)
+                      : fmt::format("undercut {} {} {}, was {}", after > before ? "grew to" : "shrank to",
+                                    figure(after), area_unit, figure(before)));
+  std::string text = fmt::format("{}.", fmt::join(facts, "; "));
+  return text;
+}
+
+}  // namespace moldlight

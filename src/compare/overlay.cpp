@@ -1,0 +1,229 @@
+#include "compare/overlay.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "classify/map_comparison.hpp"
+#include "mesh/unit_frame.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Pieces that face farther apart than 60 degrees are not one surface.
+constexpr double k_least_facing = 0.5;
+/// Of the diagonal: what cuts of polygons may be off.
+constexpr double k_cut_rounding = 1e-10;
+/// Of the radius asked for: single precision of the search tree, in its unit frame.
+constexpr float k_search_margin = 1e-6F;
+/// More pieces near a polygon than this, and it is asked about in halves.
+constexpr std::size_t k_many_near = 512, k_many_over = 48;
+constexpr int k_most_halvings = 24;
+
+struct PieceOverlay {
+  std::vector<PieceShare> shares;
+  std::vector<LeftOver> left;
+  std::vector<OtherRegion> regions;
+};
+
+std::array<ConvexPolygon, 2> halved(const ConvexPolygon& polygon) {
+  std::size_t longest = 0;
+  double length = -1.0;
+  const std::size_t corners = polygon.size();
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double here = glm::distance(polygon[k], polygon[(k + 1) % corners]);
+    if (here > length) {
+      length = here;
+      longest = k;
+    }
+  }
+  const glm::dvec3 middle = 0.5 * (polygon[longest] + polygon[(longest + 1) % corners]);
+  std::array<ConvexPolygon, 2> halves;
+  const std::size_t across = corners / 2 + 1;
+  halves[0].push_back(middle);
+  for (std::size_t k = 1; k <= across; ++k) halves[0].push_back(polygon[(longest + k) % corners]);
+  halves[1].push_back(middle);
+  for (std::size_t k = across; k <= corners; ++k) halves[1].push_back(polygon[(longest + k) % corners]);
+  return halves;
+}
+
+/// One piece at a time.
+class Laying {
+ public:
+  Laying(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance)
+      : side_(side),
+        onto_(onto),
+        tolerance_(tolerance),
+        rounding_(k_cut_rounding * std::max(side.model().frame.diagonal, onto.model().frame.diagonal)) {}
+
+  void lay(PieceIndex piece, PieceOverlay& result) {
+    piece_ = piece;
+    const auto corners = side_.corners(piece);
+    left_.clear();
+    lay({corners.begin(), corners.end()}, {tolerance_.rounding, false}, 0, result);
+    const std::vector<ConvexPolygon> left = std::move(left_);
+    left_.clear();
+    for (const ConvexPolygon& polygon : left) lay(polygon, {tolerance_.apart, true}, 0, result);
+    for (ConvexPolygon& polygon : left_) {
+      const double area = polygon_area(polygon);
+      result.left.push_back({piece, std::move(polygon), area});
+    }
+  }
+
+ private:
+  struct Over {
+    PieceIndex piece;
+    double lateral;  // by how much the hull reaches beyond the piece's rim
+    TriangleHull hull;
+  };
+
+  /// What counts as on the other part; `explaining`: with what the tessellations may be off.
+  struct Slack {
+    double base = 0.0;
+    bool explaining = false;
+  };
+
+  [[nodiscard]] Nearness nearness(PieceIndex other, const Slack& slack) const {
+    if (!slack.explaining) return {slack.base, slack.base};
+    const FacetIndex here = side_.facet(piece_), there = onto_.facet(other);
+    const ChordDeviation &own = side_.chords(), &others = onto_.chords();
+    const double normal = slack.base + own.normal[here] + others.normal[there];
+    // Above a bend there is a wedge that no facet's own prism holds.
+    return {normal, slack.base + own.lateral[here] + others.lateral[there] + normal * others.spread[there]};
+  }
+
+  /// Gives what lies on the other part to the result, and the rest to left_.
+  void lay(const ConvexPolygon& polygon, const Slack& slack, int halvings, PieceOverlay& result) {
+    const glm::dvec3 centre = polygon_centre(polygon);
+    double radius = 0.0;
+    for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, centre));
+    const double chords = side_.chords().lateral[side_.facet(piece_)] + onto_.chords().greatest;
+    std::vector<PieceIndex> near;
+    visit_pieces(onto_, centre, radius + 2.0 * (slack.base + (slack.explaining ? chords : 0.0)),
+                 [&](PieceIndex other) { near.push_back(other); });
+    std::ranges::sort(near);
+    std::vector<Over> over;
+    for (const PieceIndex other : near) {
+      if (glm::dot(side_.normal(piece_), onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0)
+        continue;
+      const Nearness within = nearness(other, slack);
+      const Over one{other, within.lateral, hull_around(onto_.corners(other), onto_.normal(other), within)};
+      const HullSide where = side_of(polygon, one.hull, rounding_);
+      if (where == HullSide::outside) continue;
+      // One of another region may be beside one of the same, within the tolerance.
+      if (where == HullSide::inside && same_region(other)) {
+        take(polygon, one, slack, result);
+        return;
+      }
+      over.push_back(one);
+    }
+    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings < k_most_halvings) {
+      for (const ConvexPolygon& half : halved(polygon)) lay(half, slack, halvings + 1, result);
+      return;
+    }
+    std::stable_partition(over.begin(), over.end(), [&](const Over& one) { return same_region(one.piece); });
+    subtract(polygon, over, slack, result);
+  }
+
+  void subtract(const ConvexPolygon& polygon, const std::vector<Over>& over, const Slack& slack,
+                PieceOverlay& result) {
+    std::vector<ConvexPolygon> rest = {polygon}, next;
+    for (const Over& one : over) {
+      next.clear();
+      for (ConvexPolygon& part : rest) {
+        if (side_of(part, one.hull, rounding_) == HullSide::outside) {
+          next.push_back(std::move(part));
+          continue;
+        }
+        const ConvexPolygon inside = cut_by(part, one.hull, rounding_, next);
+        if (!inside.empty()) take(inside, one, slack, result);
+      }
+      std::swap(rest, next);
+      if (rest.empty()) return;
+    }
+    for (ConvexPolygon& part : rest) left_.push_back(std::move(part));
+  }
+
+  void take(const ConvexPolygon& polygon, const Over& over, const Slack& slack, PieceOverlay& result) const {
+    const double area = polygon_area(polygon);
+    result.shares.push_back({piece_, over.piece, area});
+    if (!same_region(over.piece)) result.regions.push_back({piece_, over.piece, polygon, area});
+    if (slack.explaining) result.left.push_back({piece_, polygon, area, over.lateral});
+  }
+
+  [[nodiscard]] bool same_region(PieceIndex other) const {
+    return side_.region(piece_) == onto_.region(other);
+  }
+
+  const OverlaySide& side_;
+  const OverlaySide& onto_;
+  OverlayTolerance tolerance_;
+  double rounding_;
+  PieceIndex piece_ = 0;
+  std::vector<ConvexPolygon> left_;
+};
+
+template <typename T>
+void append(std::vector<T>& all, std::vector<T>& some) {
+  std::ranges::move(some, std::back_inserter(all));
+}
+
+}  // namespace
+
+OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classification& result)
+    : model_(std::move(model)),
+      split_(result.split),
+      direction_(result.direction),
+      tau_deg_(result.settings.tau_deg),
+      faces_(part_faces(model_->part, model_->geometry, model_->adjacency)),
+      chords_(chord_deviation(*model_, faces_)),
+      rays_([&] {
+        const TriangleMesh mesh = piece_mesh(*split_);
+        return ExactRays(mesh, unit_positions(mesh, model_->frame));
+      }()) {
+  areas_.reserve(count());
+  for (const SplitPiece& piece : split_->pieces) areas_.push_back(piece_area(*split_, piece));
+}
+
+void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach,
+                  const std::function<void(PieceIndex)>& visit) {
+  const UnitFrame& frame = side.model().frame;
+  const float radius = static_cast<float>(reach / frame.diagonal) + k_search_margin;
+  side.rays().visit_near(frame.to_unit(point), radius, [&](FacetIndex piece) {
+    visit(piece);
+    return radius;
+  });
+}
+
+Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance,
+               const Progress& progress) {
+  constexpr std::size_t k_block = 64;
+  const std::size_t count = side.count(), blocks = (count + k_block - 1) / k_block;
+  std::vector<PieceOverlay> results(blocks);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t block = range.begin(); block < range.end(); ++block) {
+          if (progress.cancelled()) throw Cancelled();
+          Laying laying(side, onto, tolerance);
+          for (std::size_t k = block * k_block; k < std::min(count, (block + 1) * k_block); ++k) {
+            const auto piece = static_cast<PieceIndex>(k);
+            if (side.area(piece) > 0.0) laying.lay(piece, results[block]);
+          }
+        }
+      });
+  progress.report("laying surfaces on each other", 1.0);
+  Overlay overlay;
+  for (PieceOverlay& one : results) {
+    append(overlay.shares, one.shares);
+    append(overlay.left, one.left);
+    append(overlay.regions, one.regions);
+  }
+  return overlay;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,108 @@
+// Lays the surface of one part on that of another: which of it lies on which, and what is left over.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
+#include "compare/chord_deviation.hpp"
+#include "compare/convex_polygon.hpp"
+#include "mold/exact_rays.hpp"
+
+namespace moldlight {
+
+using PieceIndex = std::uint32_t;
+
+/// A part, split at the borders of its regions, with what is asked about its surface. It does not move.
+class OverlaySide {
+ public:
+  /// `result` is a classification of the model that has its split mesh.
+  OverlaySide(std::shared_ptr<const PartModel> model, const Classification& result);
+  OverlaySide(const OverlaySide&) = delete;
+
+  [[nodiscard]] const PartModel& model() const { return *model_; }
+  [[nodiscard]] const SplitMesh& split() const { return *split_; }
+  [[nodiscard]] const ChordDeviation& chords() const { return chords_; }
+  [[nodiscard]] const Faces& faces() const { return faces_; }
+  [[nodiscard]] const ExactRays& rays() const { return rays_; }
+  [[nodiscard]] const glm::dvec3& direction() const { return direction_; }
+  [[nodiscard]] double tau_deg() const { return tau_deg_; }
+
+  [[nodiscard]] std::size_t count() const { return split_->pieces.size(); }
+  [[nodiscard]] FacetIndex facet(PieceIndex piece) const { return split_->pieces[piece].facet; }
+  [[nodiscard]] Region region(PieceIndex piece) const { return split_->pieces[piece].region; }
+  [[nodiscard]] const glm::dvec3& normal(PieceIndex piece) const {
+    return model_->geometry.normals[facet(piece)];
+  }
+  [[nodiscard]] double area(PieceIndex piece) const { return areas_[piece]; }
+  [[nodiscard]] std::array<glm::dvec3, 3> corners(PieceIndex piece) const {
+    const auto& [a, b, c] = split_->pieces[piece].corners;
+    return {split_->vertices[a], split_->vertices[b], split_->vertices[c]};
+  }
+
+ private:
+  std::shared_ptr<const PartModel> model_;
+  std::shared_ptr<const SplitMesh> split_;
+  glm::dvec3 direction_;
+  double tau_deg_;
+  Faces faces_;
+  ChordDeviation chords_;
+  std::vector<double> areas_;
+  ExactRays rays_;
+};
+
+/// Tolerances, in the part's unit.
+struct OverlayTolerance {
+  double apart = 0.0;  // surface farther from the other part than this, and than what the tessellations may
+                       // be off where it bends, is certainly not on it
+  double rounding = 0.0;  // of coordinates, below `apart`
+};
+
+/// A 10,000th of the diagonal, and a hundredth of that for rounding.
+[[nodiscard]] inline OverlayTolerance usual_tolerance(double diagonal) {
+  return {.apart = 1e-4 * diagonal, .rounding = 1e-6 * diagonal};
+}
+
+/// Area of a piece that lies on one of the other part.
+struct PieceShare {
+  PieceIndex piece = 0, other = 0;
+  double area = 0.0;
+};
+
+/// Surface of a piece that is off the other part by more than rounding.
+struct LeftOver {
+  PieceIndex piece = 0;
+  ConvexPolygon polygon;
+  double area = 0.0;
+  double explained = 0.0;  // 0: it is certainly not on the other part; else how far beyond the rim of a facet
+                           // of it the tolerance reached that explains it
+};
+
+/// Surface that lies on that of the other part, which has another region there.
+struct OtherRegion {
+  PieceIndex piece = 0, other = 0;
+  ConvexPolygon polygon;
+  double area = 0.0;
+};
+
+/// In the order of the pieces: the areas of shares and of what is certainly left over sum up to the part's.
+struct Overlay {
+  std::vector<PieceShare> shares;
+  std::vector<LeftOver> left;
+  std::vector<OtherRegion> regions;
+};
+
+/// Computed, without samples: each piece is cut by the hulls of the pieces of `onto` that are near it and
+/// face the same way within 60 degrees. Uses all cores of the calling thread's TBB arena; the same to the bit
+/// for any number of threads. Throws Cancelled.
+[[nodiscard]] Overlay lay_on(const OverlaySide& side, const OverlaySide& onto,
+                             const OverlayTolerance& tolerance, const Progress& progress);
+
+/// Calls `visit` for the pieces that come as near as `reach` to a point, some that are farther among them.
+void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach,
+                  const std::function<void(PieceIndex)>& visit);
+
+}  // namespace moldlight

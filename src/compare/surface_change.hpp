@@ -1,0 +1,54 @@
+// What of two parts' surface is new or gone, and where surface that both have is of another region: by place.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "compare/overlay.hpp"
+
+namespace moldlight {
+
+/// An area and how far it may be off, the part's unit squared.
+struct MeasuredArea {
+  double area = 0.0, error = 0.0;
+};
+
+/// Surface of either part that hangs together and is farther from the other part than the tolerance
+/// somewhere. Lengths are in the part's unit.
+struct ChangedPlace {
+  MeasuredArea gone, fresh;  // of the former part alone, of the new one alone
+  double volume = 0.0;       // that came, negative: that went; where both parts are closed
+  glm::dvec3 centre{0.0};    // of the area
+  Bounds bounds{};
+};
+
+/// Surface in both parts that hangs together and changes its region.
+struct ChangedRegion {
+  Region from = Region::core, to = Region::core;
+  double area = 0.0;
+  glm::dvec3 centre{0.0};
+  Bounds bounds{};
+};
+
+inline constexpr std::uint32_t k_no_change = ~0U;
+
+struct SurfaceChange {
+  OverlayTolerance tolerance;
+  double chords = 0.0;  // the most that the tessellations are taken to be off, both together
+  MeasuredArea gone, fresh;
+  std::vector<ChangedPlace> places;    // the largest first
+  std::vector<ChangedRegion> regions;  // the largest first; of less than a speck left out
+  Overlay of_former, of_fresh;         // of the former part on the new one, and the reverse
+  /// Place of each of their left-over pieces, and region change of each of of_former.regions; or k_no_change:
+  /// what the tolerance or the tessellation explains.
+  std::vector<std::uint32_t> place_of_former, place_of_fresh, change_of_region;
+
+  [[nodiscard]] bool any() const { return !places.empty() || !regions.empty(); }
+};
+
+/// `apart` is the tolerance in the part's unit, > 0. Throws Cancelled.
+[[nodiscard]] SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& fresh,
+                                                const OverlayTolerance& tolerance, const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,83 @@
+#include "compare/touching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Along the extent; a cell is never smaller than what polygons reach.
+constexpr double k_cells = 128.0;
+
+struct InCell {
+  std::uint64_t cell;
+  std::uint32_t polygon;
+
+  auto operator<=>(const InCell&) const = default;
+};
+
+bool overlap(const Bounds& a, const Bounds& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis]) return false;
+  }
+  return true;
+}
+
+/// 21 bits an axis; what lies farther out shares cells, which costs time alone.
+std::uint64_t cell_number(const glm::i64vec3& cell) {
+  constexpr std::uint64_t k_mask = (1ULL << 21) - 1;
+  return (static_cast<std::uint64_t>(cell.x) & k_mask) << 42 |
+         (static_cast<std::uint64_t>(cell.y) & k_mask) << 21 | (static_cast<std::uint64_t>(cell.z) & k_mask);
+}
+
+}  // namespace
+
+void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+                    const std::function<double(std::uint32_t, std::uint32_t)>& reach,
+                    const std::function<void(std::uint32_t, std::uint32_t)>& touch) {
+  double greatest = 0.0;
+  for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
+  const double size = std::max(extent / k_cells, 4.0 * greatest);
+  std::vector<Bounds> boxes(polygons.size());
+  std::vector<InCell> places;
+  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
+    boxes[k].min -= polygons[k].reach;
+    boxes[k].max += polygons[k].reach;
+    const glm::dvec3 &low = boxes[k].min, &high = boxes[k].max;
+    for (std::int64_t x = cell_at(low.x); x <= cell_at(high.x); ++x)
+      for (std::int64_t y = cell_at(low.y); y <= cell_at(high.y); ++y)
+        for (std::int64_t z = cell_at(low.z); z <= cell_at(high.z); ++z)
+          places.push_back({cell_number({x, y, z}), k});
+  }
+  std::ranges::sort(places);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    while (last < places.size() && places[last].cell == places[first].cell) ++last;
+    for (std::size_t i = first; i < last; ++i) {
+      for (std::size_t k = i + 1; k < last; ++k) {
+        const std::uint32_t a = places[i].polygon, b = places[k].polygon;
+        if (!overlap(boxes[a], boxes[b])) continue;
+        const double within = reach(a, b);
+        if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);
+      }
+    }
+  }
+}
+
+UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent) {
+  UnionFind joined(polygons.size());
+  visit_touching(
+      polygons, extent,
+      [&](std::uint32_t a, std::uint32_t b) {
+        return joined.find(a) == joined.find(b) ? -1.0 : polygons[a].reach + polygons[b].reach;
+      },
+      [&](std::uint32_t a, std::uint32_t b) { joined.join(a, b); });
+  return joined;
+}
+
+}  // namespace moldlight

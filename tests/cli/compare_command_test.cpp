@@ -1,0 +1,102 @@
+// moldlight compare, as a user runs it.
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::json_of;
+using test::run_moldlight;
+
+/// A bar with a groove in its side, which is an undercut along z; the groove's depth is what a revision
+/// changes.
+class Compare : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string bar(const std::string& name, double groove, double scale = 1.0) const {
+    test::SolidBuilder solid;
+    if (groove > 0.0) {
+      solid.extrude(
+          {{0, 0}, {20, 0}, {20, 4}, {20 - groove, 4}, {20 - groove, 8}, {20, 8}, {20, 12}, {0, 12}}, {},
+          30.0);
+    } else {
+      solid.extrude({{0, 0}, {20, 0}, {20, 12}, {0, 12}}, {}, 30.0);
+    }
+    return write(name, test::scaled(solid.mesh(), scale));
+  }
+  [[nodiscard]] std::string write(const std::string& name, const TriangleMesh& mesh) const {
+    const std::vector<Region> regions(mesh.facets.size(), Region::core);
+    write_coloured_mesh(folder.file(name), {mesh, regions});
+    return folder.file(name);
+  }
+  [[nodiscard]] static test::ProcessResult compare(const std::string& a, const std::string& b,
+                                                   std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"compare", a, b, "--unit", "mm"});
+    if (std::ranges::find(more, "--direction") == more.end()) more.insert(more.end(), {"--direction", "z"});
+    return run_moldlight(more);
+  }
+  test::ScratchFolder folder;
+};
+
+TEST_F(Compare, TellsNothingOfTheSamePart) {
+  const auto run = compare(bar("a.obj", 3.0), bar("b.obj", 3.0));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("Nothing changed"), std::string::npos) << run.out;
+}
+
+TEST_F(Compare, TellsATableOfEightyColumns) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 3.0));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("1 place changed"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("undercut"), std::string::npos);
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) {
+    const auto letters = std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
+    if (line.find("changed") == std::string::npos) {
+      EXPECT_LE(letters, 80) << line;
+    }
+  }
+}
+
+TEST_F(Compare, TellsJson) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(run.out);
+  EXPECT_EQ(json["schema"], "moldlight.compare/1");
+  for (const char* key : {"a", "b", "direction", "alignment", "surface", "places", "regions", "verdict"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  // The groove's bottom moves in by 1: its old one is gone, a new one is there, and both flanks grow by 1,
+  // and so do the notches in the ends.
+  const double flanks = 2.0 * 1.0 * 30.0, bottom = 4.0 * 30.0, ends = 2.0 * 1.0 * 4.0;
+  EXPECT_NEAR(json["surface"]["new"]["area"].get<double>(), bottom + flanks, 0.05);
+  EXPECT_NEAR(json["surface"]["gone"]["area"].get<double>(), bottom + ends, 0.05);
+  EXPECT_NEAR(json["places"][0]["volume"].get<double>(), -1.0 * bottom, 0.05);
+  EXPECT_EQ(compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--json", "-"}).out, run.out)
+      << "the same every time";
+}
+
+TEST_F(Compare, TellsAnotherUnit) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 2.0, 1.0 / 25.4), {"--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("25.4 times as small"), std::string::npos) << run.out;
+}
+
+TEST_F(Compare, RefusesWhatMakesNoSense) {
+  const std::string a = bar("a.obj", 2.0);
+  for (const auto& more : std::vector<std::vector<std::string>>{
+           {"--same-within", "-1"}, {"--same-within", "1e9"}, {"--direction", "up"}, {"--json", a}}) {
+    const auto run = compare(a, bar("b.obj", 3.0), more);
+    EXPECT_EQ(run.exit_code, 2) << more.front();
+    EXPECT_EQ(run.error_lines(), 1U) << run.err;
+  }
+  const auto missing = compare(a, folder.file("none.stl"));
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.error_lines(), 1U) << missing.err;
+}
+
+}  // namespace
+}  // namespace moldlight
