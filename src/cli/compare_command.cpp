@@ -1,9 +1,13 @@
 // moldlight compare: what a revision of a part changes for the mold.
 #include <memory>
 
+#include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "cli/flags.hpp"
+#include "compare/compare_figures.hpp"
+#include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
+#include "io/png.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -20,10 +24,14 @@ struct CompareFlags {
   DirectionChoice choice = DirectionChoice::best;
   MethodSettings method;
   CompareSettings settings;
+  std::vector<Criterion> fail_on;
+  std::string image;
+  StillSettings still;
 };
 
-ComparedQuery compared_query(const CompareFlags& flags, const std::shared_ptr<const PartModel>& a,
-                             const std::shared_ptr<const PartModel>& b, const Progress& progress) {
+ComparedQuery compared_query(const CompareFlags& flags, const Comparison& comparison,
+                             const Progress& progress) {
+  const auto &a = comparison.a.model, &b = comparison.b.model;
   ComparedQuery query{flags.direction, flags.direction, flags.method};
   if (flags.choice == DirectionChoice::given) return query;
   query.former = query.fresh = best_direction(a, flags.method, progress);
@@ -33,20 +41,27 @@ ComparedQuery compared_query(const CompareFlags& flags, const std::shared_ptr<co
 
 int run(const CompareFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
-  check_outputs(
-      {.inputs = {{"A", flags.a.part}, {"B", flags.b}}, .files = {{"--json", flags.a.json_file()}}});
+  check_outputs({.inputs = {{"A", flags.a.part}, {"B", flags.b}},
+                 .files = {{"--json", flags.a.json_file()}, {"--image", flags.image}}});
+  // Before long work, which would be for nothing where there is none.
+  std::unique_ptr<gl::Context> context;
+  if (!flags.image.empty()) context = create_context(flags.method.backend);
   const auto a = load_part(flags.a.part, flags.a.reading, progress);
   const auto b = load_part(flags.b, flags.a.reading, progress);
   validate(flags.method, a->frame.diagonal);
-  const Comparison comparison =
-      compare_parts(a, b, compared_query(flags, a, b, progress), flags.settings, progress);
+  Comparison comparison = prepare_comparison(a, b, flags.settings, progress);
+  compare_parts(comparison, compared_query(flags, comparison, progress), progress);
   for (const auto& [name, part] : {std::pair("A", &comparison.a), std::pair("B", &comparison.b)})
     for (const std::string& warning : part->result.warnings)
       console.warning(fmt::format("{}: {}", name, warning));
+  // Before anything is put out: a criterion may ask for what these parts do not have.
+  const std::vector<std::string> failed = met_criteria(flags.fail_on, comparison_figures(comparison));
+  if (context) write_png(flags.image, comparison_picture(*context, comparison, flags.still, progress));
   put_report(
       console, flags.a.json, [&] { return compare_json(comparison); },
       [&] { return compare_table(comparison); });
-  return 0;
+  for (const std::string& sentence : failed) console.failure(sentence);
+  return failed.empty() ? 0 : k_criterion_failed;
 }
 
 }  // namespace
@@ -71,6 +86,14 @@ void add_compare_command(CLI::App& program, Request& request) {
           flags->direction = parse_direction({text, "--direction"});
       });
   add_option_flags(*command, compare_options(), flags->settings);
+  add_criteria_flag(*command, flags->fail_on, comparison_figure_names());
+  add_option_flags(*command, action_options(), flags->settings.actions);
+  CLI::Option* image = add_file_flag(
+      *command, flags->image,
+      {"--image", "FILE.png",
+       "Draw both parts side by side with what differs lit, and write the picture to this file"});
+  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(image);
   add_method_flags(*command, flags->method);
   set_work(*command, request, flags, run);
 }

@@ -84,6 +84,19 @@ std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& sett
   return flags;
 }
 
+CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
+                               const std::vector<std::string_view>& figures) {
+  const std::string help = fmt::format(
+      "End with 3 if one of these holds, such as \"undercut > +1%, actions > 0\": a figure, > or >=, and a "
+      "value, with "
+      "a sign of its change, without of what it is now; per cent of what it was, or of the part's surface. "
+      "Figures: {}",
+      fmt::join(figures, ", "));
+  return add_text_flag(
+      command, {"--fail-on", "CRITERIA", help},
+      [&criteria, figures](const std::string& text) { criteria = parse_criteria(text, figures); });
+}
+
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   const std::string text = option->get_description();
   const std::size_t width = k_help_width - get_column_width();

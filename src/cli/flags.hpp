@@ -14,6 +14,7 @@
 #include "classify/method_options.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
+#include "compare/criteria.hpp"
 
 namespace moldlight::cli {
 
@@ -135,6 +136,10 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag);
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.
 void add_method_flags(CLI::App& command, MethodSettings& settings);
+
+/// --fail-on, for these figures.
+CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
+                               const std::vector<std::string_view>& figures);
 
 /// Breaks the lines of descriptions.
 class HelpFormatter : public CLI::Formatter {

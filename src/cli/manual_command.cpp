@@ -101,7 +101,8 @@ std::string manual(const CLI::App& program) {
   return text +
          ".SH EXIT STATUS\n0: done. 1: something could not be read, written or found. 2: the command line "
          "makes no "
-         "sense. 3: the criterion of \\-\\-fail\\-if\\-undercut or \\-\\-fail\\-on\\-error failed. 75: parts "
+         "sense. 3: a criterion failed (\\-\\-fail\\-on, \\-\\-fail\\-if\\-undercut, "
+         "\\-\\-fail\\-on\\-error). 75: parts "
          "of a "
          "batch are left, try again. 130: interrupted.\n";
 }

@@ -21,6 +21,17 @@ constexpr std::size_t k_most_rows = 12;
 
 Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+Json alignment_json(const Alignment& alignment) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row)
+    rows.push_back({alignment.rotation[0][row], alignment.rotation[1][row], alignment.rotation[2][row]});
+  return {
+      {"rotation", rows},
+      {"shift", vector_json(alignment.shift)},
+      {"residual", {{"rms", alignment.rms}, {"largest", alignment.largest}, {"median", alignment.median}}},
+      {"mirrored", alignment.mirrored}};
+}
+
 Json area_json(const MeasuredArea& measured) { return {{"area", measured.area}, {"error", measured.error}}; }
 
 Json areas_json(const Classification& result) {
@@ -65,6 +76,40 @@ Json changed_regions_json(const SurfaceChange& surface) {
   return list;
 }
 
+Json undercut_json(const UndercutReport& patch) {
+  const Undercut& undercut = patch.undercut;
+  return {{"area", undercut.area},
+          {"depth", std::isfinite(patch.depth) ? Json(patch.depth) : Json()},
+          {"centre", vector_json(undercut.centre)},
+          {"size_across", undercut.size_across},
+          {"size_along", undercut.size_along}};
+}
+
+Json action_json(const SideAction& action) {
+  return {{"kind", facts(action.kind).name},
+          {"direction", vector_json(action.direction)},
+          {"travel", action.travel},
+          {"area", action.area}};
+}
+
+/// `former` and `fresh` are what the numbers count; `id` from 1, as `moldlight actions` counts them.
+template <typename T, typename ToJson>
+Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T>& former,
+                  const std::vector<T>& fresh, const ToJson& to_json) {
+  const auto side = [&](const std::vector<T>& all, const std::optional<std::size_t>& number) {
+    if (!number) return Json();
+    Json json = {{"id", *number + 1}};
+    json.update(to_json(all[*number]));
+    return json;
+  };
+  Json list = Json::array();
+  for (const MatchedChange& change : changes)
+    list.push_back({{"change", change_name(change.kind)},
+                    {"a", side(former, change.former)},
+                    {"b", side(fresh, change.fresh)}});
+  return list;
+}
+
 /// With its sign; "0" for what is less than the column shows.
 std::string change_text(const FigureColumn& column, double change) {
   const std::string text = column.text(std::abs(change));
@@ -102,6 +147,10 @@ class Table {
     text += fmt::format("direction {}{}; the same within {} {}\n", figures(a.result.direction, 1.0),
                         same ? "" : " of A, " + figures(b.result.direction, 1.0) + " of B",
                         figure(comparison_.surface.tolerance.apart), length_unit(a.model->part));
+    if (const auto& alignment = comparison_.alignment)
+      text += fmt::format("B was laid on A: off by {} rms, {} at most, half of it by {} or less\n",
+                          error_text(alignment->rms), error_text(alignment->largest),
+                          error_text(alignment->median));
     return text;
   }
 
@@ -155,6 +204,51 @@ class Table {
     return text + more_text(regions.size());
   }
 
+  [[nodiscard]] std::string undercuts() const {
+    const auto &before = comparison_.a.plan->patches, &after = comparison_.b.plan->patches;
+    std::vector<MatchedChange> changes = comparison_.undercuts;
+    const auto same =
+        std::erase_if(changes, [](const MatchedChange& c) { return c.kind == ChangeKind::same; });
+    std::string text =
+        fmt::format("undercuts: {} and {}, {} of them the same\n", before.size(), after.size(), same);
+    if (changes.empty()) return text;
+    const std::string unit = length_unit(comparison_.a.model->part);
+    text += fmt::format("{:<7} {:>10} {:>10} {:>9} {:>9}  {}\n", "", "A " + area_unit_, "B " + area_unit_,
+                        "A deep", "B deep", "centre");
+    for (std::size_t k = 0; k < std::min(changes.size(), k_most_rows); ++k) {
+      const UndercutReport* was = changes[k].former ? &before[*changes[k].former] : nullptr;
+      const UndercutReport* now = changes[k].fresh ? &after[*changes[k].fresh] : nullptr;
+      const auto area = [&](const UndercutReport* one) {
+        return one ? areas_.text(one->undercut.area) : "-";
+      };
+      const auto depth = [&](const UndercutReport* one) {
+        return one && std::isfinite(one->depth) ? lengths_.text(one->depth) : "-";
+      };
+      text += fmt::format("{:<7} {:>9} {:>9} {:>9} {:>9}  {}\n", change_name(changes[k].kind), area(was),
+                          area(now), depth(was), depth(now),
+                          point_text(lengths_, (now ? now : was)->undercut.centre));
+    }
+    return text + more_text(changes.size());
+  }
+
+  [[nodiscard]] std::string actions() const {
+    const auto &before = comparison_.a.plan->actions, &after = comparison_.b.plan->actions;
+    if (before.empty() && after.empty()) return "side actions: none\n";
+    std::string text = fmt::format("{:<8} {:<34} {:<34}\n", "", "side actions of A, travel", "of B, travel");
+    for (std::size_t k = 0; k < std::min(comparison_.actions.size(), k_most_rows); ++k) {
+      const MatchedChange& change = comparison_.actions[k];
+      const auto action = [&](const std::vector<SideAction>& all, const std::optional<std::size_t>& number) {
+        if (!number) return std::string("-");
+        const SideAction& one = all[*number];
+        return fmt::format("{} {} {}", facts(one.kind).name, short_direction_text(one.direction),
+                           lengths_.text(one.travel));
+      };
+      text += fmt::format("{:<8} {:<34} {}\n", change_name(change.kind), action(before, change.former),
+                          action(after, change.fresh));
+    }
+    return text + more_text(comparison_.actions.size());
+  }
+
  private:
   const Comparison& comparison_;
   std::string area_unit_;
@@ -164,7 +258,7 @@ class Table {
 }  // namespace
 
 nlohmann::ordered_json compare_json(const Comparison& comparison) {
-  const auto& [a, b, settings, surface, remarks] = comparison;
+  const auto& [a, b, settings, alignment, surface, undercuts, actions, remarks] = comparison;
   Json json;
   json["schema"] = "moldlight.compare/1";
   json["a"] = part_json(*a.model, a.result.warnings);
@@ -172,9 +266,10 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
   json["direction"] = {{"a", vector_json(a.result.direction)}, {"b", vector_json(b.result.direction)}};
   json["settings"] = options_json(method_options(), a.result.settings);
   json["settings"].update(options_json(compare_options(), settings));
+  json["settings"].update(options_json(action_options(), settings.actions));
   json["same_within"] = surface.tolerance.apart;
   json["tessellation"] = surface.chords;
-  json["alignment"] = nullptr;
+  json["alignment"] = alignment ? alignment_json(*alignment) : Json();
   json["surface"] = {{"gone", area_json(surface.gone)}, {"new", area_json(surface.fresh)}};
   json["places"] = places_json(comparison);
   const Json areas_a = areas_json(a.result), areas_b = areas_json(b.result);
@@ -182,6 +277,12 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
                      {"b", areas_b},
                      {"difference", difference_json(areas_a, areas_b)},
                      {"changed", changed_regions_json(surface)}};
+  json["undercuts"] = nullptr;
+  json["actions"] = nullptr;
+  if (a.plan && b.plan) {
+    json["undercuts"] = changes_json(undercuts, a.plan->patches, b.plan->patches, undercut_json);
+    json["actions"] = changes_json(actions, a.plan->actions, b.plan->actions, action_json);
+  }
   json["remarks"] = remarks;
   json["verdict"] = comparison_verdict(comparison);
   return json;
@@ -193,7 +294,9 @@ std::string compare_table(const Comparison& comparison) {
   for (const std::string& remark : comparison.remarks) text += remark + ".\n";
   text += "\n" + table.places() + "\n" + table.regions();
   const std::string changed = table.changed_regions();
-  return changed.empty() ? text : text + "\n" + changed;
+  if (!changed.empty()) text += "\n" + changed;
+  if (comparison.a.plan && comparison.b.plan) text += "\n" + table.undercuts() + "\n" + table.actions();
+  return text;
 }
 
 }  // namespace moldlight

@@ -46,6 +46,17 @@ std::string unit_remark(const PartModel& a, const PartModel& b) {
   return {};
 }
 
+/// "2 new, 1 gone"; empty where all are the same.
+std::string changes_text(const std::vector<MatchedChange>& changes) {
+  std::vector<std::string> counts;
+  for (const ChangeKind kind :
+       {ChangeKind::fresh, ChangeKind::gone, ChangeKind::grown, ChangeKind::shrunk, ChangeKind::changed}) {
+    const auto count = std::ranges::count(changes, kind, &MatchedChange::kind);
+    if (count > 0) counts.push_back(fmt::format("{} {}", count, change_name(kind)));
+  }
+  return fmt::format("{}", fmt::join(counts, ", "));
+}
+
 std::string count_text(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -53,15 +64,27 @@ std::string count_text(std::size_t count, std::string_view what) {
 }  // namespace
 
 std::span<const Option<CompareSettings>> compare_options() {
-  static const std::array<Option<CompareSettings>, 1> k_options = {
-      {{.key = "same_within",
+  static const std::array<Option<CompareSettings>, 3> k_options = {
+      {{.key = "align",
+        .flag = "--align",
+        .label = "Align",
+        .unit = "",
+        .help = "Turn and move B onto A before they are compared; directions are A's",
+        .kind = SwitchKind<CompareSettings>{&CompareSettings::align}},
+       {.key = "same_within",
         .flag = "--same-within",
         .label = "Same within",
         .unit = "part's unit",
         .help =
             "Surface of one part that is no farther than this from the other's is the same. Where it bends, "
             "what the tessellations may be off is added. By default a 10,000th of A's diagonal.",
-        .kind = PositiveKind<CompareSettings>{[](CompareSettings& s) -> double& { return s.same_within; }}}}};
+        .kind = PositiveKind<CompareSettings>{[](CompareSettings& s) -> double& { return s.same_within; }}},
+       {.key = "actions",
+        .flag = "--actions",
+        .label = "Side actions",
+        .unit = "",
+        .help = "Compare the undercuts one by one, and the side actions that release them",
+        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_actions}}}};
   return k_options;
 }
 
@@ -82,17 +105,30 @@ std::shared_ptr<const PartModel> in_unit_of(const std::shared_ptr<const PartMode
   return converted;
 }
 
-Comparison compare_parts(const std::shared_ptr<const PartModel>& a, const std::shared_ptr<const PartModel>& b,
-                         const ComparedQuery& query, const CompareSettings& settings,
-                         const Progress& progress) {
+Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
+                              const std::shared_ptr<const PartModel>& b, const CompareSettings& settings,
+                              const Progress& progress) {
+  require_within_part("--same-within", settings.same_within, a->frame.diagonal);
   Comparison comparison;
+  comparison.settings = settings;
   comparison.a.model = a;
   comparison.b.model = in_unit_of(a, b, comparison.remarks, progress);
+  if (!settings.align) return comparison;
+  comparison.alignment = align(*a, *comparison.b.model, progress);
+  comparison.b.model = moved_part(*comparison.b.model, *comparison.alignment, progress);
+  if (comparison.alignment->mirrored) comparison.remarks.push_back("B is about a mirror image of A");
+  return comparison;
+}
+
+void compare_parts(Comparison& comparison, const ComparedQuery& query, const Progress& progress) {
+  const std::shared_ptr<const PartModel>& a = comparison.a.model;
+  const CompareSettings& settings = comparison.settings;
   const double diagonal = a->frame.diagonal;
-  require_within_part("--same-within", settings.same_within, diagonal);
-  comparison.settings = settings;
   OverlayTolerance tolerance = usual_tolerance(diagonal);
   if (settings.same_within > 0.0) tolerance.apart = settings.same_within;
+  // Most of the surface lies as well as the alignment found.
+  if (comparison.alignment)
+    tolerance.rounding = std::max(tolerance.rounding, 3.0 * comparison.alignment->median);
   tolerance.rounding = std::min(tolerance.rounding, 0.1 * tolerance.apart);
   MethodSettings method = query.method;
   // One lateral tolerance for both, or near-vertical surface would change with the box.
@@ -101,7 +137,13 @@ Comparison compare_parts(const std::shared_ptr<const PartModel>& a, const std::s
   comparison.b.result = classify_exact(*comparison.b.model, {query.fresh, method}, progress, true);
   const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
   comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
-  return comparison;
+  if (settings.with_actions) {
+    comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
+    comparison.b.plan = find_actions(*comparison.b.model, comparison.b.result, settings.actions, progress);
+    const PlannedSide planned_a{side_a, *comparison.a.plan}, planned_b{side_b, *comparison.b.plan};
+    comparison.undercuts = match_undercuts(planned_a, planned_b, comparison.surface);
+    comparison.actions = match_actions(planned_a, planned_b, comparison.undercuts, comparison.surface);
+  }
 }
 
 std::string comparison_verdict(const Comparison& comparison) {
@@ -130,8 +172,15 @@ std::string comparison_verdict(const Comparison& comparison) {
                       ? fmt::format("undercut as before, {} {}", figure(after), area_unit)
                       : fmt::format("undercut {} {} {}, was {}", after > before ? "grew to" : "shrank to",
                                     figure(after), area_unit, figure(before)));
-  std::string text = fmt::format("{}.", fmt::join(facts, "; "));
-  return text;
+  const std::string undercuts = changes_text(comparison.undercuts),
+                    actions = changes_text(comparison.actions);
+  if (!undercuts.empty()) facts.back() += fmt::format(" ({})", undercuts);
+  if (comparison.a.plan && comparison.b.plan)
+    facts.push_back(actions.empty()
+                        ? fmt::format("side actions as before, {}", actions_text(*comparison.b.plan))
+                        : fmt::format("side actions: {}, were {} ({})", actions_text(*comparison.b.plan),
+                                      actions_text(*comparison.a.plan), actions));
+  return fmt::format("{}.", fmt::join(facts, "; "));
 }
 
 }  // namespace moldlight

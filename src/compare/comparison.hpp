@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,11 +11,16 @@
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
 #include "classify/option.hpp"
+#include "compare/alignment.hpp"
 #include "compare/surface_change.hpp"
+#include "compare/undercut_change.hpp"
 
 namespace moldlight {
 
 struct CompareSettings {
+  bool align = false;        // B is turned and moved onto A; else the parts are compared as they lie
+  bool with_actions = true;  // undercuts one by one, and their side actions
+  ActionSettings actions;
   double same_within =
       0.0;  // surface that is no farther apart is the same, in A's unit; 0: 1e-4 of A's diagonal
 };
@@ -28,15 +34,18 @@ struct ComparedQuery {
 
 struct ComparedPart {
   std::shared_ptr<const PartModel> model;
-  Classification result;  // with its split mesh
+  Classification result;           // with its split mesh
+  std::optional<ActionPlan> plan;  // where it was asked for
 };
 
 /// Lengths and areas are in A's unit.
 struct Comparison {
   ComparedPart a, b;
   CompareSettings settings;
+  std::optional<Alignment> alignment;  // of B, where it was asked for
   SurfaceChange surface;
-  std::vector<std::string> remarks;  // a sentence each
+  std::vector<MatchedChange> undercuts, actions;  // none without plans
+  std::vector<std::string> remarks;               // a sentence each
 };
 
 /// `b` in the unit of `a`, where the files of both name theirs and they differ; else `b` itself. Adds a
@@ -46,11 +55,15 @@ struct Comparison {
                                                           std::vector<std::string>& remarks,
                                                           const Progress& progress);
 
-/// Compares parts as they lie. The same to the bit for any number of threads. Throws UsageError for a
-/// tolerance greater than the part, Cancelled.
-[[nodiscard]] Comparison compare_parts(const std::shared_ptr<const PartModel>& a,
-                                       const std::shared_ptr<const PartModel>& b, const ComparedQuery& query,
-                                       const CompareSettings& settings, const Progress& progress);
+/// Reads nothing more of the parts: B in A's unit and, where the settings ask for it, where it lies on A.
+/// Directions are asked of what is compared, since B may be turned. Throws UsageError for a tolerance greater
+/// than the part, Cancelled.
+[[nodiscard]] Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
+                                            const std::shared_ptr<const PartModel>& b,
+                                            const CompareSettings& settings, const Progress& progress);
+
+/// Fills in what changed. The same to the bit for any number of threads. Throws Cancelled.
+void compare_parts(Comparison& comparison, const ComparedQuery& query, const Progress& progress);
 
 /// What changed, in a sentence or two.
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);

@@ -103,15 +103,19 @@ class Laying {
     double radius = 0.0;
     for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, centre));
     const double chords = side_.chords().lateral[side_.facet(piece_)] + onto_.chords().greatest;
+    // A hull's corners reach out half as far again.
+    const double reach = 2.0 * (slack.base + (slack.explaining ? chords : 0.0));
     std::vector<PieceIndex> near;
-    visit_pieces(onto_, centre, radius + 2.0 * (slack.base + (slack.explaining ? chords : 0.0)),
-                 [&](PieceIndex other) { near.push_back(other); });
+    visit_pieces(onto_, centre, radius + reach, [&](PieceIndex other) { near.push_back(other); });
     std::ranges::sort(near);
     std::vector<Over> over;
     for (const PieceIndex other : near) {
       if (glm::dot(side_.normal(piece_), onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0)
         continue;
       const Nearness within = nearness(other, slack);
+      if (glm::distance(onto_.centre(other), centre) >
+          radius + onto_.radius(other) + 2.0 * (within.normal + within.lateral))
+        continue;
       const Over one{other, within.lateral, hull_around(onto_.corners(other), onto_.normal(other), within)};
       const HullSide where = side_of(polygon, one.hull, rounding_);
       if (where == HullSide::outside) continue;
@@ -122,7 +126,8 @@ class Laying {
       }
       over.push_back(one);
     }
-    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings < k_most_halvings) {
+    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings < k_most_halvings &&
+        radius > reach) {
       for (const ConvexPolygon& half : halved(polygon)) lay(half, slack, halvings + 1, result);
       return;
     }
@@ -187,7 +192,13 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
         return ExactRays(mesh, unit_positions(mesh, model_->frame));
       }()) {
   areas_.reserve(count());
-  for (const SplitPiece& piece : split_->pieces) areas_.push_back(piece_area(*split_, piece));
+  for (PieceIndex piece = 0; piece < count(); ++piece) {
+    const auto [a, b, c] = corners(piece);
+    areas_.push_back(piece_area(*split_, split_->pieces[piece]));
+    centres_.push_back((a + b + c) / 3.0);
+    radii_.push_back(std::max({glm::distance(a, centres_.back()), glm::distance(b, centres_.back()),
+                               glm::distance(c, centres_.back())}));
+  }
 }
 
 void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach,

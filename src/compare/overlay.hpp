@@ -38,6 +38,9 @@ class OverlaySide {
     return model_->geometry.normals[facet(piece)];
   }
   [[nodiscard]] double area(PieceIndex piece) const { return areas_[piece]; }
+  /// A sphere around it.
+  [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return centres_[piece]; }
+  [[nodiscard]] double radius(PieceIndex piece) const { return radii_[piece]; }
   [[nodiscard]] std::array<glm::dvec3, 3> corners(PieceIndex piece) const {
     const auto& [a, b, c] = split_->pieces[piece].corners;
     return {split_->vertices[a], split_->vertices[b], split_->vertices[c]};
@@ -50,7 +53,8 @@ class OverlaySide {
   double tau_deg_;
   Faces faces_;
   ChordDeviation chords_;
-  std::vector<double> areas_;
+  std::vector<double> areas_, radii_;
+  std::vector<glm::dvec3> centres_;
   ExactRays rays_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "cli/small_part.hpp"
 #include "support/mesh_edits.hpp"
+#include "support/read_png.hpp"
 #include "support/solid_builder.hpp"
 
 namespace moldlight {
@@ -67,7 +68,8 @@ TEST_F(Compare, TellsJson) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(run.out);
   EXPECT_EQ(json["schema"], "moldlight.compare/1");
-  for (const char* key : {"a", "b", "direction", "alignment", "surface", "places", "regions", "verdict"})
+  for (const char* key : {"a", "b", "direction", "alignment", "surface", "places", "regions", "undercuts",
+                          "actions", "verdict"})
     EXPECT_TRUE(json.contains(key)) << key;
   // The groove's bottom moves in by 1: its old one is gone, a new one is there, and both flanks grow by 1,
   // and so do the notches in the ends.
@@ -79,10 +81,77 @@ TEST_F(Compare, TellsJson) {
       << "the same every time";
 }
 
+TEST_F(Compare, TellsUndercutsAndActions) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(run.out);
+  ASSERT_EQ(json["undercuts"].size(), 1U);
+  const auto& undercut = json["undercuts"][0];
+  EXPECT_EQ(undercut["change"], "grown");
+  EXPECT_NEAR(undercut["b"]["depth"].get<double>() - undercut["a"]["depth"].get<double>(), 1.0, 0.05);
+  ASSERT_EQ(json["actions"].size(), 1U);
+  EXPECT_EQ(json["actions"][0]["change"], "changed") << "it travels by one more";
+  EXPECT_NEAR(
+      json["actions"][0]["b"]["travel"].get<double>() - json["actions"][0]["a"]["travel"].get<double>(), 1.0,
+      0.05);
+
+  const auto added = json_of(compare(bar("a.obj", 0.0), bar("b.obj", 3.0), {"--json", "-"}).out);
+  ASSERT_EQ(added["undercuts"].size(), 1U);
+  EXPECT_EQ(added["undercuts"][0]["change"], "new");
+  EXPECT_TRUE(added["undercuts"][0]["a"].is_null());
+  EXPECT_EQ(added["actions"][0]["change"], "new");
+  const auto without =
+      json_of(compare(bar("a.obj", 0.0), bar("b.obj", 3.0), {"--json", "-", "--actions", "off"}).out);
+  EXPECT_TRUE(without["actions"].is_null());
+}
+
+TEST_F(Compare, EndsWithThreeWhereACriterionFails) {
+  const std::string a = bar("a.obj", 2.0), b = bar("b.obj", 3.0);
+  const auto failed = compare(a, b, {"--fail-on", "undercut > +1%, actions > 5"});
+  EXPECT_EQ(failed.exit_code, 3);
+  EXPECT_EQ(failed.error_lines(), 1U) << failed.err;
+  EXPECT_NE(failed.err.find("undercut > +1%"), std::string::npos) << failed.err;
+  EXPECT_EQ(compare(a, b, {"--fail-on", "actions > +0, gone > 2%"}).exit_code, 3);
+  EXPECT_EQ(compare(a, b, {"--fail-on", "actions > +0"}).exit_code, 0);
+  EXPECT_EQ(compare(a, a, {"--fail-on", "undercut > +0, new > 0, places > 0"}).exit_code, 0);
+  for (const char* wrong : {"undercut", "weight > 1", "undercut > +x"}) {
+    const auto run = compare(a, b, {"--fail-on", wrong});
+    EXPECT_EQ(run.exit_code, 2) << wrong;
+    EXPECT_EQ(run.error_lines(), 1U) << run.err;
+  }
+  EXPECT_EQ(compare(a, b, {"--actions", "off", "--fail-on", "actions > 0"}).exit_code, 2) << "not looked for";
+}
+
 TEST_F(Compare, TellsAnotherUnit) {
   const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 2.0, 1.0 / 25.4), {"--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("25.4 times as small"), std::string::npos) << run.out;
+}
+
+TEST_F(Compare, DrawsWhatDiffers) {
+  const std::string a = bar("a.obj", 2.0), b = bar("b.obj", 3.0), image = folder.file("both.png");
+  const auto draw = [&](const std::string& other) {
+    const auto run = compare(a, other, {"--image", image, "--size", "400x160", "--view", "iso"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return test::read_png(image);
+  };
+  const Image same = draw(a), lit = draw(b);
+  ASSERT_EQ(lit.width, 400);
+  ASSERT_EQ(lit.height, 160);
+  // Of A what is gone is lit, of B what is new.
+  const auto pixels_that_differ = [&](int from, int to) {
+    int count = 0;
+    for (int y = 0; y < 160; ++y)
+      for (int x = from; x < to; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const auto at = static_cast<std::size_t>(4 * (400 * y + x) + c);
+          if (std::abs(lit.rgba[at] - same.rgba[at]) > 24) ++count;
+        }
+    return count;
+  };
+  EXPECT_GT(pixels_that_differ(0, 200), 50);
+  EXPECT_GT(pixels_that_differ(200, 400), 50);
+  EXPECT_EQ(compare(a, b, {"--image", a}).exit_code, 2);
 }
 
 TEST_F(Compare, RefusesWhatMakesNoSense) {

@@ -1,0 +1,34 @@
+// Lays a part on another that is turned and moved: principal axes, then the iterated nearest points, by the
+// planes of the facets there (Chen & Medioni 1992), without those that have none (Chetverikov et al. 2002).
+#pragma once
+
+#include <memory>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+
+namespace moldlight {
+
+/// Of B to A: a point of B goes to rotation * point + shift. Lengths are in A's unit; nothing is scaled.
+struct Alignment {
+  glm::dmat3 rotation{1.0};
+  glm::dvec3 shift{0.0};
+  // Distances from A of even samples of B's surface, where it lies then:
+  double rms = 0.0, largest = 0.0, median = 0.0;
+  bool mirrored = false;  // a mirror image of B would lie far better on A
+
+  [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& point) const { return rotation * point + shift; }
+};
+
+/// Turns about an axis of symmetry are all alike: of those the least is taken, as good as it is found. The
+/// same to the bit for any number of threads. Throws Cancelled.
+[[nodiscard]] Alignment align(const PartModel& a, const PartModel& b, const Progress& progress);
+
+/// The part where the alignment puts it.
+[[nodiscard]] std::shared_ptr<const PartModel> moved_part(const PartModel& part, const Alignment& alignment,
+                                                          const Progress& progress);
+
+}  // namespace moldlight

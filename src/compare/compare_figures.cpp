@@ -1,0 +1,201 @@
+#include "compare/compare_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Whole : std::uint8_t { none, area };
+
+struct FigureRow {
+  std::string_view name;
+  Whole whole = Whole::none;
+  std::optional<double> (*of)(const ComparedPart&);
+};
+
+template <Region k_region>
+std::optional<double> region_area(const ComparedPart& part) {
+  return part.result.areas[k_region];
+}
+
+template <bool (*k_counts)(ActionKind)>
+std::optional<double> count_actions(const ComparedPart& part) {
+  if (!part.plan) return std::nullopt;
+  return static_cast<double>(std::ranges::count_if(
+      part.plan->actions, [](const SideAction& action) { return k_counts(action.kind); }));
+}
+
+bool any_action(ActionKind) { return true; }
+bool is_lifter(ActionKind kind) { return kind == ActionKind::lifter; }
+
+std::span<const FigureRow> part_rows() {
+  static const std::array<FigureRow, 14> k_rows = {{
+      {"undercut", Whole::area, region_area<Region::undercut>},
+      {"core", Whole::area, region_area<Region::core>},
+      {"cavity", Whole::area, region_area<Region::cavity>},
+      {"both", Whole::area, region_area<Region::both>},
+      {"total", Whole::area, [](const ComparedPart& p) { return std::optional(p.result.total_area); }},
+      {"near-vertical", Whole::area,
+       [](const ComparedPart& p) { return std::optional(p.result.near_vertical_area); }},
+      {"reverse-draft", Whole::area,
+       [](const ComparedPart& p) { return std::optional(p.result.reverse_draft.area); }},
+      {"volume", Whole::none,
+       [](const ComparedPart& p) {
+         return p.model->health.closed ? std::optional(p.model->health.volume) : std::nullopt;
+       }},
+      {"undercuts", Whole::none,
+       [](const ComparedPart& p) {
+         return p.plan ? std::optional(static_cast<double>(p.plan->patches.size())) : std::nullopt;
+       }},
+      {"actions", Whole::none, count_actions<any_action>},
+      {"slides", Whole::none, count_actions<is_slide>},
+      {"lifters", Whole::none, count_actions<is_lifter>},
+      {"travel", Whole::none,
+       [](const ComparedPart& p) -> std::optional<double> {
+         if (!p.plan) return std::nullopt;
+         double most = 0.0;
+         for (const SideAction& action : p.plan->actions) most = std::max(most, action.travel);
+         return most;
+       }},
+      {"unreleased", Whole::area,
+       [](const ComparedPart& p) { return p.plan ? std::optional(p.plan->unreleased_area) : std::nullopt; }},
+  }};
+  return k_rows;
+}
+
+struct ChangeRow {
+  std::string_view name;
+  Whole whole = Whole::none;
+  MeasuredArea (*of)(const SurfaceChange&);
+};
+
+std::span<const ChangeRow> change_rows() {
+  static const std::array<ChangeRow, 4> k_rows = {{
+      {"gone", Whole::area, [](const SurfaceChange& s) { return s.gone; }},
+      {"new", Whole::area, [](const SurfaceChange& s) { return s.fresh; }},
+      {"places", Whole::none,
+       [](const SurfaceChange& s) {
+         return MeasuredArea{static_cast<double>(s.places.size()), 0.0};
+       }},
+      {"other-region", Whole::area,
+       [](const SurfaceChange& s) {
+         MeasuredArea sum;
+         for (const ChangedRegion& region : s.regions) sum.area += region.area;
+         return sum;
+       }},
+  }};
+  return k_rows;
+}
+
+/// Where a report of `classify` has a figure, and below a candidate one of `sweep`; empty where it has none.
+struct ReportRow {
+  std::string_view name, classify, sweep;
+  Whole whole = Whole::none;
+};
+
+constexpr std::array<ReportRow, 19> k_report_rows = {{
+    {"undercut", "/areas/undercut", "/areas/undercut", Whole::area},
+    {"core", "/areas/core", "/areas/core", Whole::area},
+    {"cavity", "/areas/cavity", "/areas/cavity", Whole::area},
+    {"both", "/areas/both", "/areas/both", Whole::area},
+    {"total", "/part/area", "", Whole::area},
+    {"volume", "/part/volume", "", Whole::none},
+    {"near-vertical", "/areas/near_vertical", "", Whole::area},
+    {"projected-area", "/projected_area", "/projected_area", Whole::none},
+    {"projected-undercut", "/projected_undercut", "/projected_undercut", Whole::none},
+    {"reverse-draft", "/draft/reverse/area", "/reverse_draft", Whole::area},
+    {"undercuts", "", "/patches", Whole::none},
+    {"draw-depth", "", "/draw_depth", Whole::none},
+    {"undraughted-area", "", "/undraughted_area", Whole::area},
+    {"parting-climb", "", "/parting_climb", Whole::none},
+    {"parting-length", "", "/parting_length", Whole::none},
+    {"travel", "", "/travel", Whole::none},
+    {"unreleased", "", "/unreleased_area", Whole::area},
+    {"side-actions", "", "/side_actions", Whole::none},
+    {"tilt-margin", "", "/tilt_margin_deg", Whole::none},
+}};
+
+std::string_view path_of(const ReportRow& row, bool sweep) { return sweep ? row.sweep : row.classify; }
+
+std::optional<double> number_at(const Json& json, std::string_view path) {
+  const Json::json_pointer pointer{std::string(path)};
+  if (!json.contains(pointer) || !json.at(pointer).is_number()) return std::nullopt;
+  return json.at(pointer).get<double>();
+}
+
+/// What of the report has the figures.
+const Json& figures_of(std::string_view command, const Json& report, std::string_view file) {
+  const std::string schema = fmt::format("moldlight.{}/2", command);
+  const bool known = report.is_object() && report.contains("schema") && report["schema"] == schema;
+  if (!known)
+    throw UsageError(
+        fmt::format("--baseline: {} is no report of moldlight {} --json ({})", file, command, schema));
+  if (command != "sweep") return report;
+  if (!report.contains("candidates") || !report["candidates"].is_array() || report["candidates"].empty())
+    throw UsageError(fmt::format("--baseline: {} lists no direction", file));
+  return report["candidates"][0];
+}
+
+}  // namespace
+
+std::vector<std::string_view> comparison_figure_names() {
+  std::vector<std::string_view> names;
+  for (const FigureRow& row : part_rows()) names.push_back(row.name);
+  for (const ChangeRow& row : change_rows()) names.push_back(row.name);
+  return names;
+}
+
+std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
+  const auto& [a, b] = std::pair<const ComparedPart&, const ComparedPart&>(comparison.a, comparison.b);
+  const auto whole = [&](Whole kind) { return kind == Whole::area ? b.result.total_area : 0.0; };
+  std::vector<ComparedFigure> figures;
+  for (const FigureRow& row : part_rows()) {
+    const auto before = row.of(a), after = row.of(b);
+    if (!before || !after) continue;
+    const double error =
+        row.whole == Whole::area ? a.result.uncertainty.total() + b.result.uncertainty.total() : 0.0;
+    figures.push_back({row.name, *before, *after, error, whole(row.whole)});
+  }
+  for (const ChangeRow& row : change_rows())
+    figures.push_back({row.name, 0.0, row.of(comparison.surface).area, 0.0, whole(row.whole)});
+  return figures;
+}
+
+std::vector<std::string_view> report_figure_names(std::string_view command) {
+  std::vector<std::string_view> names;
+  for (const ReportRow& row : k_report_rows)
+    if (!path_of(row, command == "sweep").empty()) names.push_back(row.name);
+  return names;
+}
+
+std::vector<ComparedFigure> report_figures(std::string_view command, const Json& before, const Json& after,
+                                           std::string_view file) {
+  const bool sweep = command == "sweep";
+  const Json &was = figures_of(command, before, file), &is = figures_of(command, after, "this run");
+  const double whole = number_at(after, "/part/area").value_or(0.0);
+  const double doubt = number_at(was, "/undercut_uncertainty").value_or(0.0) +
+                       number_at(is, "/undercut_uncertainty").value_or(0.0);
+  std::vector<ComparedFigure> figures;
+  for (const ReportRow& row : k_report_rows) {
+    const std::string_view path = path_of(row, sweep);
+    if (path.empty()) continue;
+    const auto old = number_at(was, path), now = number_at(is, path);
+    if (!old || !now) continue;
+    const bool area = row.whole == Whole::area;
+    figures.push_back({row.name, *old, *now, area ? doubt : 0.0, area ? whole : 0.0});
+  }
+  return figures;
+}
+
+}  // namespace moldlight
