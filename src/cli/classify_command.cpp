@@ -7,6 +7,7 @@
 #include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
 #include "classify/write_outputs.hpp"
+#include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
@@ -27,6 +28,7 @@ struct ClassifyFlags {
   bool compare_maps = false;
   DraftSettings draft_settings;
   std::string draft;  // CSV
+  BaselineFlags baseline;
   StillSettings still;
 };
 
@@ -34,7 +36,7 @@ void check_files(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
-  check_outputs({.inputs = {{"PART", flags.part.part}},
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
                  .files = {{"--json", flags.part.json_file()},
                            {"--facets", files.facets},
                            {"--faces", files.faces},
@@ -56,6 +58,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   Query query = flags.query;
   validate(query.method);
   check_files(flags);
+  Baseline baseline(flags.baseline, "classify");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
@@ -88,18 +91,24 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
     write_png(flags.image, draft ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
+  const auto report = [&] {
+    nlohmann::ordered_json json = classify_json(*model, result);
+    if (draft) json["draft"] = draft_json(*model, *draft);
+    return json;
+  };
+  baseline.compare(report);
   put_report(
       console, flags.part.json,
       [&] {
-        nlohmann::ordered_json json = classify_json(*model, result);
-        if (draft) json["draft"] = draft_json(*model, *draft);
+        nlohmann::ordered_json json = report();
+        baseline.add_to(json);
         return json;
       },
       [&] {
         return classify_table(*model, result, console.colour()) +
-               (draft ? "\n" + draft_lines(*model, *draft) : "");
+               (draft ? "\n" + draft_lines(*model, *draft) : "") + baseline.table();
       });
-  return 0;
+  return baseline.exit_code(console);
 }
 
 nlohmann::ordered_json settings(const ClassifyFlags& flags) {
@@ -121,6 +130,7 @@ void add_classify_command(CLI::App& program, Request& request) {
   CLI::Option* direction =
       add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
   direction->description(direction->get_description() + " [required]");
+  add_baseline_flags(*command, flags->baseline, "classify");
   add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;
   add_file_flag(*command, files.facets,

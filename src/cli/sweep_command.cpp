@@ -11,6 +11,7 @@
 #include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
+#include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "cli/meter.hpp"
 #include "io/direction_list.hpp"
@@ -87,6 +88,7 @@ struct SweepFlags {
   std::string directions_file, csv, image_folder;
   StillSettings still;
   std::optional<UndercutLimit> limit;
+  BaselineFlags baseline;
   bool wide = false, must_be_proved = false;
   std::vector<const CLI::Option*> of_actions;
 };
@@ -157,10 +159,13 @@ bool is_proved(const SweepResult& result, Console& console) {
 }
 
 int run(const SweepFlags& flags, Console& console, const Progress& progress) {
-  check_outputs({.inputs = {{"PART", flags.part.part}, {"--directions-file", flags.directions_file}},
+  check_outputs({.inputs = {{"PART", flags.part.part},
+                            {"--directions-file", flags.directions_file},
+                            {"--baseline", flags.baseline.file}},
                  .files = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}},
                  .folder = {"--image-dir", flags.image_folder}});
   const SweepSettings settings = sweep_settings(flags, progress);
+  Baseline baseline(flags.baseline, "sweep");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   // Before the sweep, so that a backend that is not there is told at once.
   const auto context = flags.image_folder.empty() ? nullptr : create_context(settings.method.backend);
@@ -173,9 +178,19 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   console.set_progress_text({});
   warn(*model, result, progress, console);
   if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
+  const auto report = [&] { return sweep_json(*model, result); };
+  if (!progress.cancelled()) baseline.compare(report);
   put_report(
-      console, flags.part.json, [&] { return sweep_json(*model, result); },
-      [&] { return sweep_table(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow); });
+      console, flags.part.json,
+      [&] {
+        nlohmann::ordered_json json = report();
+        baseline.add_to(json);
+        return json;
+      },
+      [&] {
+        return sweep_table(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow) +
+               baseline.table();
+      });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
     if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
@@ -184,6 +199,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   }
   if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
+  if (const int code = baseline.exit_code(console); code != 0) return code;
   if (flags.must_be_proved && !is_proved(result, console)) return k_not_proved;
   return 0;
 }
@@ -233,6 +249,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
   for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
+  add_baseline_flags(*command, flags->baseline, "sweep");
   add_method_flags(*command, sweep.method);
   set_work(*command, request, flags, run, settings);
 }

@@ -1,0 +1,60 @@
+#include "cli/baseline.hpp"
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "compare/compare_figures.hpp"
+#include "io/file_contents.hpp"
+
+namespace moldlight::cli {
+
+namespace {
+
+nlohmann::ordered_json read_report(const std::string& file) {
+  const FileContents contents(file, Progress());
+  auto json = nlohmann::ordered_json::parse(contents.bytes(), nullptr, false);
+  if (json.is_discarded()) throw FileError(file, "", "is no JSON, as --json writes it");
+  return json;
+}
+
+}  // namespace
+
+void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {
+  CLI::Option* baseline = add_file_flag(
+      command, flags.file,
+      {"--baseline", "FILE.json",
+       "Compare the figures with those of an earlier report of this command, as --json writes it"});
+  add_criteria_flag(command, flags.fail_on, report_figure_names(name))->needs(baseline);
+}
+
+Baseline::Baseline(const BaselineFlags& flags, std::string command)
+    : flags_(flags), command_(std::move(command)) {
+  if (!flags.file.empty()) before_ = read_report(flags.file);
+}
+
+void Baseline::compare(const std::function<nlohmann::ordered_json()>& report) {
+  if (flags_.file.empty()) return;
+  figures_ = report_figures(command_, before_, report(), one_line(flags_.file));
+  failed_ = met_criteria(flags_.fail_on, figures_);
+}
+
+std::string Baseline::table() const {
+  if (flags_.file.empty()) return {};
+  return fmt::format("\nagainst {}:\n{}", one_line(flags_.file), figure_changes_table(figures_));
+}
+
+void Baseline::add_to(nlohmann::ordered_json& report) const {
+  if (flags_.file.empty()) return;
+  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+  for (const ComparedFigure& figure : figures_)
+    figures[std::string(figure.name)] = {
+        {"was", figure.before}, {"is", figure.after}, {"error", figure.error}};
+  report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed_}};
+}
+
+int Baseline::exit_code(Console& console) const {
+  for (const std::string& sentence : failed_) console.failure(sentence);
+  return failed_.empty() ? 0 : k_criterion_failed;
+}
+
+}  // namespace moldlight::cli

@@ -1,0 +1,60 @@
+// --baseline and --fail-on of classify and sweep.
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::json_of;
+using test::run_moldlight;
+using test::with;
+
+class BaselineFlags : public ::testing::Test {
+ protected:
+  test::SmallPart part;
+  std::string report = part.output("before.json");
+};
+
+TEST_F(BaselineFlags, ClassifyTellsWhatChanged) {
+  ASSERT_EQ(run_moldlight(part.classify({"--json", report})).exit_code, 0);
+  const auto same =
+      run_moldlight(part.classify({"--baseline", report, "--fail-on", "undercut > +0, near-vertical > +0"}));
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_NE(same.out.find("No figure changed"), std::string::npos) << same.out;
+  // Tilted, more is hidden.
+  const auto tilted = run_moldlight(
+      with(part.classify({"--baseline", report, "--fail-on", "undercut > +1%"}), "--direction", "0.2,0,1"));
+  EXPECT_EQ(tilted.exit_code, 3) << tilted.err;
+  EXPECT_EQ(tilted.error_lines(), 1U) << tilted.err;
+  EXPECT_NE(tilted.out.find("undercut"), std::string::npos);
+  const auto json = json_of(run_moldlight(part.classify({"--baseline", report, "--json", "-"})).out);
+  EXPECT_EQ(json["schema"], "moldlight.classify/2");
+  EXPECT_EQ(json["baseline"]["figures"]["undercut"]["was"], json["areas"]["undercut"]);
+}
+
+TEST_F(BaselineFlags, SweepComparesItsBestDirection) {
+  ASSERT_EQ(run_moldlight(part.sweep({"--json", report})).exit_code, 0);
+  EXPECT_EQ(run_moldlight(part.sweep({"--baseline", report, "--fail-on", "undercuts > +0, undercut > +0"}))
+                .exit_code,
+            0);
+  EXPECT_EQ(run_moldlight(part.sweep({"--baseline", report, "--fail-on", "draw-depth > 1"})).exit_code, 3);
+}
+
+TEST_F(BaselineFlags, RefuseWhatMakesNoSense) {
+  ASSERT_EQ(run_moldlight(part.classify({"--json", report})).exit_code, 0);
+  const auto other = run_moldlight(part.sweep({"--baseline", report}));
+  EXPECT_EQ(other.exit_code, 2) << "a report of another command";
+  EXPECT_EQ(other.error_lines(), 1U) << other.err;
+  EXPECT_EQ(run_moldlight(part.classify({"--fail-on", "undercut > +0"})).exit_code, 2) << "against what?";
+  EXPECT_EQ(run_moldlight(part.classify({"--baseline", part.output("none.json")})).exit_code, 1);
+  EXPECT_EQ(run_moldlight(part.classify({"--baseline", report, "--json", report})).exit_code, 2)
+      << "would be overwritten";
+  EXPECT_EQ(run_moldlight(part.classify({"--baseline", report, "--fail-on", "actions > 0"})).exit_code, 2);
+  const auto mesh = run_moldlight(part.classify({"--baseline", part.file()}));
+  EXPECT_EQ(mesh.exit_code, 1) << "no JSON";
+  EXPECT_EQ(mesh.error_lines(), 1U) << mesh.err;
+}
+
+}  // namespace
+}  // namespace moldlight
