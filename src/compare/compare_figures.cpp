@@ -157,7 +157,7 @@ std::vector<std::string_view> comparison_figure_names() {
 }
 
 std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
-  const auto& [a, b] = std::pair<const ComparedPart&, const ComparedPart&>(comparison.a, comparison.b);
+  const ComparedPart &a = comparison.a, &b = comparison.b;
   const auto whole = [&](Whole kind) { return kind == Whole::area ? b.result.total_area : 0.0; };
   std::vector<ComparedFigure> figures;
   for (const FigureRow& row : part_rows()) {
