@@ -141,7 +141,8 @@ void App::frame(const FrameInput& input) {
   }
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
-  const SceneFrame scene_frame{.size = size_, .open_mold = arrows_apart(opened().halves)};
+  const SceneFrame scene_frame{
+      .size = size_, .open_mold = arrows_apart(opened().halves), .line_shown = line_shown()};
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
   const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
   const MapTextures maps =

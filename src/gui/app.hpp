@@ -150,6 +150,7 @@ class App {
   void keep_fitted();
   /// Whether the picture has the mold's steel, once that is known.
   [[nodiscard]] bool steel_wanted() const;
+  [[nodiscard]] bool line_shown() const;
   /// What a fit depends on beside the part: 0 without steel, else how far it opens.
   [[nodiscard]] double steel_fit() const;
   /// How far apart the parting arrows stand, as an opened mold moves them: out of its steel.

@@ -78,6 +78,10 @@ bool App::steel_wanted() const {
          (state_.mold_open && look.section != Section::off);
 }
 
+bool App::line_shown() const {
+  return !split_view() && (state_.settings.look.parting_line || state_.mold_open || steel_wanted());
+}
+
 double App::steel_fit() const { return steel_wanted() ? 1.0 + state_.settings.look.open_mold : 0.0; }
 
 double App::arrows_apart(double open) const {
@@ -155,9 +159,7 @@ bool App::draw(const ViewTarget& target) {
   if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
   if (scene_) {
     scene_->take_bodies(state_.actions.bodies);
-    const bool line_shown =
-        !split_view() && (state_.settings.look.parting_line || state_.mold_open || steel_wanted());
-    scene_->take_mold({.line = line_shown ? state_.mold.line : nullptr,
+    scene_->take_mold({.line = line_shown() ? state_.mold.line : nullptr,
                        .loop = state_.mold_choices.loop,
                        .solids = state_.mold.solids,
                        .by_action = state_.mold.by_action});

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,12 @@ constexpr const char* k_box =
 constexpr const char* k_open_box =
     "OFF\n8 5 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
     "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+constexpr const char* k_frame =
+    "OFF\n16 16 0\n0 0 0\n30 0 0\n30 30 0\n0 30 0\n10 10 0\n20 10 0\n20 20 0\n10 20 0\n"
+    "0 0 4\n30 0 4\n30 30 4\n0 30 4\n10 10 4\n20 10 4\n20 20 4\n10 20 4\n"
+    "4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
+    "4 0 1 9 8\n4 1 2 10 9\n4 2 3 11 10\n4 3 0 8 11\n4 5 4 12 13\n4 6 5 13 14\n4 7 6 14 15\n4 4 7 15 12\n";
 
 class Mold : public WindowWithPart {
  protected:
@@ -99,6 +106,41 @@ TEST_F(Mold, DrawsTheLineAndFliesToALoop) {
   window.move_mouse({640, 60});
   window.settle();
   EXPECT_FALSE(state().mold_open);
+}
+
+TEST_F(Mold, ALoopIsChosenOnThePart) {
+  open(k_frame);
+  unfold();
+  ASSERT_EQ(mold().line->line.loops.size(), 2U);
+  for (std::size_t number = 0; number < 2; ++number) {
+    // Somewhere it is not hidden.
+    const std::vector<glm::dvec3>& points = mold().line->line.loops[number].points;
+    const double height = state().camera.height;
+    bool chosen = false;
+    for (std::size_t k = 0; k < points.size() && !chosen; ++k) {
+      move_to(pixel_of(0.5 * (points[k] + points[(k + 1) % points.size()])));
+      press();
+      window.settle();
+      chosen = state().mold_choices.loop == number;
+      if (!chosen) key({.key = k_escape});
+    }
+    EXPECT_TRUE(chosen) << number;
+    EXPECT_FALSE(state().face) << "it is no choice of a face";
+    EXPECT_EQ(state().camera.height, height) << "what is under the hand stays there";
+    const std::string begin = fmt::format("Loop {}: {}", number + 1, number == 0 ? "outer" : "shut-off");
+    const auto texts = window.app().texts();
+    EXPECT_TRUE(std::ranges::any_of(texts, [&](const DrawnText& each) {
+      return each.text.starts_with(begin) && each.text.find("long") != std::string::npos;
+    }));
+    press();
+    window.settle();
+    EXPECT_FALSE(state().mold_choices.loop) << "and a click more leaves it";
+  }
+  move_to(pixel_of({25, 15, 4}));
+  press();
+  window.settle();
+  EXPECT_FALSE(state().mold_choices.loop) << "beside the line a click is for the face";
+  EXPECT_TRUE(state().face);
 }
 
 TEST_F(Mold, OpensAsSolidsThatFitThePart) {

@@ -67,6 +67,40 @@ std::vector<glm::vec3> surroundings(const MoldLine& line, std::size_t loop) {
   return points;
 }
 
+std::optional<std::size_t> loop_under(const MoldLine& line, const Camera& camera, const LinePick& pick) {
+  // The surface beside a tube may be seen edge-on, and be that much nearer.
+  constexpr double k_edge_on = 4.0;
+  const double slack = k_edge_on * pick.reach_px * pixel_length(camera, pick.size);
+  const glm::dvec3 toward = camera.toward_viewer();
+  std::optional<std::size_t> found;
+  double nearest = pick.reach_px;
+  for (std::size_t k = 0; k < line.loops.size(); ++k) {
+    for (const ViewSegment& segment : line.loops[k]) {
+      const glm::dvec3 start(segment.start), end(segment.end);
+      const auto a = project(camera, pick.size, start), b = project(camera, pick.size, end);
+      if (!a || !b) continue;
+      const glm::dvec2 along = *b - *a;
+      const double squared = glm::dot(along, along);
+      const double share =
+          squared > 0.0 ? std::clamp(glm::dot(pick.at - *a, along) / squared, 0.0, 1.0) : 0.0;
+      const double away = glm::distance(*a + share * along, pick.at);
+      if (away > nearest || (away == nearest && found)) continue;
+      if (pick.surface && glm::dot(*pick.surface - glm::mix(start, end, share), toward) > slack) continue;
+      nearest = away;
+      found = k;
+    }
+  }
+  return found;
+}
+
+std::array<std::string, 2> loop_lines(const AppState& state, std::size_t number) {
+  const PartingLoop& loop = state.mold.line->line.loops[number];
+  const std::string unit = length_unit(state.model->part);
+  return {fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
+          with_minus(fmt::format("{} {} long, climbs {}, steepest {:.0f}°", figure(loop.length), unit,
+                                 figure(loop.climb()), loop.steepest_deg))};
+}
+
 std::vector<glm::vec3> block_corners(const AppState& state) {
   const MoldFrame frame = mold_frame(state.settings.direction.unit());
   const Bounds box = mold_box(state);

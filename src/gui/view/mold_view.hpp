@@ -18,6 +18,19 @@ namespace moldlight::gui {
 /// What a picture of a loop is to show, unit frame.
 [[nodiscard]] std::vector<glm::vec3> surroundings(const MoldLine& line, std::size_t loop);
 
+/// A place in the picture, and the surface that is seen there, in the unit frame; none beside the part.
+struct LinePick {
+  glm::ivec2 size{0};
+  glm::dvec2 at{0.0};  // pixels
+  double reach_px = 0.0;
+  std::optional<glm::dvec3> surface;
+};
+/// The loop whose tube is there and not hidden, the nearest to the place; none where there is none.
+[[nodiscard]] std::optional<std::size_t> loop_under(const MoldLine& line, const Camera& camera,
+                                                    const LinePick& pick);
+/// What is told of a loop at the cursor: "Loop 3: shut-off", and its figures.
+[[nodiscard]] std::array<std::string, 2> loop_lines(const AppState& state, std::size_t loop);
+
 /// The corners of the block of steel around the part, unit frame.
 [[nodiscard]] std::vector<glm::vec3> block_corners(const AppState& state);
 

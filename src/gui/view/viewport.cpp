@@ -21,6 +21,7 @@ namespace {
 
 constexpr float k_tip_reach = 12.0F;    // layout units around a tip in which it is grabbed
 constexpr float k_names_apart = 40.0F;  // layout units between tips whose names do not cover each other
+constexpr float k_line_reach = 6.0F;    // layout units around the parting line in which a loop is chosen
 constexpr float k_click_reach = 3.0F;   // pixels; a mouse that moves further drags
 constexpr double k_least_way = 0.15;    // of a length that is seen askew, to drag along it
 constexpr double k_height_lever = 0.1;  // unit frame: along which the parting height is dragged
@@ -102,6 +103,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   const ImGuiIO& io = ImGui::GetIO();
   hovers_ = false;
   near_tip_.reset();
+  near_loop_.reset();
   if (!state.model) {
     gesture_ = Gesture::none;
     drag_.reset();
@@ -115,6 +117,9 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     const auto& point = press_->point;
     if (!edits.measuring && point && (edits.mold_choices.moves_faces || io.KeyCtrl)) {
       edits.ask(&Commands::move_face, point->facet);
+    } else if (press_->loop) {
+      auto& chosen = edits.mold_choices.loop;
+      chosen = chosen == press_->loop ? std::nullopt : press_->loop;
     } else if (!edits.measuring) {
       edits.ask(&Commands::choose_face, point ? std::optional(point->facet) : std::nullopt);
     } else if (point) {
@@ -128,6 +133,17 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
       const auto shown = arrow(state, frame, each);
       if (shown && glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) near_tip_ = each;
     }
+    const bool chooses = frame.line_shown && state.mold.line && !near_tip_ && !edits.measuring &&
+                         !edits.mold_choices.moves_faces && !io.KeyCtrl;
+    if (chooses) {
+      const auto surface =
+          state.hover ? std::optional(glm::dvec3(state.hover->point.position)) : std::nullopt;
+      near_loop_ = loop_under(*state.mold.line, state.camera,
+                              {.size = frame.size,
+                               .at = glm::dvec2(from_im(io.MousePos)),
+                               .reach_px = static_cast<double>(ui.px(k_line_reach)),
+                               .surface = surface});
+    }
     for (int button = 0; button < 3; ++button) {
       if (io.MouseClicked[button]) start(state, frame, button);
     }
@@ -140,7 +156,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     }
     hovers_ = !dragging() && !near_tip_;
   }
-  if (near_tip_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (near_tip_ || near_loop_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   // A press alone, or a hand that trembles, leaves what it holds as it is.
   if (drag_ && ImGui::IsMouseDragging(0, k_click_reach)) {
     if (drag_->arrow == Arrow::section) {
@@ -168,7 +184,7 @@ void Viewport::start(const AppState& state, const SceneFrame& frame, int button)
     return;
   }
   if (button == ImGuiMouseButton_Left)
-    press_ = Press{state.hover ? std::optional(state.hover->point) : std::nullopt};
+    press_ = Press{state.hover ? std::optional(state.hover->point) : std::nullopt, near_loop_};
   gesture_ = gesture_of(state.window.navigation, button, ImGui::GetIO());
   button_ = button;
   // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.
@@ -268,8 +284,22 @@ void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edit
   edits.dragging = true;
 }
 
+/// Above the cursor: what is said of the surface stands beside it.
+void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
+  if (!near_loop_ || !state.mold.line || *near_loop_ >= state.mold.line->loops.size()) return;
+  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const auto [name, figures] = loop_lines(state, *near_loop_);
+  const std::string text = fmt::format("{}  ·  {}", name, figures);
+  const glm::vec2 room = 0.5F * tag_size(ui, text);
+  const float right = ImGui::GetIO().DisplaySize.x - room.x;
+  const glm::vec2 at(std::clamp(mouse.x, room.x, std::max(right, room.x)), mouse.y - ui.px(16) - room.y);
+  ui.memory->controls["loop at the cursor"] = {at - room, at + room};
+  draw_tag(ui, at, text, ui.colours->text);
+}
+
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model) return;
+  draw_loop(ui, state);
   draw_height_handle(ui, state, frame.size,
                      drag_ ? drag_->arrow == Arrow::height : near_tip_ == Arrow::height);
   draw_side_arrow(ui, state, frame.size, drag_ ? drag_->arrow == Arrow::side : near_tip_ == Arrow::side);

@@ -16,8 +16,9 @@ enum class Gesture : std::uint8_t { none, orbit, pan, zoom };
 
 /// What the mouse needs to know of the picture.
 struct SceneFrame {
-  glm::ivec2 size{0};      // pixels
-  double open_mold = 0.0;  // as it is shown, [0, 1]
+  glm::ivec2 size{0};       // pixels
+  double open_mold = 0.0;   // as it is shown, [0, 1]
+  bool line_shown = false;  // the mold's parting line
 };
 
 /// An arrow on the screen.
@@ -61,10 +62,13 @@ class Viewport {
   glm::dvec3 pivot_{0.0};
   struct Press {
     std::optional<PickedPoint> point;  // of the part
+    std::optional<std::size_t> loop;   // of the parting line
   };
+  void draw_loop(const Ui& ui, const AppState& state) const;
   std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
   std::optional<ArrowDrag> drag_;
-  std::optional<Arrow> near_tip_;  // whose tip is under the cursor
+  std::optional<Arrow> near_tip_;         // whose tip is under the cursor
+  std::optional<std::size_t> near_loop_;  // of the parting line, under the cursor
   bool hovers_ = false;
 };
 
