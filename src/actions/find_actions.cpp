@@ -64,7 +64,6 @@ class Finder {
     revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_}, atoms_);
     split_the_rest();
     find_inserts();
-    drop_within_tolerance();
     const std::vector<Column> columns = find_columns();
     std::vector<CoverColumn> priced;
     for (const Column& column : columns) priced.push_back({column.atoms, cost(column.pull)});
@@ -159,41 +158,6 @@ class Finder {
       Atom& atom = atoms_[k];
       if (atom.wanted()) atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
     });
-  }
-
-  /// What pulls clear within the lateral tolerance is no undercut that a mold maker would see.
-  void drop_within_tolerance() {
-    constexpr auto k_dropped = std::numeric_limits<std::size_t>::max();
-    std::vector<char> kept(undercuts_.patches.size(), 0);
-    for (const Atom& atom : atoms_) {
-      const bool within =
-          std::ranges::any_of(atom.pulls, [&](const Pull& pull) { return pull.travel <= query_.lateral; });
-      if (!within) kept[atom.patch] = 1;
-    }
-    std::vector<std::size_t> number(kept.size(), 0), place(atoms_.size(), k_dropped);
-    std::vector<Undercut> patches;
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-      number[k] = patches.size();
-      if (kept[k] != 0) {
-        patches.push_back(std::move(undercuts_.patches[k]));
-      } else {
-        ++undercuts_.dropped;
-        undercuts_.dropped_area += undercuts_.patches[k].area;
-      }
-    }
-    undercuts_.patches = std::move(patches);
-    std::vector<Atom> atoms;
-    for (std::size_t k = 0; k < atoms_.size(); ++k) {
-      if (kept[atoms_[k].patch] == 0) continue;
-      place[k] = atoms.size();
-      atoms_[k].patch = number[atoms_[k].patch];
-      atoms.push_back(std::move(atoms_[k]));
-    }
-    atoms_ = std::move(atoms);
-    for (Column& column : revolved_) {
-      std::erase_if(column.atoms, [&](std::size_t atom) { return place[atom] == k_dropped; });
-      for (std::size_t& atom : column.atoms) atom = place[atom];
-    }
   }
 
   /// 1 for each atom that a thread or a ring releases.

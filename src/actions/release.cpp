@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "mold/exact_rays.hpp"
+#include "mold/map_frame.hpp"
 
 namespace moldlight {
 
@@ -19,6 +21,7 @@ constexpr double k_resolved = 1e-7;  // of a length
 constexpr double k_resolved_deg = 1e-4;
 constexpr double k_step_deg = 2.5;     // beyond it a turn goes on in equal steps
 constexpr double k_past = 1e-6;        // behind a facet that is not in the way
+constexpr double k_touching = 1e-6;    // no farther apart than the rounding of coordinates
 constexpr int k_most_passed = 1024;    // such facets along one ray
 constexpr int k_most_glides = 512;     // of them, along a way across the part at a draft of tau
 constexpr double k_least_sine = 1e-7;  // of tau: walls of a file in single precision lean by so much
@@ -94,6 +97,35 @@ bool Release::is_covered(const UndercutSample& sample) const {
 
 bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) const {
   return depth(glm::dvec3(sample.position) + query_.lateral * sample.normal, pull) > 0;
+}
+
+bool Release::is_shallow_at(const UndercutSample& sample) const {
+  constexpr int k_turns = 24;
+  if (model_.health.components > 1 && is_covered(sample)) return false;
+  const MapFrame frame = map_frame(query_.direction);
+  const glm::dvec3 from(start(sample, query_.direction));
+  for (int k = 0; k < k_turns; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / k_turns;
+    const glm::dvec3 aside = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+    for (const glm::dvec3& side : {query_.direction, -query_.direction}) {
+      // From a little before it, too, so that surface which touches it hides it.
+      const glm::vec3 before(from + query_.lateral * aside - k_touching * side);
+      if (clear(sample, aside, query_.lateral, side) &&
+          !model_.rays().first_hit(before, glm::vec3(side), true) &&
+          free_length(sample, aside) >= query_.lateral)
+        return true;
+    }
+  }
+  return false;
+}
+
+bool Release::is_shallow(std::span<const UndercutSample> samples) const {
+  double total = 0.0, deep = 0.0;
+  for (const UndercutSample& sample : samples) total += sample.area;
+  return std::ranges::all_of(samples, [&](const UndercutSample& sample) {
+    deep += is_shallow_at(sample) ? 0.0 : sample.area;
+    return deep <= k_blocked_share * total;
+  });
 }
 
 double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,

@@ -43,6 +43,9 @@ class Release {
   [[nodiscard]] bool is_covered(const UndercutSample& sample) const;
   /// Whether it is inside the part on its way along `pull`: surface of a body that another one covers.
   [[nodiscard]] bool covered(const UndercutSample& sample, const glm::dvec3& pull) const;
+  /// Whether each of them, but for k_blocked_share of their area, gets away from the part along the parting
+  /// direction or against it after a move of the lateral tolerance across it.
+  [[nodiscard]] bool is_shallow(std::span<const UndercutSample> samples) const;
   /// Area of the samples that move at least so far.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                  double length) const;
@@ -85,6 +88,7 @@ class Release {
   /// How many bodies a point (unit frame) is in, by what a ray from it crosses.
   [[nodiscard]] int depth(const glm::dvec3& from, const glm::dvec3& along) const;
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
+  [[nodiscard]] bool is_shallow_at(const UndercutSample& sample) const;
 
   const PartModel& model_;
   ExactQuery query_;

@@ -1,15 +1,18 @@
 #include "actions/undercut.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <unordered_map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <tbb/parallel_for.h>
 
+#include "actions/release.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/map_frame.hpp"
@@ -25,46 +28,101 @@ glm::dvec3 corner(const SplitMesh& split, PieceIndex piece, std::size_t k) {
   return split.vertices[split.pieces[piece].corners[k]];
 }
 
+/// A cube of the grid in which corners are looked for.
+struct GridCell {
+  std::int64_t x = 0, y = 0, z = 0;
+  bool operator==(const GridCell&) const = default;
+};
+struct GridCellHash {
+  std::size_t operator()(const GridCell& cell) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t value : {cell.x, cell.y, cell.z})
+      hash = std::rotl((hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U, 31);
+    return hash;
+  }
+};
+
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void take(const glm::dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  [[nodiscard]] bool meets(const Box& other, double reach) const {
+    return glm::all(glm::lessThanEqual(low - reach, other.high)) &&
+           glm::all(glm::lessThanEqual(other.low - reach, high));
+  }
+};
+
+/// Places in `pieces` of those that come as near as `reach` to the box around another patch: only they may
+/// join two of them.
+std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const PieceIndex> pieces,
+                                       double reach, UnionFind& joined) {
+  std::vector<Box> boxes(pieces.size());  // of patches, at their roots
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t place = 0; place < pieces.size(); ++place) {
+    const auto root = static_cast<std::uint32_t>(joined.find(place));
+    if (root == place) roots.push_back(root);
+    for (std::size_t k = 0; k < 3; ++k) boxes[root].take(corner(split, pieces[place], k));
+  }
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t place = 0; place < pieces.size(); ++place) {
+    const auto root = static_cast<std::uint32_t>(joined.find(place));
+    Box own;
+    for (std::size_t k = 0; k < 3; ++k) own.take(corner(split, pieces[place], k));
+    if (std::ranges::any_of(
+            roots, [&](std::uint32_t other) { return other != root && boxes[other].meets(own, reach); }))
+      near.push_back(place);
+  }
+  return near;
+}
+
 /// Joins pieces whose corners are within `reach` (model units) of each other and face the same way. Cells of
 /// the grid are as large as the reach, so that neighbours of a corner lie in the 27 cells around it.
 void join_near(const PartModel& model, const SplitMesh& split, std::span<const PieceIndex> pieces,
                double reach, UnionFind& joined) {
   if (reach <= 0.0) return;
+  constexpr double k_same_place = 0.1;  // of the reach
+  constexpr double k_same_facing = 0.9;
   struct Corner {
-    glm::dvec3 at;
+    glm::dvec3 at, facing;
     std::uint32_t place;  // in `pieces`
   };
-  std::map<std::array<std::int64_t, 3>, std::vector<Corner>> grid;
+  std::unordered_map<GridCell, std::vector<Corner>, GridCellHash> grid;
   const auto cell_of = [&](const glm::dvec3& at) {
     const glm::dvec3 cell = glm::floor((at - model.frame.center) / reach);
-    return std::array<std::int64_t, 3>{static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
-                                       static_cast<std::int64_t>(cell.z)};
+    return GridCell{static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
+                    static_cast<std::int64_t>(cell.z)};
   };
-  for (std::uint32_t place = 0; place < pieces.size(); ++place) {
+  for (const std::uint32_t place : near_others(split, pieces, reach, joined)) {
     const glm::dvec3& normal = model.geometry.normals[split.pieces[pieces[place]].facet];
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 at = corner(split, pieces[place], k);
-      const auto [x, y, z] = cell_of(at);
+      const GridCell cell = cell_of(at);
+      std::vector<Corner>& here = grid[cell];
+      // One of a patch in a place, facing one way, is enough.
+      const bool known = std::ranges::any_of(here, [&](const Corner& other) {
+        return glm::distance(other.at, at) <= k_same_place * reach &&
+               glm::dot(other.facing, normal) > k_same_facing &&
+               joined.find(other.place) == joined.find(place);
+      });
+      if (known) continue;
       for (int around = 0; around < 27; ++around) {
-        const auto found = grid.find({x + around % 3 - 1, y + around / 3 % 3 - 1, z + around / 9 - 1});
+        const auto found =
+            grid.find({cell.x + around % 3 - 1, cell.y + around / 3 % 3 - 1, cell.z + around / 9 - 1});
         if (found == grid.end()) continue;
         for (const Corner& other : found->second) {
-          const glm::dvec3& facing = model.geometry.normals[split.pieces[pieces[other.place]].facet];
-          if (glm::distance(other.at, at) <= reach && glm::dot(facing, normal) > 0.0)
+          if (glm::distance(other.at, at) <= reach && glm::dot(other.facing, normal) > 0.0)
             joined.join(place, other.place);
         }
       }
-      std::vector<Corner>& here = grid[{x, y, z}];
-      // One of a patch in a place is enough.
-      const bool known = std::ranges::any_of(here, [&](const Corner& other) {
-        return joined.find(other.place) == joined.find(place) && glm::distance(other.at, at) <= 0.1 * reach;
-      });
-      if (!known) here.push_back({at, place});
+      here.push_back({at, normal, place});
     }
   }
 }
 
-void measure(const SplitMesh& split, const glm::dvec3& direction, Undercut& patch) {
+void measure_area(const SplitMesh& split, Undercut& patch) {
   glm::dvec3 sum(0.0);
   for (const PieceIndex piece : patch.pieces) {
     const double area = piece_area(split, split.pieces[piece]);
@@ -73,6 +131,9 @@ void measure(const SplitMesh& split, const glm::dvec3& direction, Undercut& patc
   }
   const glm::dvec3 any = corner(split, patch.pieces.front(), 0);
   patch.centre = patch.area > 0.0 ? sum / patch.area : any;
+}
+
+void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Undercut& patch) {
   const MapFrame frame = map_frame(direction);
   const auto extent = [&](const glm::dvec3& along) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -106,35 +167,73 @@ bool fits(const SplitMesh& split, const Undercut& patch, double radius) {
 
 }  // namespace
 
-Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query) {
+namespace {
+
+/// Without their extents.
+Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query) {
   std::vector<PieceIndex> pieces;
   for (PieceIndex piece = 0; piece < split.pieces.size(); ++piece) {
     if (split.pieces[piece].region == Region::undercut) pieces.push_back(piece);
   }
   UnionFind joined(pieces.size());
-  std::unordered_map<VertexIndex, std::uint32_t> at_vertex;
+  constexpr std::uint32_t k_none = ~0U;
+  std::vector<std::uint32_t> at_vertex(split.vertices.size(), k_none);  // a place in `pieces`
   for (std::uint32_t place = 0; place < pieces.size(); ++place) {
-    for (const VertexIndex vertex : split.pieces[pieces[place]].corners)
-      joined.join(place, at_vertex.try_emplace(vertex, place).first->second);
+    for (const VertexIndex vertex : split.pieces[pieces[place]].corners) {
+      if (at_vertex[vertex] == k_none) {
+        at_vertex[vertex] = place;
+      } else {
+        joined.join(place, at_vertex[vertex]);
+      }
+    }
   }
   const double lateral = query.lateral * model.frame.diagonal;
   join_near(model, split, pieces, 2.0 * lateral, joined);
 
-  std::map<std::uint32_t, Undercut> patches;
-  for (std::uint32_t place = 0; place < pieces.size(); ++place)
-    patches[static_cast<std::uint32_t>(joined.find(place))].pieces.push_back(pieces[place]);
+  std::vector<std::uint32_t> number(pieces.size(), k_none);  // of the patch, at its root
+  std::vector<Undercut> all;
+  for (std::uint32_t place = 0; place < pieces.size(); ++place) {
+    std::uint32_t& patch = number[joined.find(place)];
+    if (patch == k_none) {
+      patch = static_cast<std::uint32_t>(all.size());
+      all.emplace_back();
+    }
+    all[patch].pieces.push_back(pieces[place]);
+  }
+  std::vector<char> kept(all.size(), 0);
+  const Release release(model, query);
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
+    constexpr std::size_t k_asked = 48;
+    Undercut& patch = all[k];
+    measure_area(split, patch);
+    if (patch.area <= std::numbers::pi * lateral * lateral || fits(split, patch, lateral)) return;
+    kept[k] = release.is_shallow(sample_undercut(model, split, patch, k_asked)) ? 0 : 1;
+  });
   Undercuts found;
-  for (auto& [root, patch] : patches) {
-    measure(split, query.direction, patch);
-    if (patch.area <= std::numbers::pi * lateral * lateral || fits(split, patch, lateral)) {
-      ++found.dropped;
-      found.dropped_area += patch.area;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (kept[k] != 0) {
+      found.patches.push_back(std::move(all[k]));
     } else {
-      found.patches.push_back(std::move(patch));
+      ++found.dropped;
+      found.dropped_area += all[k].area;
     }
   }
   std::ranges::stable_sort(found.patches, std::greater(), &Undercut::area);
   return found;
+}
+
+}  // namespace
+
+Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query) {
+  Undercuts found = join_undercuts(model, split, query);
+  for (Undercut& patch : found.patches) measure_extents(split, query.direction, patch);
+  return found;
+}
+
+std::size_t count_undercuts(const PartModel& model, const ExactQuery& query,
+                            std::span<const FacetIndex> facets, const Progress& progress) {
+  return join_undercuts(model, exact_split_around(model.exact(progress), query, facets, progress), query)
+      .patches.size();
 }
 
 std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitMesh& split,

@@ -24,7 +24,8 @@ struct Undercut {
 
 struct Undercuts {
   std::vector<Undercut> patches;  // the largest first
-  std::size_t dropped = 0;        // patches that fit into a disc of the lateral tolerance, or are smaller
+  std::size_t dropped = 0;        // patches that fit into a disc of the lateral tolerance or are smaller, or
+                                  // of which no point is farther than that, across d, from where it is free
   double dropped_area = 0.0;
 };
 
@@ -32,6 +33,11 @@ struct Undercuts {
 /// each other as twice the lateral tolerance on surface that faces the same way.
 [[nodiscard]] Undercuts find_undercuts(const PartModel& model, const SplitMesh& split,
                                        const ExactQuery& query);
+
+/// How many patches they are, where these facets have undercut, and no others. Takes less than the exact
+/// regions. Throws Cancelled.
+[[nodiscard]] std::size_t count_undercuts(const PartModel& model, const ExactQuery& query,
+                                          std::span<const FacetIndex> facets, const Progress& progress);
 
 /// A point of an undercut, and the surface there.
 struct UndercutSample {

@@ -30,12 +30,12 @@ struct Figures {
   std::shared_ptr<const PieceSamples> samples = {};  // of the split mesh, for comparing the maps with it
   // Of the maps that tell the regions shown; none if they do not.
   std::shared_ptr<const MapComparison> maps = {};
-  std::size_t undercuts = 0;   // connected patches
-  bool stale = false;          // of other settings than the present ones
-  bool pale = false;           // so for long enough to be shown as such
-  bool measuring = false;      // more is to come: other figures, or the split mesh
-  std::uint64_t revision = 0;  // rises when others are shown
-  std::string error = {};      // why there are none
+  std::optional<std::size_t> undercuts = {};  // how many; not told while the direction moves
+  bool stale = false;                         // of other settings than the present ones
+  bool pale = false;                          // so for long enough to be shown as such
+  bool measuring = false;                     // more is to come: other figures, or the split mesh
+  std::uint64_t revision = 0;                 // rises when others are shown
+  std::string error = {};                     // why there are none
 };
 
 struct Loading {

@@ -1,4 +1,5 @@
-// Connected undercut patches: each needs a side action (or a change of the part) of its own.
+// Undercut patches of whole facets, as far as facets tell: what an overlap of bodies may put in doubt
+// together.
 #pragma once
 
 #include <vector>

@@ -61,8 +61,8 @@ constexpr DirectionFigure k_figures[] = {
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.measured ? Found(f.classification.reverse_draft.area) : std::nullopt; }},
     {"patches", "undercuts", FigureKind::count,
-     "Connected patches of undercut surface, specks left out; as side actions count them where they are "
-     "found.",
+     "How many undercuts there are: connected patches of undercut surface, without what is clear within the "
+     "lateral tolerance.",
      Use{.objective = true, .brief = true, .yields = true},
      [](const Facts& f) {
        if (f.actions != nullptr) return Found(static_cast<double>(f.actions->patches));

@@ -22,7 +22,7 @@ struct DirectionFacts {
   const Classification& classification;  // what classify gives; before that what the score tells
   double draw_depth = 0.0;
   bool measured = false;                    // not by its score alone
-  std::optional<std::size_t> patches = {};  // connected undercut patches
+  std::optional<std::size_t> patches = {};  // how many undercuts
   std::optional<TiltMargin> tilt = {};
   std::optional<LineFigures> parting = {};
   const DirectionActions* actions = nullptr;  // once they are found

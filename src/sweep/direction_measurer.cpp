@@ -4,8 +4,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "actions/undercut.hpp"
 #include "base/error.hpp"
-#include "mold/patches.hpp"
 
 namespace moldlight {
 
@@ -15,15 +15,26 @@ std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3
   std::optional<Classification> found = classify_exact_within(model_, {direction, method_}, limit, progress);
   if (!found) return std::nullopt;
   const FacetFractions fractions = std::exchange(found->facet_fractions, {});
-  MeasuredDirection measured{.classification = std::move(*found),
-                             .patches = undercut_patches(fractions, model_.geometry, model_.adjacency).count,
-                             .undercut_facets = {}};
+  MeasuredDirection measured{.classification = std::move(*found), .undercut_facets = {}};
   for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
     if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
       measured.undercut_facets.push_back(facet);
   }
-  if (with_parting_) measured.parting = line_figures(model_, {direction, method_}, progress);
+  find_beside(measured, beside_, progress);
   return measured;
+}
+
+void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredBeside& asked,
+                                    const Progress& progress) const {
+  const Query query{measured.classification.direction, method_};
+  if (asked.patches && !measured.patches)
+    measured.patches =
+        count_undercuts(model_, exact_query(model_, query), measured.undercut_facets, progress);
+  if (asked.parting && !measured.parting) measured.parting = line_figures(model_, query, progress);
+}
+
+void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {
+  arena_.execute([&] { find_beside(measured, {.patches = true, .parting = true}, progress); });
 }
 
 std::vector<std::optional<MeasuredDirection>> DirectionMeasurer::measure(std::span<const ScoringTask> tasks,

@@ -20,16 +20,23 @@ namespace moldlight {
 /// What classify says of a direction, without the facets' fractions.
 struct MeasuredDirection {
   Classification classification;
-  std::size_t patches = 0;                  // connected undercut patches
   std::vector<FacetIndex> undercut_facets;  // those with some undercut
-  std::optional<LineFigures> parting = {};  // where the measurer was asked for it
+  // Where the measurer was asked for it:
+  std::optional<std::size_t> patches = {};  // how many undercuts
+  std::optional<LineFigures> parting = {};
+};
+
+/// What else is found of a direction, each in about the time that the regions take.
+struct MeasuredBeside {
+  bool patches = false, parting = false;
 };
 
 class DirectionMeasurer {
  public:
-  /// `jobs`: the number of threads. `with_parting`: the parting line is found, too, in about twice the time.
-  DirectionMeasurer(const PartModel& model, const MethodSettings& method, int jobs, bool with_parting = false)
-      : model_(model), method_(method), with_parting_(with_parting), arena_(arena_threads(jobs)) {}
+  /// `jobs`: the number of threads.
+  DirectionMeasurer(const PartModel& model, const MethodSettings& method, int jobs,
+                    const MeasuredBeside& beside = {})
+      : model_(model), method_(method), beside_(beside), arena_(arena_threads(jobs)) {}
 
   /// In the order of the tasks, whatever the number of threads; nothing where the undercut area is certain to
   /// be above the task's limit, for what is not begun when `stop` says so, and for what `progress` cancels.
@@ -39,14 +46,18 @@ class DirectionMeasurer {
                                                                       const Progress& progress,
                                                                       const std::function<bool()>& stop);
 
+  /// Finds what else there is of a direction, as far as it is not known. Throws Cancelled.
+  void complete(MeasuredDirection& measured, const Progress& progress);
+
  private:
+  void find_beside(MeasuredDirection& measured, const MeasuredBeside& asked, const Progress& progress) const;
   [[nodiscard]] std::optional<MeasuredDirection> measure_one(const glm::dvec3& direction,
                                                              const UndercutLimit& limit,
                                                              const Progress& progress) const;
 
   const PartModel& model_;
   MethodSettings method_;
-  bool with_parting_;
+  MeasuredBeside beside_;
   tbb::task_arena arena_;
 };
 

@@ -39,9 +39,10 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
   for (Objective::Term& term : before_actions_.terms) {
     if (term.figure->use.of_actions) term.figure = &direction_figure("undercut");
     by_undercut_alone_ = by_undercut_alone_ && term.figure == &direction_figure("undercut");
+    if (term.figure == &direction_figure("patches")) beside_.patches = true;
     if (term.figure == &direction_figure("parting_climb") ||
         term.figure == &direction_figure("parting_length"))
-      by_parting_ = true;
+      beside_.parting = true;
   }
   undercut_weight_ = weight_of_undercut(before_actions_);
 }
@@ -71,7 +72,7 @@ DirectionFacts DirectionRating::facts(const Classification& classification,
           .classification = classification,
           .draw_depth = high >= low ? high - low : 0.0,
           .measured = measured != nullptr,
-          .patches = measured != nullptr ? std::optional(measured->patches) : std::nullopt,
+          .patches = measured != nullptr ? measured->patches : std::nullopt,
           .parting = measured != nullptr ? measured->parting : std::nullopt};
 }
 

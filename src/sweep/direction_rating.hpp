@@ -38,8 +38,8 @@ class DirectionRating {
   }
   /// As far as it is known before side actions are.
   [[nodiscard]] bool by_undercut_alone() const { return by_undercut_alone_; }
-  /// Whether the objective asks for the parting line.
-  [[nodiscard]] bool by_parting() const { return by_parting_; }
+  /// What the objective asks for beside regions and side actions.
+  [[nodiscard]] const MeasuredBeside& beside() const { return beside_; }
   [[nodiscard]] bool by_actions() const { return by_actions_; }
 
   /// What a score tells of what classify would give.
@@ -58,7 +58,8 @@ class DirectionRating {
   PartMeasure measure_;
   Objective before_actions_;
   double undercut_weight_ = 0.0;  // of the objective before side actions are known
-  bool by_undercut_alone_ = true, by_parting_ = false, by_actions_ = false;
+  bool by_undercut_alone_ = true, by_actions_ = false;
+  MeasuredBeside beside_;
 };
 
 }  // namespace moldlight

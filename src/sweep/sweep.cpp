@@ -62,7 +62,7 @@ class SweepRun {
         listener_(listener),
         rating_(model_, settings_),
         pools_(std::move(model), settings_),
-        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs), rating_.by_parting()),
+        measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs), rating_.beside()),
         actions_(model_, settings_.method, settings_.action_settings, ScoringPool::threads(settings.jobs)),
         limit_(wanted(), settings.apart_deg) {
     validate(settings.method, model_.frame.diagonal);
@@ -106,9 +106,8 @@ class SweepRun {
   void list();
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
-                                                const std::optional<TiltMargin>& tilt,
-                                                const std::optional<LineFigures>& parting);
-  [[nodiscard]] std::vector<std::optional<LineFigures>> parting_lines(const std::vector<Contender>& listed);
+                                                const std::optional<TiltMargin>& tilt);
+  void complete(std::vector<Contender>& listed);
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
   /// Undercut area above which a direction is surely not among the listed ones, by what is scored so far.
   [[nodiscard]] double listing_limit() const;
@@ -336,8 +335,7 @@ void SweepRun::polish_best() {
   }
 }
 
-SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt,
-                                          const std::optional<LineFigures>& parting) {
+SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std::optional<TiltMargin>& tilt) {
   SweepCandidate listed;
   listed.candidate = contender.candidate;
   listed.measured = contender.measured != nullptr;
@@ -354,7 +352,6 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   }
   DirectionFacts facts = rating_.facts(classification, contender.measured.get());
   facts.tilt = tilt;
-  if (!facts.parting) facts.parting = parting;
   if (contender.actions) facts.actions = &*contender.actions;
   listed.figures = find_figures(facts);
   return listed;
@@ -402,10 +399,11 @@ void SweepRun::find_side_actions() {
 }
 
 void SweepRun::list() {
-  const std::vector<Contender> listed =
-      rating_.by_actions() ? contenders_to_list(rating_, contenders_, contender_order(),
-                                                {.most = top(), .apart_deg = settings_.apart_deg})
-                           : std::move(contenders_);
+  std::vector<Contender> listed = rating_.by_actions()
+                                      ? contenders_to_list(rating_, contenders_, contender_order(),
+                                                           {.most = top(), .apart_deg = settings_.apart_deg})
+                                      : std::move(contenders_);
+  complete(listed);
   const bool all_measured =
       std::ranges::all_of(listed, [](const Contender& c) { return c.measured != nullptr; });
   std::vector<RankedFigures> figures;
@@ -418,11 +416,13 @@ void SweepRun::list() {
   if (!std::ranges::all_of(listed, [](const Contender& c) { return c.actions.has_value(); })) {
     for (RankedFigures& each : figures) each.actions = each.travel = 0.0;
   }
+  if (!std::ranges::all_of(listed, [](const Contender& c) { return c.measured && c.measured->patches; })) {
+    for (RankedFigures& each : figures) each.patches = 0.0;
+  }
   const Ranking ranking = rating_.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
-  const std::vector<std::optional<LineFigures>> lines = parting_lines(listed);
   for (const std::size_t i : ranking.order) {
-    SweepCandidate candidate = listed_candidate(listed[i], tilts[i], lines[i]);
+    SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
     candidate.rank = result_.candidates.size() + 1;
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
@@ -435,7 +435,6 @@ void SweepRun::list() {
 std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
   const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
   std::vector<std::optional<TiltMargin>> margins(listed.size());
-  clock_.report(sweep_stage::k_final, 0.0);
   std::mutex mutex;
   std::size_t done = 0;
   tbb::task_arena arena(arena_threads(result_.jobs));
@@ -451,22 +450,20 @@ std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<
   return margins;
 }
 
-/// Of every measured contender that does not have it yet, as far as there is time.
-std::vector<std::optional<LineFigures>> SweepRun::parting_lines(const std::vector<Contender>& listed) {
-  std::vector<std::optional<LineFigures>> lines(listed.size());
-  tbb::task_arena arena(arena_threads(result_.jobs));
-  arena.execute([&] {
-    for (std::size_t i = 0; i < listed.size() && !clock_.stopped(); ++i) {
-      if (!listed[i].measured || listed[i].measured->parting) continue;
-      try {
-        lines[i] =
-            line_figures(model_, {listed[i].candidate.direction, settings_.method}, clock_.until_cancelled());
-      } catch (const Cancelled&) {
-        return;
-      }
+/// Of every measured contender what is not known yet, as far as there is time.
+void SweepRun::complete(std::vector<Contender>& listed) {
+  clock_.report(sweep_stage::k_final, 0.0);
+  for (Contender& contender : listed) {
+    if (!contender.measured) continue;
+    const auto measured = std::make_shared<MeasuredDirection>(*contender.measured);
+    if (contender.actions) measured->patches = contender.actions->patches;
+    try {
+      if (!clock_.stopped()) measurer_.complete(*measured, clock_.until_cancelled());
+    } catch (const Cancelled&) {
     }
-  });
-  return lines;
+    contender.figures.patches = static_cast<double>(measured->patches.value_or(0));
+    contender.measured = measured;
+  }
 }
 
 }  // namespace

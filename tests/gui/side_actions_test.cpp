@@ -94,6 +94,7 @@ TEST_F(SideActions, AreToldInTheVerdictAndListed) {
   open_lid();
   EXPECT_NE(sentence().find(" · 1 slide, 2 lifters"), std::string::npos) << sentence();
   ASSERT_GE(plan().patches.size(), 3U);
+  EXPECT_EQ(state().figures.undercuts, plan().patches.size()) << "as they are counted before there is a list";
   for (std::size_t k = 1; k <= plan().patches.size(); ++k)
     EXPECT_TRUE(window.app().controls().contains("undercut " + std::to_string(k)) || k > 6) << k;
   const auto texts = window.app().texts();

@@ -11,6 +11,8 @@
 
 #include "actions/side_action.hpp"
 #include "support/shared_parts.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 namespace {
@@ -86,6 +88,39 @@ TEST(RealParts, ClipHasThreeSlidesOfWhichTwoAreOne) {
   const RealPlan apart = plan_of(shipped("cable_clip.stl"), alone);
   EXPECT_EQ(actions_text(apart.plan), "3 slides");
   EXPECT_TRUE(apart.plan.unreleased.empty());
+}
+
+/// A sweep that looks for no side actions counts the undercuts that their list would have.
+TEST(RealParts, UndercutsAreCountedAlikeWithAndWithoutSideActions) {
+  std::vector<std::filesystem::path> paths;
+  for (const char* name : {"bottle_cap.stl", "cable_clip.stl", "enclosure_lid.stl", "tilted_bracket.stl"})
+    paths.push_back(shipped(name));
+  if (const auto shared = test::shared_folder()) {
+    for (const char* name : {"framework_expansion_card.stl", "m5_stamplc_face_shell.stl", "so101_base.stl",
+                             "odri_pulley_t30_output.stl", "trimesh_fixed_top.ply"})
+      paths.push_back(*shared / "parts" / name);
+  }
+  std::size_t greatest = 0;
+  for (const std::filesystem::path& path : paths) {
+    const auto model = load_part(path.string(), {}, Progress());
+    SweepSettings settings;
+    settings.directions = 20;
+    settings.refine = 0;
+    settings.top = 2;
+    settings.user_directions = {{0.3, 0.5, 0.8}};
+    const SweepResult result = run_sweep(model, settings, Progress(), {});
+    ASSERT_FALSE(result.candidates.empty());
+    for (const SweepCandidate& candidate : result.candidates) {
+      const Classification split = classify_exact(*model, candidate.classification.query(), Progress(), true);
+      const ActionPlan plan = find_actions(*model, split, {}, Progress());
+      EXPECT_EQ(figure_value(direction_figure("patches"), candidate),
+                static_cast<double>(plan.patches.size()))
+          << path.filename() << " along " << split.direction.x << ", " << split.direction.y << ", "
+          << split.direction.z;
+      greatest = std::max(greatest, plan.patches.size());
+    }
+  }
+  EXPECT_GT(greatest, 5U);
 }
 
 /// Between hook and wall a rib stands in the way of a lifter that goes along the wall.

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "actions/undercut.hpp"
 #include "base/error.hpp"
 #include "classify/classifier.hpp"
 #include "classify/figure_pace.hpp"
-#include "mold/patches.hpp"
 
 namespace moldlight::gui {
 
@@ -29,18 +29,18 @@ class Measurer::Worker {
   explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
 
   Outcome measure(const Request& request, const Progress& progress) {
-    Outcome outcome{.request = request, .classification = {}, .undercuts = 0, .samples = {}, .error = {}};
+    Outcome outcome{.request = request, .classification = {}, .undercuts = {}, .samples = {}, .error = {}};
     try {
       outcome.classification =
           request.query.method.readout == Readout::exact
               ? classify_exact(*request.model, request.query, progress, request.with_split)
               : classifier(request).classify(request.query, progress, request.with_split);
       const PartModel& model = *request.model;
-      outcome.undercuts =
-          undercut_patches(outcome.classification->facet_fractions, model.geometry, model.adjacency).count;
-      if (const auto& split = outcome.classification->split)
+      if (const auto& split = outcome.classification->split) {
+        outcome.undercuts = find_undercuts(model, *split, exact_query(model, request.query)).patches.size();
         outcome.samples =
             std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
+      }
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
@@ -118,7 +118,6 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
 
 void Measurer::take(Outcome outcome, Figures& figures) {
   figures.shown = std::move(outcome.classification);
-  figures.undercuts = outcome.undercuts;
   figures.error = std::move(outcome.error);
   ++figures.revision;
   if (!figures.shown) return;
@@ -126,9 +125,12 @@ void Measurer::take(Outcome outcome, Figures& figures) {
   if (figures.shown->split) {
     figures.split = figures.shown->split;
     figures.samples = std::move(outcome.samples);
+    figures.undercuts = outcome.undercuts;
     split_of_ = inputs;
   } else if (split_of_ == inputs) {
     figures.shown->split = figures.split;
+  } else {
+    figures.undercuts.reset();
   }
 }
 

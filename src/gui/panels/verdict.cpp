@@ -13,7 +13,9 @@ namespace moldlight::gui {
 
 namespace {
 
-std::string undercuts_text(std::size_t count) {
+std::string undercuts_text(std::optional<std::size_t> known) {
+  if (!known) return "Undercut";
+  const std::size_t count = *known;
   if (count == 0) return "Undercut in specks";
   return count == 1 ? "1 undercut" : fmt::format("{} undercuts", grouped(std::to_string(count)));
 }
@@ -74,9 +76,7 @@ Verdict verdict_of(const AppState& state) {
   }
   const ActionsState& actions = state.actions;
   const bool planned = is_settled(actions) && !actions.plan->patches.empty();
-  // As the list of side actions counts them, once there is one.
-  const std::size_t count = planned ? actions.plan->patches.size() : state.figures.undercuts;
-  verdict.sentence = fmt::format("{}, {} {}", undercuts_text(count),
+  verdict.sentence = fmt::format("{}, {} {}", undercuts_text(state.figures.undercuts),
                                  grouped(FigureColumn(here.total_area).text(here.areas[Region::undercut])),
                                  powered_unit(state.model->part, 2));
   if (planned) verdict.sentence += " · " + taken_text(*actions.plan);

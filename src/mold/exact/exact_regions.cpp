@@ -409,6 +409,31 @@ ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Pro
   return {summed(part, outcomes), assembly.finish(progress)};
 }
 
+SplitMesh exact_split_around(const ExactPart& part, const ExactQuery& query,
+                             std::span<const FacetIndex> facets, const Progress& progress) {
+  const ProjectedPart projected(part, query.direction, progress);
+  progress.report("computing regions", 0.0);
+  // Points on the edges between them and others come from both.
+  std::vector<FacetIndex> around(facets.begin(), facets.end());
+  for (const FacetIndex facet : facets) {
+    for (const std::uint32_t number : part.side_edges()[facet]) {
+      if (number == ExactPart::k_no_edge) continue;
+      const ExactEdge& edge = part.edges()[number];
+      const FacetIndex other = edge.left == facet ? edge.right : edge.left;
+      if (other != k_no_facet) around.push_back(other);
+    }
+  }
+  std::ranges::sort(around);
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  Splitters splitters = splitters_for(projected, query, progress);
+  SplitAssembly assembly(part);
+  visit_facets(splitters, around, progress, [&](FacetSplitter& splitter, FacetIndex facet) {
+    splitter.split(facet, true);
+    assembly.add(facet, splitter.cells());
+  });
+  return assembly.finish(progress);
+}
+
 std::optional<ExactAreas> exact_areas_within(const ExactPart& part, const ExactQuery& query,
                                              const UndercutLimit& limit, const Progress& progress) {
   const ProjectedPart projected(part, query.direction, progress);

@@ -50,6 +50,11 @@ struct ExactSplit {
 [[nodiscard]] ExactSplit exact_split(const ExactPart& part, const ExactQuery& query,
                                      const Progress& progress);
 
+/// The mesh of exact_split() around these facets, each once: theirs are its pieces, in the same order and
+/// with the same corners; what is not beside them is of the region `both`.
+[[nodiscard]] SplitMesh exact_split_around(const ExactPart& part, const ExactQuery& query,
+                                           std::span<const FacetIndex> facets, const Progress& progress);
+
 /// When a direction is hopeless: its undercut area is certain to be above `undercut` (model units squared).
 struct UndercutLimit {
   double undercut = std::numeric_limits<double>::infinity();
