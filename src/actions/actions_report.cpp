@@ -39,6 +39,28 @@ Json facets_json(const Part& part, const std::vector<FacetIndex>& facets) {
   return list;
 }
 
+Json window_json(const Part& part, const UndercutWindow& window) {
+  Json polygon = Json::array();
+  for (const std::vector<glm::dvec3>& loop : window.loops) {
+    Json points = Json::array();
+    for (const glm::dvec3& point : loop) points.push_back(vector_json(point));
+    polygon.push_back(std::move(points));
+  }
+  return {{"side", side_name(window.core_side)},
+          {"area", window.area},
+          {"polygon", polygon},
+          {"through",
+           {{"facets", facets_json(part, window.through)},
+            {"place", vector_json(window.place)},
+            {"thickness", {window.least_thickness, window.thickness}}}}};
+}
+
+Json change_json(const Part& part, const ToBeFree& change) {
+  return {{"depth", change.depth ? Json(*change.depth) : Json()},
+          {"direction", change.direction ? vector_json(*change.direction) : Json()},
+          {"window", change.window ? window_json(part, *change.window) : Json()}};
+}
+
 Json patch_json(const Part& part, const UndercutReport& patch, std::size_t number) {
   return {{"id", number},
           {"area", patch.undercut.area},
@@ -116,10 +138,35 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
+/// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm".
+std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
+  std::string text;
+  if (change.depth) text = fmt::format("cut back by {} {}", figure(*change.depth), unit);
+  if (const auto& window = change.window) {
+    const std::string least = fmt::format("{:.3g}", window->least_thickness);
+    const std::string greatest = fmt::format("{:.3g}", window->thickness);
+    text += fmt::format("{}opened towards {} by a window of {} {} through {}{} {}",
+                        text.empty() ? "" : ", or ", side_name(window->core_side), figure(window->area),
+                        area_unit, least == greatest ? "" : least + " to ", greatest, unit);
+  }
+  return text.empty() ? "-" : text;
+}
+
+std::string changes_text(std::span<const ToBeFree> changes, const std::string& unit,
+                         const std::string& area_unit) {
+  constexpr std::size_t k_most = 6;
+  if (changes.empty()) return "";
+  std::string text = "\nWithout side actions, what reaches over an undercut would have to be\n";
+  for (std::size_t k = 0; k < std::min(changes.size(), k_most); ++k)
+    text += fmt::format("{:>4}  {}\n", k + 1, change_text(changes[k], unit, area_unit));
+  if (changes.size() > k_most) text += fmt::format("   …  {} in all\n", changes.size());
+  return text;
+}
+
 }  // namespace
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
-  const auto& [model, result, settings, plan] = report;
+  const auto& [model, result, settings, plan, changes] = report;
   Json json;
   json["schema"] = "moldlight.actions/1";
   json["part"] = part_json(model, result.warnings);
@@ -127,8 +174,10 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   json["settings"] = options_json(method_options(), result.settings);
   json["settings"].update(options_json(action_options(), settings));
   json["patches"] = Json::array();
-  for (std::size_t k = 0; k < plan.patches.size(); ++k)
+  for (std::size_t k = 0; k < plan.patches.size(); ++k) {
     json["patches"].push_back(patch_json(model.part, plan.patches[k], k + 1));
+    json["patches"].back()["to_be_free"] = k < changes.size() ? change_json(model.part, changes[k]) : Json();
+  }
   json["actions"] = Json::array();
   for (const SideAction& action : plan.actions) json["actions"].push_back(action_json(action));
   json["unreleased"] = {{"area", plan.unreleased_area}, {"patches", numbers_json(plan.unreleased)}};
@@ -138,7 +187,7 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
 }
 
 std::string actions_table(const ActionsReport& report) {
-  const auto& [model, result, settings, plan] = report;
+  const auto& [model, result, settings, plan, changes] = report;
   const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
   const FigureColumn areas(result.total_area), lengths(10.0 * model.frame.diagonal);
   std::string text = fmt::format("{}: {} undercut{} along {}, {} {} ({})\n", part_name(model.part),
@@ -171,6 +220,7 @@ std::string actions_table(const ActionsReport& report) {
                    figure(plan.dropped_area), area_unit);
   text += plan.optimal ? "No cheaper set of the actions that were tried releases as much.\n"
                        : "A cheaper set may exist: the search for the least was given up.\n";
+  text += changes_text(changes, unit, area_unit);
   return text;
 }
 

@@ -1,11 +1,13 @@
 // The report on side actions: a table for people, JSON and CSV for programs.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "actions/side_action.hpp"
+#include "actions/to_be_free.hpp"
 
 namespace moldlight {
 
@@ -15,13 +17,14 @@ struct ActionsReport {
   const Classification& result;
   const ActionSettings& settings;
   const ActionPlan& plan;
+  std::span<const ToBeFree> changes = {};  // of each patch; empty where they were not looked for
 };
 
 /// Schema `moldlight.actions/1`. Lengths and areas are in the part's unit, angles in degrees; what does not
 /// apply or is without end is null. Patches are numbered from 1, the largest first.
 [[nodiscard]] nlohmann::ordered_json actions_json(const ActionsReport& report);
 
-/// The actions with what they release, then what nothing does.
+/// The actions with what they release, then what nothing does, then what to change to do without.
 [[nodiscard]] std::string actions_table(const ActionsReport& report);
 
 /// A line a patch, with the action that releases it; a heading line names the columns.

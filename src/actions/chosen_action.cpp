@@ -30,9 +30,9 @@ std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vec
   return chosen;
 }
 
-/// The least travel of a lifter at which the deepest corners are clear, too; as it is where that would be
-/// longer by more than a twentieth.
-double with_corners(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
+}  // namespace
+
+double clear_length(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
   constexpr double k_resolved = 1e-7;
   double bad = way.length;
   for (const double longer : {1.002, 1.01, 1.05}) {
@@ -46,8 +46,6 @@ double with_corners(const Release& release, std::span<const UndercutSample> samp
   }
   return bad;
 }
-
-}  // namespace
 
 SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms, const Column& column) {
   const Release& release = context.pulls.release();
@@ -67,7 +65,7 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
     const glm::dvec3& axis = context.pulls.direction();
     LifterWay way{pull.direction, pull.core_side ? axis : -axis, pull.travel};
     way.length = pull.travel =
-        with_corners(release, deepest(context, atoms, column, samples, pull.direction), way);
+        clear_length(release, deepest(context, atoms, column, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     double room = std::numeric_limits<double>::infinity();
     for (const UndercutSample& sample : samples)

@@ -1,6 +1,7 @@
 // A side action as it is told: its travel and what it may turn by as exact as they get.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "actions/atom.hpp"
@@ -15,6 +16,11 @@ struct ChosenContext {
   const ActionSettings& settings;
   double unit_per_mm = 1.0;
 };
+
+/// The least travel of a lifter, from the way's own on, at which the samples are clear; the way's own where
+/// that would be longer by more than a twentieth. Share of the diagonal.
+[[nodiscard]] double clear_length(const Release& release, std::span<const UndercutSample> samples,
+                                  LifterWay way);
 
 [[nodiscard]] SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms,
                                        const Column& column);

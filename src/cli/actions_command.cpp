@@ -44,7 +44,8 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   const Classification result = classify_exact(*model, query, progress, true);
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionPlan plan = find_actions(*model, result, flags.settings, progress);
-  const ActionsReport report{*model, result, flags.settings, plan};
+  const std::vector<ToBeFree> changes = find_changes(*model, result, flags.settings, plan, progress);
+  const ActionsReport report{*model, result, flags.settings, plan, changes};
   progress.report("writing", 0.0);
   if (!flags.csv.empty()) write_file(flags.csv, actions_csv(report));
   if (!flags.mesh.empty()) write_action_mesh(flags.mesh, report, flags.still.look.palette);
