@@ -46,6 +46,8 @@ struct Commands {
   void look_at_undercut(std::size_t undercut);
   /// And for one loop of the parting line.
   void look_at_loop(std::size_t loop);
+  /// And for a wall with too little draft, whose face is chosen then.
+  void look_at_wall(std::size_t wall);
   /// Gives a face, what may be of it, to the half that does not form most of it.
   void move_face(FacetIndex facet);
   /// The same for the one under the cursor.

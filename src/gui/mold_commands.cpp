@@ -1,9 +1,12 @@
 // The commands of the mold: what of it is looked at, which half forms a face, its files.
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "classify/view_choice.hpp"
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/mold_view.hpp"
@@ -19,6 +22,26 @@ void Commands::look_at_loop(std::size_t loop) {
   if (!line || loop >= line->loops.size()) return;
   app.fitted_points_ = surroundings(*line, loop);
   app.turn_camera(app.state_.camera.orientation);
+}
+
+void Commands::look_at_wall(std::size_t wall) {
+  const auto& line = app.state_.mold.line;
+  const auto& split = app.state_.figures.split;
+  if (!line || !line->draft || !split || wall >= line->draft->walls.size()) return;
+  const std::uint32_t face = line->draft->walls[wall].face;
+  choose_face(app.state_.faces->facets(face).front());
+  // As if it alone were what is looked for.
+  const auto alone = std::make_shared<SplitMesh>();
+  alone->vertices = split->vertices;
+  for (const SplitPiece& piece : split->pieces) {
+    if (app.state_.faces->of_facet[piece.facet] != face) continue;
+    alone->pieces.push_back(piece);
+    alone->pieces.back().region = Region::undercut;
+  }
+  const PartModel& model = *app.state_.model;
+  app.fitted_points_ = surroundings(model, app.state_.faces->facets(face));
+  const std::shared_ptr<const SplitMesh> shown = alone;
+  app.turn_camera(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
 }
 
 void Commands::move_face(FacetIndex facet) {

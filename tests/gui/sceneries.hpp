@@ -42,7 +42,6 @@ class WindowSceneries : public WindowWithPart {
         {"accuracy", click_on("disclosure"), press(k_escape)},
         {"recent files", click_on("part name"), press(k_escape)},
         {"bookmarks", click_on("bookmark"), press(k_escape)},
-        {"draft colours", press('D'), press('D')},
         {"section across", press('S'), [] {}},
         {"section along", press('S'), press('S')},
         {"measuring", press('R'), press(k_escape)},
@@ -71,6 +70,14 @@ class WindowSceneries : public WindowWithPart {
          [this, press] {
            press('O')();
            press('G')();
+           press('F')();
+           window.settle();
+         }},
+        {"draft colours", press('D'), [] {}},
+        {"a wall without draft", click_on("wall 1"),
+         [this, press] {
+           press(k_escape)();
+           press('D')();
            press('F')();
            window.settle();
          }},

@@ -101,7 +101,10 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
   scale_ = scale;
   for (Panel& each : panels_) {
     // What was not drawn there any more takes no room from those on the sides.
-    each.bottom = each.bottom && each.drawn;
+    if (each.bottom && !each.drawn) {
+      each.bottom = false;
+      each.min = each.max = glm::vec2(0.0F);
+    }
     each.drawn = false;
   }
 }

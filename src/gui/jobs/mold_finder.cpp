@@ -23,13 +23,14 @@ MoldSettings of_solids(MoldSettings settings) {
 }
 
 MoldLine find_line(const PartModel& model, const Query& query, const MoldSettings& settings,
-                   const Progress& progress) {
+                   const ReverseDraft& reverse, const Progress& progress) {
   MoldLine found{.query = query,
                  .settings = settings,
                  .assignment = assign_sides(model, query, settings, progress),
                  .line = {},
                  .verdict = {},
-                 .loops = {}};
+                 .loops = {},
+                 .draft = {}};
   found.line = parting_line(found.assignment);
   found.verdict = parting_verdict(found.assignment, found.line, model.frame.diagonal);
   for (const PartingLoop& loop : found.line.loops) {
@@ -38,6 +39,8 @@ MoldLine find_line(const PartModel& model, const Query& query, const MoldSetting
       segments.push_back({model.frame.to_unit(loop.points[k]),
                           model.frame.to_unit(loop.points[(k + 1) % loop.points.size()])});
   }
+  if (const double required = query.method.tau_deg; required > 0.0)
+    found.draft = check_draft(model, found.assignment, reverse, required);
   return found;
 }
 
@@ -92,8 +95,10 @@ void MoldFinder::update_line(const AppState& state, MoldState& mold, bool moving
   if (measured && other && !line_job_.running() && (!moving || mold.line)) {
     line_of_ = inputs;
     mold.error.clear();
-    line_job_.start([model = state.model, query = Query(state.settings), settings = state.settings.mold](
-                        const Progress& progress) { return find_line(*model, query, settings, progress); });
+    line_job_.start([model = state.model, query = Query(state.settings), settings = state.settings.mold,
+                     reverse = figures.shown->reverse_draft](const Progress& progress) {
+      return find_line(*model, query, settings, reverse, progress);
+    });
   }
   if (auto outcome = line_job_.take()) {
     mold.error = std::move(outcome->error);

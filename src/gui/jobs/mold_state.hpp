@@ -9,6 +9,7 @@
 
 #include "classify/settings.hpp"
 #include "gui/jobs/job.hpp"
+#include "parting/draft/draft_check.hpp"
 #include "parting/insert_actions.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
@@ -32,6 +33,7 @@ struct MoldLine {
   PartingLine line;
   std::string verdict;
   std::vector<std::vector<ViewSegment>> loops;  // each of the line, unit frame
+  std::optional<DraftCheck> draft;              // at the required draft, if there is one
 };
 
 /// The halves with their certificate, as they are written and as they are drawn.

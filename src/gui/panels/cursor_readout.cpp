@@ -7,7 +7,9 @@
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/draft_panel.hpp"
 #include "gui/panels/panels.hpp"
+#include "parting/draft/draft_report.hpp"
 #include "render/view_colours.hpp"
 
 namespace moldlight::gui {
@@ -45,6 +47,11 @@ std::vector<std::string> readout_lines(const AppState& state) {
     lines.emplace_back(facts(hover->point.region).title);
     lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
                                 grouped(std::to_string(hover->point.facet))));
+    if (state.settings.look.colour_mode == ColourMode::draft_angle) {
+      if (const WallDraft* wall = wall_of_face(state, state.faces->of_facet[hover->point.facet]))
+        lines.push_back(fmt::format("face: {} or more  ·  {}", draft_text(wall->least_deg),
+                                    suggestion(*state.model, *wall)));
+    }
     if (const auto& blocker = hover->blocker) {
       lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
                                   blocker->above ? "above" : "below",

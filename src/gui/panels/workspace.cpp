@@ -17,6 +17,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       sweep_.draw(context, textures.candidates);
       actions_.draw(context);
       mold_.draw(context);
+      draft_.draw(context);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }
@@ -25,6 +26,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
     draw_view_cube(context);
     draw_chosen_face(context);
     draw_measuring(context);
+    draw_foot_line(context);
     draw_cursor_readout(context);
   }
   draw_start_page(context, textures.shipped_parts);

@@ -10,6 +10,7 @@
 
 #include "gui/panels/actions_panel.hpp"
 #include "gui/panels/batch_panel.hpp"
+#include "gui/panels/draft_panel.hpp"
 #include "gui/panels/mold_panel.hpp"
 #include "gui/panels/panels.hpp"
 #include "sweep/direction_figures.hpp"
@@ -146,6 +147,7 @@ class Workspace {
   SweepPanel sweep_;
   ActionsPanel actions_;
   MoldPanel mold_;
+  DraftPanel draft_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

@@ -89,6 +89,25 @@ FaceFigures face_figures(const PartModel& model, const Classification& result,
   return figures;
 }
 
+std::vector<glm::vec3> surroundings(const PartModel& model, std::span<const FacetIndex> face) {
+  constexpr double k_reach = 0.8, k_least_reach = 0.1;  // from the middle; of the face's size, unit frame
+  Bounds box;
+  for (const FacetIndex facet : face) {
+    for (const VertexIndex corner : model.part.mesh.facets[facet])
+      box.add(glm::dvec3(model.frame.to_unit(model.part.mesh.vertices[corner])));
+  }
+  const double reach = std::max(k_reach * box.diagonal(), k_least_reach);
+  std::vector<glm::vec3> points;
+  for (const double side : {-reach, reach}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 point = box.center();
+      point[axis] += side;
+      points.emplace_back(point);
+    }
+  }
+  return points;
+}
+
 std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces, std::uint32_t number) {
   const TriangleMesh& mesh = model.part.mesh;
   std::vector<ViewSegment> outline;

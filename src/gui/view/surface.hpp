@@ -64,6 +64,9 @@ struct ChosenFace {
 [[nodiscard]] FaceFigures face_figures(const PartModel& model, const Classification& result,
                                        std::span<const FacetIndex> face);
 
+/// What a picture of a face is to show: its corners, and some of what is around it; unit frame.
+[[nodiscard]] std::vector<glm::vec3> surroundings(const PartModel& model, std::span<const FacetIndex> face);
+
 /// The edges between facets of a face and others.
 [[nodiscard]] std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces,
                                                   std::uint32_t number);

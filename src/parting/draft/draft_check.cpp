@@ -15,6 +15,8 @@ namespace moldlight {
 namespace {
 
 constexpr double k_bin_deg = 0.5, k_binned_deg = 10.0;  // bins are wide beyond that
+/// Of a wall's area, by which it is not turned.
+constexpr double k_sliver_share = 0.01;
 /// A wall whose normals differ by more has no straight foot.
 constexpr double k_straight_deg = 0.5;
 
@@ -35,8 +37,22 @@ DraftBin& bin_of(std::vector<DraftBin>& bins, double draft_deg) {
 
 /// What one half forms of a face with too little draft, piece by piece.
 struct Shallow {
-  std::vector<PieceIndex> pieces;
-  double area = 0.0, least_deg = 90.0;
+  struct Piece {
+    PieceIndex piece;
+    double area, draft_deg;
+  };
+  std::vector<Piece> pieces;
+  double area = 0.0;
+
+  /// What all but slivers of it have: those that stitch a round wall to others lean by chance.
+  [[nodiscard]] double draft_deg() const {
+    std::vector<Piece> rising = pieces;
+    std::ranges::sort(rising, {}, &Piece::draft_deg);
+    double passed = 0.0;
+    const auto first = std::ranges::find_if(
+        rising, [&](const Piece& each) { return (passed += each.area) > k_sliver_share * area; });
+    return first == rising.end() ? rising.back().draft_deg : first->draft_deg;
+  }
 };
 
 WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Shallow& shallow, MoldSide side,
@@ -46,12 +62,12 @@ WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Sh
   WallDraft wall;
   wall.side = side;
   wall.area = shallow.area;
-  wall.least_deg = shallow.least_deg;
+  wall.least_deg = std::ranges::min(shallow.pieces, {}, &Shallow::Piece::draft_deg).draft_deg;
   double low = INFINITY, high = -INFINITY;
   glm::dvec3 sum(0.0);
-  for (const PieceIndex piece : shallow.pieces) {
-    sum += twice_piece_area(assignment.mesh, piece);
-    for (const VertexIndex corner : assignment.mesh.pieces[piece].corners) {
+  for (const Shallow::Piece& each : shallow.pieces) {
+    sum += twice_piece_area(assignment.mesh, each.piece);
+    for (const VertexIndex corner : assignment.mesh.pieces[each.piece].corners) {
       const double height = outward * glm::dot(assignment.mesh.vertices[corner], d);
       low = std::min(low, height);
       high = std::max(high, height);
@@ -59,27 +75,27 @@ WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Sh
   }
   wall.height = high - low;
   wall.foot = outward * low;
-  wall.turn_deg = required_deg - shallow.least_deg;
-  wall.thickness =
-      wall.height * (std::tan(glm::radians(required_deg)) - std::tan(glm::radians(shallow.least_deg)));
+  const double draft = shallow.draft_deg();
+  wall.turn_deg = required_deg - draft;
+  wall.thickness = wall.height * (std::tan(glm::radians(required_deg)) - std::tan(glm::radians(draft)));
 
   const double cosine = std::cos(glm::radians(k_straight_deg)), size = glm::length(sum);
   const glm::dvec3 normal = size > 0.0 ? sum / size : d, along = glm::cross(d, normal);
   const bool straight =
-      glm::length(along) > 0.5 && std::ranges::all_of(shallow.pieces, [&](PieceIndex piece) {
-        return glm::dot(model.geometry.normals[assignment.mesh.pieces[piece].facet], normal) >= cosine;
+      glm::length(along) > 0.5 && std::ranges::all_of(shallow.pieces, [&](const Shallow::Piece& each) {
+        return glm::dot(model.geometry.normals[assignment.mesh.pieces[each.piece].facet], normal) >= cosine;
       });
   if (!straight) return wall;
   // The line in which the wall's plane meets the level of the foot.
   const glm::dvec3 line = glm::normalize(along), up = outward * glm::cross(normal, line);
   const glm::dvec3& anchor =
-      assignment.mesh.vertices[assignment.mesh.pieces[shallow.pieces.front()].corners[0]];
+      assignment.mesh.vertices[assignment.mesh.pieces[shallow.pieces.front().piece].corners[0]];
   const double climb = glm::dot(up, d) * outward;
   const glm::dvec3 on_foot =
       anchor + up * ((low - outward * glm::dot(anchor, d)) / (std::abs(climb) > 0.5 ? climb : 1.0));
   double first = INFINITY, last = -INFINITY;
-  for (const PieceIndex piece : shallow.pieces) {
-    for (const VertexIndex corner : assignment.mesh.pieces[piece].corners) {
+  for (const Shallow::Piece& each : shallow.pieces) {
+    for (const VertexIndex corner : assignment.mesh.pieces[each.piece].corners) {
       const double place = glm::dot(assignment.mesh.vertices[corner] - on_foot, line);
       first = std::min(first, place);
       last = std::max(last, place);
@@ -123,9 +139,8 @@ DraftCheck check_draft(const PartModel& model, const Assignment& assignment, con
     if (draft >= required_deg - k_draft_rounding_deg) continue;
     check.below[half] += area;
     Shallow& face = shallow[{faces.of_facet[facet], side}];
-    face.pieces.push_back(k);
+    face.pieces.push_back({k, area, draft});
     face.area += area;
-    face.least_deg = std::min(face.least_deg, draft);
   }
   for (const auto& [key, face] : shallow) {
     ++check.faces_below[static_cast<std::size_t>(key.second)];

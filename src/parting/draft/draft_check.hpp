@@ -41,7 +41,7 @@ struct WallDraft {
   double height = 0.0;     // of that surface along the direction
   double foot = 0.0;       // height of the foot, in the part's coordinates along the direction
   std::optional<std::array<glm::dvec3, 2>> foot_line = {};  // its ends; none where the wall is bent
-  double turn_deg = 0.0;
+  double turn_deg = 0.0;                                    // for all but slivers of 1 % of the area
   double thickness = 0.0;  // that the turn takes at the end away from the foot
 };
 

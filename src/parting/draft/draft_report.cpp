@@ -19,6 +19,8 @@ glm::dvec3 facet_centre(const PartModel& model, FacetIndex facet) {
   return (vertices[a] + vertices[b] + vertices[c]) / 3.0;
 }
 
+std::string short_area(double area, const std::string& unit) { return fmt::format("{:.4g} {}", area, unit); }
+
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 Json wall_json(const WallDraft& wall) {
@@ -56,6 +58,24 @@ Json draft_json(const PartModel& model, const DraftCheck& check) {
 std::string suggestion(const PartModel& model, const WallDraft& wall) {
   return fmt::format("turn by {:.2f}° about its foot: {:.3g} {}", wall.turn_deg, wall.thickness,
                      length_unit(model.part));
+}
+
+std::string draft_sentence(const PartModel& model, const DraftCheck& check) {
+  const std::string unit = powered_unit(model.part, 2);
+  std::string text;
+  for (const MoldSide side : {MoldSide::core, MoldSide::cavity}) {
+    const auto k = static_cast<std::size_t>(side);
+    if (check.faces_below[k] == 0) continue;
+    text += fmt::format("{}{} {} on {} face{}", text.empty() ? "" : ", ", side_name(side),
+                        short_area(check.below[k], unit), check.faces_below[k],
+                        check.faces_below[k] == 1 ? "" : "s");
+  }
+  text = text.empty() ? fmt::format("every wall has {}° or more", figure(check.required_deg))
+                      : fmt::format("below {}°: {}", figure(check.required_deg), text);
+  if (check.reverse.facet)
+    text += fmt::format(" · reverse draft {}, at worst {:.3g}°", short_area(check.reverse.area, unit),
+                        check.reverse.worst_deg);
+  return text;
 }
 
 std::string draft_lines(const PartModel& model, const DraftCheck& check) {

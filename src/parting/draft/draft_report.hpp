@@ -15,6 +15,9 @@ namespace moldlight {
 /// How much has too little draft in each half, what leans back, and the wall that costs most.
 [[nodiscard]] std::string draft_lines(const PartModel& model, const DraftCheck& check);
 
+/// The same in a sentence, without the wall.
+[[nodiscard]] std::string draft_sentence(const PartModel& model, const DraftCheck& check);
+
 /// A wall's suggestion: "turn by 1.2° about its foot: 0.42 mm".
 [[nodiscard]] std::string suggestion(const PartModel& model, const WallDraft& wall);
 

@@ -2,6 +2,7 @@
 #include "parting/draft/draft_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -118,6 +119,52 @@ TEST(DraftCheck, AWallIsTurnedAboutItsFootToTheAngle) {
     EXPECT_EQ(after.below[0] + after.below[1], 0.0);
     EXPECT_NEAR(check_of(*changed, 1.6).walls.front().least_deg, 1.5, 1e-6) << "and no more than asked";
   }
+}
+
+TEST(DraftCheck, ASliverDoesNotTurnItsWall) {
+  // On the wall y = 0, whose facets are one face of CAD, the tip of a needle stands out by little.
+  constexpr double k_out = 0.001, k_size = 0.1;
+  TriangleMesh mesh = drafted_box(0.0);
+  const auto corner = [&](double x, double z) {
+    const auto found = std::ranges::find(mesh.vertices, glm::dvec3(x, 0.0, z));
+    return static_cast<VertexIndex>(found - mesh.vertices.begin());
+  };
+  const auto add = [&](double x, double y, double z) {
+    mesh.vertices.emplace_back(x, y, z);
+    return static_cast<VertexIndex>(mesh.vertices.size() - 1);
+  };
+  const auto on_wall = [&](const std::array<VertexIndex, 3>& facet) {
+    return std::ranges::all_of(facet, [&](VertexIndex v) { return mesh.vertices[v].y == 0.0; });
+  };
+  std::erase_if(mesh.facets, on_wall);
+  const std::size_t others = mesh.facets.size();
+  const VertexIndex a = corner(0, 0), b = corner(20, 0), c = corner(20, 8), d = corner(0, 8);
+  const VertexIndex p = add(10 - k_size, 0, 4 - k_size), q = add(10 + k_size, 0, 4 - k_size),
+                    r = add(10, 0, 4 + k_size), tip = add(10, -k_out, 4);
+  for (const std::array<VertexIndex, 3>& facet : {std::array{a, b, q},
+                                                  {a, q, p},
+                                                  {b, c, r},
+                                                  {b, r, q},
+                                                  {c, d, r},
+                                                  {d, a, p},
+                                                  {d, p, r},
+                                                  {p, q, tip},
+                                                  {q, r, tip},
+                                                  {r, p, tip}})
+    mesh.facets.push_back(facet);
+  Part part;
+  part.file = "(test)";
+  part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
+  part.mesh = mesh;
+  part.has_cad_faces = true;
+  part.facet_source.assign(mesh.facets.size(), 1);
+  std::fill_n(part.facet_source.begin(), others, 0U);
+  const auto model = prepare_part(std::move(part), Progress{});
+  const DraftCheck check = check_of(*model, 1.0, 0.01);
+  const auto wall = std::ranges::find(check.walls, 1U, &WallDraft::face);
+  ASSERT_NE(wall, check.walls.end());
+  EXPECT_LT(wall->least_deg, -0.5) << "the needle's underside leans back";
+  EXPECT_NEAR(wall->turn_deg, 1.0, 1e-6) << "but the wall is turned as it stands";
 }
 
 TEST(DraftCheck, FacetsOfAFilletCountOneByOne) {

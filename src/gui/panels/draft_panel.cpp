@@ -1,0 +1,249 @@
+#include "gui/panels/draft_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "classify/method_options.hpp"
+#include "gui/draw/widgets.hpp"
+#include "parting/draft/draft_report.hpp"
+#include "render/view_colours.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+// Layout units.
+constexpr float k_row = 24.0F, k_bar_width = 96.0F, k_chart = 56.0F, k_axis = 18.0F, k_grip = 14.0F;
+constexpr float k_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr double k_step_deg = 0.1;
+constexpr const char* k_name = "Draft";
+
+constexpr std::array<ListColumn, 8> k_columns = {{
+    {"#", "Walls that cost most thickness first.", 8.0F, false},
+    {"formed by", "The half that forms the wall.", 36.0F, false},
+    {"face", "Its number, as the tables of faces have it.", 156.0F, true},
+    {"area", "With too little draft, in the part's unit squared.", 232.0F, true},
+    {"draft", "The least that it has; negative where it leans back, so that the half is held.", 300.0F, true},
+    {"height", "Of that surface along the direction, in the part's unit.", 376.0F, true},
+    {"turn", "About the line of its foot, which gives it the required draft.", 444.0F, true},
+    {"takes", "The thickness that the turn takes at the other end, in the part's unit.", 520.0F, true},
+}};
+
+bool has_draft_panel(const AppState& state) {
+  return state.settings.look.colour_mode == ColourMode::draft_angle && !state.sweep_choices.compared &&
+         !state.sweep_choices.large_ball;
+}
+
+/// How much a half's part of a bin's area there is.
+double area_of(const DraftBin& bin, Region region) { return bin.area[region == Region::core ? 0 : 1]; }
+
+void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
+  const Ui& ui = context.ui;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto is_shown = [](const DraftBin& bin) {
+    return bin.from_deg >= DraftChart::k_from_deg && bin.to_deg <= DraftChart::k_to_deg;
+  };
+  double tallest = 0.0;
+  for (const DraftBin& bin : check.histogram) {
+    if (is_shown(bin)) tallest = std::max(tallest, bin.area[0] + bin.area[1]);
+  }
+  const float gap = 0.5F * ui.scale, height = chart.box.max.y - chart.box.min.y;
+  for (const DraftBin& bin : check.histogram) {
+    if (!is_shown(bin) || tallest <= 0.0) continue;
+    const float left = chart.place_of(bin.from_deg) + gap, right = chart.place_of(bin.to_deg) - gap;
+    float foot = chart.box.max.y;
+    for (const Region region : {Region::core, Region::cavity}) {
+      const double area = area_of(bin, region);
+      if (area <= 0.0) continue;
+      // What there is is seen.
+      const float top = foot - std::max(height * static_cast<float>(area / tallest), ui.px(1));
+      list.AddRectFilled(ImVec2(left, top), ImVec2(right, foot),
+                         packed(region_colour(region, context.state.settings.look.palette)));
+      foot = top;
+    }
+  }
+}
+
+void tell_bin(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
+  const double draft = chart.draft_at(ImGui::GetIO().MousePos.x);
+  const auto bin = std::ranges::find_if(
+      check.histogram, [&](const DraftBin& each) { return draft >= each.from_deg && draft < each.to_deg; });
+  if (bin == check.histogram.end()) return;
+  const PartModel& model = *context.state.model;
+  const std::string unit = powered_unit(model.part, 2);
+  const FigureColumn areas(model.geometry.total_area);
+  tooltip(context.ui, with_minus(fmt::format("{}° to {}°", bin->from_deg, bin->to_deg)),
+          fmt::format("core {} {}\ncavity {} {}", grouped(areas.text(bin->area[0])), unit,
+                      grouped(areas.text(bin->area[1])), unit));
+}
+
+/// The limit of what is required, which a hand may drag.
+void draw_limit(const PanelContext& context, const DraftChart& chart) {
+  const Ui& ui = context.ui;
+  double& required = context.edits.settings.method.tau_deg;
+  const float x = chart.place_of(required), half = 0.5F * ui.px(k_grip);
+  ImGui::SetCursorScreenPos(ImVec2(x - half, chart.box.min.y));
+  const Pressable grip = pressable(ui, "draft limit", {2.0F * half, chart.box.max.y - chart.box.min.y});
+  if (grip.active) {
+    const double draft = chart.draft_at(ImGui::GetIO().MousePos.x);
+    required = std::max(k_step_deg, k_step_deg * std::round(draft / k_step_deg));
+  }
+  const bool lively = grip.hovered || grip.active;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine(ImVec2(x, chart.box.min.y), ImVec2(x, chart.box.max.y),
+               lively ? ui.colours->accent : ui.colours->text, (lively ? 2.0F : 1.5F) * ui.scale);
+  list.AddCircleFilled(ImVec2(x, chart.box.min.y), ui.px(lively ? 4.0F : 3.0F),
+                       lively ? ui.colours->accent : ui.colours->text);
+  if (!grip.active) tooltip(ui, "Required draft", "Drag it: regions and walls follow.");
+}
+
+void draw_chart(const PanelContext& context, const DraftCheck& check) {
+  const Ui& ui = context.ui;
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const float width = ImGui::GetContentRegionAvail().x;
+  const glm::vec2 inset(ui.px(8), ui.px(4));
+  const DraftChart chart{{start + inset, {start.x + width - inset.x, start.y + ui.px(k_chart)}}};
+  ui.memory->controls["draft chart"] = chart.box;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float foot = chart.box.max.y;
+  draw_bars(context, chart, check);
+  list.AddLine(ImVec2(chart.box.min.x, foot), ImVec2(chart.box.max.x, foot), ui.colours->line);
+  for (const int draft : {-5, 0, 5, 10}) {
+    const std::string text = with_minus(fmt::format("{}°", draft));
+    const float size = text_size(ui.fonts.small, text).x;
+    const float left = std::clamp(chart.place_of(draft) - 0.5F * size, start.x, start.x + width - size);
+    draw_text(list, {ui.fonts.small, ui.colours->muted}, {left, foot + ui.px(3)}, text);
+  }
+  draw_limit(context, chart);
+  ImGui::SetCursorScreenPos(im(start));
+  ImGui::Dummy(ImVec2(width, ui.px(k_chart)));
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) tell_bin(context, chart, check);
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + ui.px(k_chart + k_axis)));
+}
+
+}  // namespace
+
+void DraftPanel::draw_header(const PanelContext& context, bool open) const {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  BottomHeader header(ui, k_name);
+  if (header.button(
+          {"fold draft", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+    context.layout.fold_bottom(k_name, open);
+  std::string text;
+  ImU32 colour = ui.colours->muted;
+  if (state.mold.line_awaited) {
+    text = "finding which half forms what …";
+    header.progress(-1.0, k_bar_width);
+  } else if (!state.mold.error.empty()) {
+    text = state.mold.error;
+    colour = ui.colours->warning;
+  }
+  if (check() != nullptr) {
+    text = draft_sentence(*state.model, *check());
+  } else if (text.empty()) {
+    text = "no draft is required";
+  }
+  header.end(text, colour, text);
+}
+
+float DraftChart::place_of(double draft_deg) const {
+  const double share = (draft_deg - k_from_deg) / (k_to_deg - k_from_deg);
+  return box.min.x + static_cast<float>(share) * (box.max.x - box.min.x);
+}
+
+double DraftChart::draft_at(float x) const {
+  const double share = std::clamp((x - box.min.x) / (box.max.x - box.min.x), 0.0F, 1.0F);
+  return k_from_deg + share * (k_to_deg - k_from_deg);
+}
+
+const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::optional<MoldSide> side) {
+  const auto& line = state.mold.line;
+  if (!line || !line->draft) return nullptr;
+  const auto found = std::ranges::find_if(line->draft->walls, [&](const WallDraft& wall) {
+    return wall.face == face && (!side || wall.side == *side);
+  });
+  return found == line->draft->walls.end() ? nullptr : &*found;
+}
+
+const DraftCheck* DraftPanel::check() const { return line_ && line_->draft ? &*line_->draft : nullptr; }
+
+void DraftPanel::draw(const PanelContext& context) {
+  if (!has_draft_panel(context.state)) return;
+  if (context.state.mold.line || context.state.model != model_) {
+    line_ = context.state.mold.line;
+    model_ = context.state.model;
+  }
+  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  draw_header(context, open);
+  if (open && check() != nullptr) {
+    draw_chart(context, *check());
+    if (!check()->walls.empty()) draw_table(context);
+  }
+  context.layout.end();
+}
+
+void DraftPanel::draw_table(const PanelContext& context) {
+  draw_headings(context.ui, k_columns);
+  const RowList walls{.id = "walls", .count = check()->walls.size(), .row_height = k_row, .share = k_share};
+  if (const auto pressed =
+          draw_list(context.ui, walls, cursor_, [&](std::size_t k) { draw_row(context, k); }))
+    context.edits.ask(&Commands::look_at_wall, *pressed);
+}
+
+void DraftPanel::draw_row(const PanelContext& context, std::size_t number) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const WallDraft& wall = check()->walls[number];
+  const bool here = state.face && state.face->number == wall.face;
+  const std::string id = fmt::format("wall {}", number + 1);
+  const Row row =
+      list_row(ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number)});
+  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
+  const std::array<std::string, k_columns.size()> texts = {std::to_string(number + 1),
+                                                           std::string(side_name(wall.side)),
+                                                           grouped(std::to_string(wall.face)),
+                                                           grouped(areas.text(wall.area)),
+                                                           draft_text(wall.least_deg),
+                                                           grouped(lengths.text(wall.height)),
+                                                           fmt::format("{:.2f}°", wall.turn_deg),
+                                                           grouped(lengths.text(wall.thickness))};
+  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const bool leans = k == 4 && wall.least_deg < -k_draft_rounding_deg;
+    draw_cell(ui, row.box, k_columns[k],
+              {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
+  }
+  tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
+          fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
+                      wall.foot_line ? "" : "\nIts foot is bent: another shape may need less."));
+  if (row.clicked) context.edits.ask(&Commands::look_at_wall, number);
+}
+
+void draw_foot_line(const PanelContext& context) {
+  const AppState& state = context.state;
+  if (!has_draft_panel(state)) return;
+  const WallDraft* wall = nullptr;
+  if (state.hover) wall = wall_of_face(state, state.faces->of_facet[state.hover->point.facet]);
+  if (wall == nullptr && state.face) wall = wall_of_face(state, state.face->number);
+  if (wall == nullptr || !wall->foot_line) return;
+  const glm::ivec2 size(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+  std::array<glm::vec2, 2> ends{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto pixel =
+        project(state.camera, size, glm::dvec3(state.model->frame.to_unit((*wall->foot_line)[k])));
+    if (!pixel) return;
+    ends[k] = glm::vec2(*pixel);
+  }
+  const Ui& ui = context.ui;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddLine(im(ends[0]), im(ends[1]), packed(k_block_mark), 3.0F * ui.scale);
+  if (glm::distance(ends[0], ends[1]) > tag_size(ui, "foot").x)
+    draw_tag(ui, 0.5F * (ends[0] + ends[1]), "foot", ui.colours->text);
+}
+
+}  // namespace moldlight::gui
