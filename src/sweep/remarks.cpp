@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "classify/figures.hpp"
+#include "sweep/axis_beside.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_texts.hpp"
 
@@ -155,6 +156,10 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
                                   difference_text(model, best, *next),
                                   actions.empty() ? "" : ", and its side actions are: " + actions));
   }
+  const auto leaning = std::ranges::find_if(
+      result.candidates, [](const SweepCandidate& candidate) { return candidate.axis.has_value(); });
+  if (leaning != result.candidates.end())
+    remarks.push_back(fmt::format("Number {} is {}.", leaning->rank, axis_beside_text(model, *leaning)));
   remark_on_proof(model, result, remarks);
   return remarks;
 }

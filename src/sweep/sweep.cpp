@@ -17,6 +17,7 @@
 #include "mold/direction.hpp"
 #include "mold/measure.hpp"
 #include "sweep/arena_threads.hpp"
+#include "sweep/axis_beside.hpp"
 #include "sweep/basin_search.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 #include "sweep/contender.hpp"
@@ -81,6 +82,7 @@ class SweepRun {
     choose();
     find_side_actions();
     list();
+    measure_axes();
     judge_proofs(result_);
     result_.remarks = sweep_remarks(model_, result_);
     result_.complete = !clock_.cut_short();
@@ -104,6 +106,7 @@ class SweepRun {
   void choose();
   void find_side_actions();
   void list();
+  void measure_axes();
   [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
                                                 const std::optional<TiltMargin>& tilt);
@@ -125,7 +128,8 @@ class SweepRun {
   ScoringPools pools_;
   DirectionMeasurer measurer_;
   DirectionActionFinder actions_;
-  ListingLimit limit_;  // by scores, then by measured areas
+  ListingLimit limit_;           // by scores, then by measured areas
+  std::vector<Candidate> axes_;  // of the part
   std::vector<Contender> contenders_;
   SweepResult result_;
 };
@@ -144,6 +148,7 @@ void SweepRun::score_candidates() {
       (void)model_.rays();
     });
     candidates = find_candidates(model_, options, clock_.until_cancelled());
+    axes_ = axes_of(candidates);
     prepared.get();
   } catch (const Cancelled&) {
     return;
@@ -429,6 +434,27 @@ void SweepRun::list() {
     result_.candidates.push_back(std::move(candidate));
   }
   mark_ties(result_.candidates);
+}
+
+/// Those that listed directions lean from by less than the required draft.
+void SweepRun::measure_axes() {
+  std::vector<ScoringTask> tasks;
+  std::vector<SweepCandidate*> leaning;
+  for (SweepCandidate& candidate : result_.candidates) {
+    if (!candidate.measured) continue;
+    candidate.axis = axis_beside(axes_, candidate.candidate.direction, settings_.method.tau_deg);
+    if (!candidate.axis) continue;
+    leaning.push_back(&candidate);
+    tasks.push_back({candidate.axis->direction});
+  }
+  auto measured = measurer_.measure(tasks, {}, clock_.until_cancelled(), [this] { return clock_.stopped(); });
+  for (std::size_t k = 0; k < leaning.size(); ++k) {
+    if (measured[k]) {
+      leaning[k]->axis->classification = std::move(measured[k]->classification);
+    } else {
+      leaning[k]->axis.reset();
+    }
+  }
 }
 
 /// Of every contender, each on one thread: one after the other they would leave threads idle.

@@ -33,6 +33,16 @@ Json settings_json(const SweepResult& result) {
   return settings;
 }
 
+Json axis_json(const PartModel& model, const SweepCandidate& candidate) {
+  if (!candidate.axis) return {};
+  const Json classified = classify_json(model, candidate.axis->classification);
+  return {{"direction", classified["direction"]},
+          {"reason", candidate.axis->reason},
+          {"angle_deg", candidate.axis->angle_deg},
+          {"areas", classified["areas"]},
+          {"reverse_draft", candidate.axis->classification.reverse_draft.area}};
+}
+
 Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
   const Json classified = classify_json(model, candidate.classification);
@@ -66,6 +76,7 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   json["actions"] = candidate.actions ? Json(candidate.actions->text) : Json();
   json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
   json["pareto"] = candidate.pareto;
+  json["axis_beside"] = axis_json(model, candidate);
   return json;
 }
 

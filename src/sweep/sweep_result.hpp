@@ -33,6 +33,14 @@ struct TiltMargin {
   [[nodiscard]] bool at_least() const { return deg >= k_widest_tilt_deg; }
 };
 
+/// An axis of the part within the required draft of a direction, with the figures that it would have.
+struct AxisBeside {
+  glm::dvec3 direction{0, 0, 1};  // unit, on the side of the direction listed
+  std::string reason;             // as a candidate's
+  double angle_deg = 0.0;
+  Classification classification;  // facet fractions are dropped
+};
+
 struct SweepCandidate {
   std::size_t rank = 0;       // 1 is best
   std::size_t tie_group = 0;  // 1 is the best direction's
@@ -45,6 +53,7 @@ struct SweepCandidate {
   std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
   std::optional<DirectionActions> actions;     // empty where they were not looked for
   std::optional<TiltMargin> tilt;              // empty where the sweep ended before
+  std::optional<AxisBeside> axis;              // where there is one beside it, and time was left
   bool pareto = false;
 };
 

@@ -15,6 +15,7 @@
 #include "gui/panels/verdict.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/view/direction.hpp"
+#include "sweep/axis_beside.hpp"
 #include "sweep/sweep_stages.hpp"
 #include "sweep/sweep_texts.hpp"
 
@@ -312,6 +313,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
     tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }
+  if (candidate.axis) tip += "\n" + with_minus(axis_beside_text(*context.state.model, candidate));
   if (begin_tooltip(ui)) {
     heading(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)));
     draw_item_text(ui.colours->muted, tip);
