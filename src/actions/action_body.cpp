@@ -265,15 +265,20 @@ std::optional<TriangleMesh> action_body(const PartModel& model, const Classifica
   return BodyMaker(model, result, plan, action).make();
 }
 
+double turn_of(const SideAction& action, double share) {
+  if (action.kind != ActionKind::unscrew || !action.about) return 0.0;
+  const Revolution& about = *action.about;
+  // A right-handed body that turns counter-clockwise about the axis goes along it.
+  const double sense = glm::dot(action.direction, about.direction) >= 0.0 ? 1.0 : -1.0;
+  return share * sense * glm::radians(360.0) * about.turns * (about.pitch < 0.0 ? -1.0 : 1.0);
+}
+
 glm::dmat4 action_motion(const SideAction& action, double share) {
   glm::dmat4 motion = glm::translate(glm::dmat4(1.0), share * action.travel * action.direction);
   if (action.kind != ActionKind::unscrew || !action.about) return motion;
   const Revolution& about = *action.about;
-  // A right-handed body that turns counter-clockwise about the axis goes along it.
-  const double sense = glm::dot(action.direction, about.direction) >= 0.0 ? 1.0 : -1.0;
-  const double turn = share * sense * glm::radians(360.0) * about.turns * (about.pitch < 0.0 ? -1.0 : 1.0);
   motion = glm::translate(motion, about.point);
-  motion = glm::rotate(motion, turn, about.direction);
+  motion = glm::rotate(motion, turn_of(action, share), about.direction);
   return glm::translate(motion, -about.point);
 }
 

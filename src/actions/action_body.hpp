@@ -21,4 +21,7 @@ namespace moldlight {
 /// Where a body is at a share [0, 1] of its travel: points of the part's own unit and place.
 [[nodiscard]] glm::dmat4 action_motion(const SideAction& action, double share);
 
+/// By how much it has turned about its axis by then, radians; 0 for what does not turn.
+[[nodiscard]] double turn_of(const SideAction& action, double share);
+
 }  // namespace moldlight

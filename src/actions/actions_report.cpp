@@ -107,37 +107,6 @@ std::string patches_text(const std::vector<std::size_t>& patches) {
 /// Without the sign of what two decimals show as 0.
 double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value; }
 
-/// How far a pull may turn; a thread's pitch, a ring's strain.
-std::string freedom_text(const SideAction& action, const std::string& unit) {
-  switch (action.kind) {
-    case ActionKind::unscrew:
-      return fmt::format("pitch {:.3f} {}", action.about->pitch, unit);
-    case ActionKind::strip:
-      return fmt::format("strain {:.2f} %", 100.0 * action.about->strain);
-    case ActionKind::insert:
-      return "by hand";
-    default:
-      return fmt::format("{:.2f} to {:.2f}°", unsigned_zero(action.interval.from_deg),
-                         action.interval.to_deg);
-  }
-}
-
-/// Pairs of slides that would meet, named as their rows are counted; nothing where there are none.
-std::string meetings_text(const ActionPlan& plan) {
-  constexpr std::size_t k_most = 6;
-  std::string pairs;
-  std::size_t number = 0;
-  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
-    for (const std::size_t other : plan.actions[k].meets) {
-      if (other > k && ++number <= k_most)
-        pairs += fmt::format("{}{} and {}", number == 1 ? "" : ", ", k + 1, other + 1);
-    }
-  }
-  if (number == 0) return "";
-  return fmt::format("\nSlides would meet, since their ways cross: rows {}{}.\n", pairs,
-                     number > k_most ? fmt::format(" … {} pairs in all", number) : "");
-}
-
 /// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm".
 std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
   std::string text;
@@ -164,6 +133,35 @@ std::string changes_text(std::span<const ToBeFree> changes, const std::string& u
 }
 
 }  // namespace
+
+std::string freedom_text(const SideAction& action, const std::string& unit) {
+  switch (action.kind) {
+    case ActionKind::unscrew:
+      return fmt::format("pitch {:.3f} {}", action.about->pitch, unit);
+    case ActionKind::strip:
+      return fmt::format("strain {:.2f} %", 100.0 * action.about->strain);
+    case ActionKind::insert:
+      return "by hand";
+    default:
+      return fmt::format("{:.2f} to {:.2f}°", unsigned_zero(action.interval.from_deg),
+                         action.interval.to_deg);
+  }
+}
+
+std::string meetings_text(const ActionPlan& plan) {
+  constexpr std::size_t k_most = 6;
+  std::string pairs;
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    for (const std::size_t other : plan.actions[k].meets) {
+      if (other > k && ++number <= k_most)
+        pairs += fmt::format("{}{} and {}", number == 1 ? "" : ", ", k + 1, other + 1);
+    }
+  }
+  if (number == 0) return "";
+  return fmt::format("\nSlides would meet, since their ways cross: rows {}{}.\n", pairs,
+                     number > k_most ? fmt::format(" … {} pairs in all", number) : "");
+}
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
   const auto& [model, result, settings, plan, changes] = report;

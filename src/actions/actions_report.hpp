@@ -27,6 +27,12 @@ struct ActionsReport {
 /// The actions with what they release, then what nothing does, then what to change to do without.
 [[nodiscard]] std::string actions_table(const ActionsReport& report);
 
+/// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
+[[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
+/// Pairs of slides that would meet, named as their rows are counted, in a paragraph; empty where there are
+/// none.
+[[nodiscard]] std::string meetings_text(const ActionPlan& plan);
+
 /// A line a patch, with the action that releases it; a heading line names the columns.
 [[nodiscard]] std::string actions_csv(const ActionsReport& report);
 

@@ -273,19 +273,22 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
 
   ViewSettings view_settings{look};
   view_settings.theme = settings.theme;
+  view_settings.backdrop = settings.backdrop;
   view_settings.pixel_scale = std::max(1.0, 1.15 * places.scale);
   view_settings.samples = k_samples;
   drawing(0.2);
   std::vector<glm::vec3> beyond;
-  if (look.arrows) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
+  if (look.arrows && settings.focus.empty()) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
   const ShownBodies shown(bodies, model_->frame);
   view_.set_bodies(shown.bodies);
   for (const auto& [near, far] : shown.extents) {
     beyond.push_back(near);
     beyond.push_back(far);
   }
-  camera = composed(context_->functions(), view_, maps_.buffers(),
-                    {camera, size, places.legend, geometry_.extremes, beyond});
+  camera = composed(
+      context_->functions(), view_, maps_.buffers(),
+      {camera, size, places.legend,
+       settings.focus.empty() ? std::span<const glm::vec3>(geometry_.extremes) : settings.focus, beyond});
   drawing(0.4);
   const gl::ColourTarget picture(context_->functions(), size);
   view_.draw_final({picture.framebuffer(), size}, maps_.subject(),

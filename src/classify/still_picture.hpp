@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -35,6 +36,8 @@ struct StillSettings {
   LookSettings look = {};
   bool legend = true;                        // left out where a picture is too small for it
   std::optional<glm::dquat> seen_from = {};  // orientation of the camera of an automatic view
+  Backdrop backdrop = Backdrop::gradient;
+  std::vector<glm::vec3> focus = {};  // unit frame: what the picture is to hold; empty: all of the part
 };
 
 /// For help and command line: view and theme.

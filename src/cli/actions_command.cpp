@@ -1,11 +1,14 @@
 // moldlight actions: the slides, lifters and other side actions that release the undercuts of one direction.
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "cli/flags.hpp"
+#include "cli/report_flags.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
@@ -22,22 +25,24 @@ struct ActionsFlags {
   ActionSettings settings;
   std::string csv, mesh, bodies, image;
   StillSettings still;
+  ReportFlags report;
 };
 
 int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   Query query = flags.query;
   validate(query.method);
   if (!flags.mesh.empty()) check_mesh_extension(flags.mesh);
-  check_outputs({.inputs = {{"PART", flags.part.part}},
-                 .files = {{"--json", flags.part.json_file()},
-                           {"--csv", flags.csv},
-                           {"--mesh", flags.mesh},
-                           {"--mesh (its colours)", material_library_path(flags.mesh)},
-                           {"--image", flags.image}},
-                 .folder = {"--bodies", flags.bodies}});
+  std::vector<NamedPath> written = {{"--json", flags.part.json_file()},
+                                    {"--csv", flags.csv},
+                                    {"--mesh", flags.mesh},
+                                    {"--mesh (its colours)", material_library_path(flags.mesh)},
+                                    {"--image", flags.image}};
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  check_outputs(
+      {.inputs = {{"PART", flags.part.part}}, .files = written, .folder = {"--bodies", flags.bodies}});
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
-  if (!flags.image.empty()) context = create_context(query.method.backend);
+  if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
@@ -45,18 +50,22 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionPlan plan = find_actions(*model, result, flags.settings, progress);
   const std::vector<ToBeFree> changes = find_changes(*model, result, flags.settings, plan, progress);
-  const ActionsReport report{*model, result, flags.settings, plan, changes};
+  const ActionsReport found{*model, result, flags.settings, plan, changes};
   progress.report("writing", 0.0);
-  if (!flags.csv.empty()) write_file(flags.csv, actions_csv(report));
-  if (!flags.mesh.empty()) write_action_mesh(flags.mesh, report, flags.still.look.palette);
+  if (!flags.csv.empty()) write_file(flags.csv, actions_csv(found));
+  if (!flags.mesh.empty()) write_action_mesh(flags.mesh, found, flags.still.look.palette);
   if (!flags.bodies.empty())
-    write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), report);
-  if (context) {
-    const auto bodies = pulled_bodies(report);
+    write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), found);
+  if (!flags.image.empty()) {
+    const auto bodies = pulled_bodies(found);
     write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress, bodies));
   }
+  if (flags.report.any()) {
+    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
+    write_reports(flags.report, report::actions_report(for_report, found));
+  }
   put_report(
-      console, flags.part.json, [&] { return actions_json(report); }, [&] { return actions_table(report); });
+      console, flags.part.json, [&] { return actions_json(found); }, [&] { return actions_table(found); });
   return 0;
 }
 
@@ -86,6 +95,7 @@ void add_actions_command(CLI::App& program, Request& request) {
                  "action is a material"});
   add_file_flag(*command, flags->bodies,
                 {"--bodies", "DIR", "Write the closed solid of each action to this folder, an STL each"});
+  add_report_flags(*command, flags->report, request);
   CLI::Option* image =
       add_file_flag(*command, flags->image,
                     {"--image", "FILE.png",

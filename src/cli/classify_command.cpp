@@ -1,4 +1,6 @@
 // moldlight classify: the mold-piece regions of a part for one parting direction.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "classify/classifier.hpp"
@@ -9,6 +11,7 @@
 #include "classify/write_outputs.hpp"
 #include "cli/baseline.hpp"
 #include "cli/flags.hpp"
+#include "cli/report_flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "parting/draft/draft_picture.hpp"
@@ -29,6 +32,7 @@ struct ClassifyFlags {
   DraftSettings draft_settings;
   std::string draft;  // CSV
   BaselineFlags baseline;
+  ReportFlags report;
   StillSettings still;
 };
 
@@ -36,15 +40,17 @@ void check_files(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
+  std::vector<NamedPath> written = {{"--json", flags.part.json_file()},
+                                    {"--facets", files.facets},
+                                    {"--faces", files.faces},
+                                    {"--draft", flags.draft},
+                                    {"--mesh", files.mesh},
+                                    {"--mesh (its colours)", material_library_path(files.mesh)},
+                                    {"--borders", files.borders},
+                                    {"--image", flags.image}};
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
   check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
-                 .files = {{"--json", flags.part.json_file()},
-                           {"--facets", files.facets},
-                           {"--faces", files.faces},
-                           {"--draft", flags.draft},
-                           {"--mesh", files.mesh},
-                           {"--mesh (its colours)", material_library_path(files.mesh)},
-                           {"--borders", files.borders},
-                           {"--image", flags.image}},
+                 .files = written,
                  .folder = {"--split-dir", files.split_folder}});
 }
 
@@ -52,6 +58,15 @@ void log_result(const Classification& result, Console& console) {
   if (!result.backend.empty()) console.log(fmt::format("{} ({})", result.backend, result.renderer));
   console.log(fmt::format("load {:.0f} ms, regions {:.0f} ms, readout {:.0f} ms", result.timings.load_ms,
                           result.timings.regions_ms, result.timings.readout_ms));
+}
+
+/// Of which a report that asks for no draft shows the histogram alone.
+constexpr double k_histogram_deg = 1.0;
+
+DraftCheck checked_draft(const PartModel& model, const Classification& result, double required_deg,
+                         const Progress& progress) {
+  return check_draft(model, assign_sides(model, result.query(), {}, progress), result.reverse_draft,
+                     required_deg);
 }
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
@@ -65,10 +80,10 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
-  if (looks_at_maps || !flags.image.empty()) context = create_context(query.method.backend);
+  const bool drawn = !flags.image.empty() || flags.report.any();
+  if (looks_at_maps || drawn) context = create_context(query.method.backend);
   const double required_deg = flags.draft_settings.required_deg;
-  const bool with_split =
-      required_deg > 0.0 || !flags.image.empty() || flags.files.need_split() || flags.compare_maps;
+  const bool with_split = required_deg > 0.0 || drawn || flags.files.need_split() || flags.compare_maps;
   Classification result;
   if (looks_at_maps) {
     Classifier classifier(*context, model);
@@ -80,9 +95,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
   std::optional<DraftCheck> draft;
-  if (required_deg > 0.0)
-    draft =
-        check_draft(*model, assign_sides(*model, query, {}, progress), result.reverse_draft, required_deg);
+  if (required_deg > 0.0) draft = checked_draft(*model, result, required_deg, progress);
 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
@@ -91,16 +104,21 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
     write_png(flags.image, draft ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
-  const auto report = [&] {
+  const auto json_report = [&] {
     nlohmann::ordered_json json = classify_json(*model, result);
     if (draft) json["draft"] = draft_json(*model, *draft);
     return json;
   };
-  baseline.compare(report);
+  baseline.compare(json_report);
+  if (flags.report.any()) {
+    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
+    const DraftCheck shown = draft ? *draft : checked_draft(*model, result, k_histogram_deg, progress);
+    write_reports(flags.report, report::classify_report(for_report, result, {shown, draft.has_value()}));
+  }
   put_report(
       console, flags.part.json,
       [&] {
-        nlohmann::ordered_json json = report();
+        nlohmann::ordered_json json = json_report();
         baseline.add_to(json);
         return json;
       },
@@ -159,6 +177,7 @@ void add_classify_command(CLI::App& program, Request& request) {
                  "Write a table of the walls with too little draft: how far to turn each about which line of "
                  "its foot, and the thickness that it takes"})
       ->needs(required);
+  add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(
       *command, flags->image,
       {"--image", "FILE.png",

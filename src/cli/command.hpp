@@ -25,6 +25,7 @@ struct Request {
   std::function<int(Console&, const Progress&)> body;  // the command's work; returns the exit code
   /// Every setting that the result depends on with its value, of a command that can be the work of a batch.
   std::function<nlohmann::ordered_json()> settings;
+  std::vector<std::string> words;  // the command line, from the command's name on
   bool quiet = false, verbose = false;
 };
 

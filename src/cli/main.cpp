@@ -93,6 +93,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   program.require_subcommand(1);
   for (const auto add : k_add_commands) add(program, request);
   insert_default_command(program, arguments);
+  request.words = arguments;
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& help) {

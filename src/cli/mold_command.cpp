@@ -1,8 +1,11 @@
 // moldlight mold: the parting line of one direction, and the two mold halves.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "classify/headless.hpp"
 #include "cli/flags.hpp"
+#include "cli/report_flags.hpp"
 #include "io/png.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
@@ -23,6 +26,7 @@ struct MoldFlags {
   bool as_3mf = false, with_actions = false;
   std::string image;
   StillSettings still;
+  ReportFlags report;
 };
 
 /// Why files that were asked for are not written: what the halves cannot form, or that there are none.
@@ -44,6 +48,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     files.push_back({"--lines", path});
   }
   files.push_back({"--image", flags.image});
+  std::ranges::copy(flags.report.files(), std::back_inserter(files));
   check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
@@ -62,8 +67,9 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
               halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
   if (!flags.folder.empty() && refusal.empty())
     write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+  std::unique_ptr<gl::Context> context;
+  if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   if (!flags.image.empty()) {
-    const std::unique_ptr<gl::Context> context = create_context(query.method.backend);
     const MoldScene scene{*model, assignment, line, halves};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
@@ -74,10 +80,16 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     plan = find_actions(*model, result, {}, progress);
     by_action = actions_of_inserts(halves, *result.split, *plan);
   }
-  const MoldReport report{*model, query,   flags.settings,          assignment, line,
-                          halves, written, plan ? &*plan : nullptr, by_action};
+  const MoldReport found{*model, query,   flags.settings,          assignment, line,
+                         halves, written, plan ? &*plan : nullptr, by_action};
+  if (flags.report.any()) {
+    std::vector<std::string> warnings = model->warnings;
+    warnings.insert(warnings.end(), assignment.warnings.begin(), assignment.warnings.end());
+    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
+    write_reports(flags.report, report::mold_report(for_report, found, warnings));
+  }
   put_report(
-      console, flags.part.json, [&] { return mold_json(report); }, [&] { return mold_table(report); });
+      console, flags.part.json, [&] { return mold_json(found); }, [&] { return mold_table(found); });
   if (flags.folder.empty() || refusal.empty()) return 0;
   console.failure(refusal);
   return k_criterion_failed;
@@ -118,6 +130,7 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->needs(folder);
   command->add_flag("--actions", flags->with_actions,
                     "Find the side actions, and tell which inserts go with them instead of being loose");
+  add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(
       *command, flags->image,
       {"--image", "FILE.png",
@@ -125,7 +138,7 @@ void add_mold_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   for (const std::string_view key : {"view", "theme"})
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
-  add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look)->needs(image);
+  add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look);
   add_method_flags(*command, flags->query.method);
   set_work(*command, request, flags, run, settings);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "cli/meter.hpp"
+#include "cli/report_flags.hpp"
 #include "io/direction_list.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
@@ -91,12 +93,15 @@ struct SweepFlags {
   BaselineFlags baseline;
   bool wide = false, must_be_proved = false;
   std::vector<const CLI::Option*> of_actions;
+  ReportFlags report;
+
+  [[nodiscard]] bool drawn() const { return !image_folder.empty() || report.any(); }
 };
 
 SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) {
   SweepSettings settings = flags.sweep;
   // A map of the directions wants the figures of all of them.
-  settings.thorough = settings.thorough || !flags.image_folder.empty();
+  settings.thorough = settings.thorough || flags.drawn();
   if (!flags.directions_file.empty()) {
     const std::vector<glm::dvec3> listed = read_directions(flags.directions_file, progress);
     settings.user_directions.insert(settings.user_directions.end(), listed.begin(), listed.end());
@@ -159,16 +164,18 @@ bool is_proved(const SweepResult& result, Console& console) {
 }
 
 int run(const SweepFlags& flags, Console& console, const Progress& progress) {
+  std::vector<NamedPath> written = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}};
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
   check_outputs({.inputs = {{"PART", flags.part.part},
                             {"--directions-file", flags.directions_file},
                             {"--baseline", flags.baseline.file}},
-                 .files = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}},
+                 .files = written,
                  .folder = {"--image-dir", flags.image_folder}});
   const SweepSettings settings = sweep_settings(flags, progress);
   Baseline baseline(flags.baseline, "sweep");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   // Before the sweep, so that a backend that is not there is told at once.
-  const auto context = flags.image_folder.empty() ? nullptr : create_context(settings.method.backend);
+  const auto context = flags.drawn() ? create_context(settings.method.backend) : nullptr;
   SweepMeter meter(seeks_actions(settings));
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
     return meter.text(stage, fraction, columns);
@@ -196,6 +203,11 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
     if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
     }
+  }
+  if (flags.report.any() && !progress.cancelled()) {
+    console.progress("writing the report", 1.0);
+    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
+    write_reports(flags.report, report::sweep_report(for_report, result));
   }
   if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
@@ -240,6 +252,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
                     "All figures in the table, and what speaks for each direction, however wide that is");
   add_file_flag(*command, flags->csv,
                 {"--csv", "FILE.csv", "Write a table of every direction that was scored"});
+  add_report_flags(*command, flags->report, request);
   CLI::Option* pictures = add_file_flag(
       *command, flags->image_folder,
       {"--image-dir", "DIR",
@@ -248,7 +261,9 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
-  for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(pictures);
+  // The palette is the report's, too.
+  for (CLI::Option* flag : add_still_flags(*command, flags->still))
+    if (flag->get_name() != "--palette") flag->needs(pictures);
   add_baseline_flags(*command, flags->baseline, "sweep");
   add_method_flags(*command, sweep.method);
   set_work(*command, request, flags, run, settings);

@@ -123,13 +123,6 @@ double scale_of(const StillSettings& settings) {
   return std::min(settings.size.x / k_full_scale_px.x, settings.size.y / k_full_scale_px.y);
 }
 
-/// Undercut area over the half-sphere, interpolated from every direction that was scored, with the listed
-/// directions marked. Only size and theme of the settings count.
-Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, const StillSettings& settings) {
-  return direction_sphere_picture(settings.size, undercut_field(result), sphere_content(model, result),
-                                  settings.theme == Theme::dark);
-}
-
 /// The part's regions for each of the best directions with their figures. View, look and regions of the
 /// settings count, and the scale that their size stands for. An automatic view is the same for all tiles.
 /// Every tile wants its regions computed, which takes a second for millions of facets. Throws Cancelled.
@@ -164,6 +157,11 @@ Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& setti
 }
 
 }  // namespace
+
+Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, const StillSettings& settings) {
+  return direction_sphere_picture(settings.size, undercut_field(result), sphere_content(model, result),
+                                  settings.theme == Theme::dark);
+}
 
 bool write_sweep_pictures(const PicturedSweep& sweep, const StillSettings& settings,
                           const std::string& folder, const Progress& progress) {

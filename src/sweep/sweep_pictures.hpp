@@ -20,6 +20,11 @@ struct PicturedSweep {
   const SweepResult& result;
 };
 
+/// Undercut area over the half-sphere, interpolated from every direction that was scored, with the listed
+/// directions marked. Only size and theme of the settings count.
+[[nodiscard]] Image sweep_sphere_picture(const PartModel& model, const SweepResult& result,
+                                         const StillSettings& settings);
+
 /// Draws both and writes them to the folder, which is made where there is none; each file is replaced whole
 /// or not at all. Once cancelled it draws the map alone, which is soon done, and returns false. Throws
 /// FileError.

@@ -29,7 +29,9 @@ const std::map<std::string, Layers>& allowed_layers() {
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
                       k_sweep = with(with(k_parting, "parting"), "proof"), k_compare = with(k_sweep, "sweep"),
-                      k_entry = with(with(k_compare, "compare"), "batch"), k_program = with(k_entry, "gui");
+                      k_entry = with(with(k_compare, "compare"), "batch"),
+                      k_report = with(with(k_sweep, "sweep"), "page"),
+                      k_program = with(with(k_entry, "gui"), "report");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -45,6 +47,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"sweep", k_sweep},
       {"compare", k_compare},
       {"batch", {"base", "io", "page", "classify"}},
+      {"report", k_report},
       {"step", {"io", "mesh"}},
       {"gui", k_entry},
       {"cli", k_program},
@@ -71,10 +74,11 @@ const std::vector<LibraryRule>& library_rules() {
       {"Cairo", std::regex("cairo.*"), {"picture"}},
       {"CLI11", std::regex("CLI/.*"), {"cli"}},
       {"OpenSSL", std::regex("openssl/.*"), {"io"}},
+      {"zlib", std::regex("zlib.h"), {"report"}},
       {"SQLite", std::regex("sqlite3.h"), {"batch"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "compare", "page", "parting", "sweep", "gui", "cli"}},
+       {"actions", "batch", "classify", "compare", "page", "parting", "report", "sweep", "gui", "cli"}},
   };
   return k_rules;
 }

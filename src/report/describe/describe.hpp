@@ -1,0 +1,45 @@
+// Reports of what each command finds.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "actions/actions_report.hpp"
+#include "base/progress.hpp"
+#include "classify/still_picture.hpp"
+#include "parting/draft/draft_check.hpp"
+#include "parting/mold_report.hpp"
+#include "report/report.hpp"
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight::report {
+
+/// What a report is made with.
+struct ReportContext {
+  const gl::Context& gl;  // current
+  std::shared_ptr<const PartModel> model;
+  Palette palette = Palette::paper;
+  std::string version, command;  // to repeat it: the program's, and its command line
+  const Progress& progress;
+};
+
+/// What a classification has beside its regions.
+struct DraftShown {
+  const DraftCheck& check;
+  bool asked = false;  // for the least draft that it has: else the histogram alone counts
+};
+/// `result` must have its split mesh. Throws Cancelled.
+[[nodiscard]] Report classify_report(const ReportContext& context, const Classification& result,
+                                     const DraftShown& draft);
+
+/// The classification must have its split mesh. Throws Cancelled.
+[[nodiscard]] Report actions_report(const ReportContext& context, const ActionsReport& found);
+
+/// Throws Cancelled.
+[[nodiscard]] Report sweep_report(const ReportContext& context, const SweepResult& result);
+
+/// `warnings`: of part and assignment. Throws Cancelled.
+[[nodiscard]] Report mold_report(const ReportContext& context, const MoldReport& found,
+                                 const std::vector<std::string>& warnings);
+
+}  // namespace moldlight::report

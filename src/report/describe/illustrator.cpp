@@ -1,0 +1,113 @@
+// Pictures of a report, by the still pictures' painter.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "classify/view_choice.hpp"
+#include "render/camera.hpp"
+#include "report/describe/parts.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr glm::ivec2 k_whole_px(1280, 800), k_behind_px(960, 600), k_undercut_px(280, 210);
+/// More pictures of undercuts would make the page large, and nobody looks at them.
+constexpr std::size_t k_most_pictures = 12, k_most_rows = 100;
+/// What is shown around an undercut: shares of its extent and of the part's diagonal.
+constexpr double k_around = 0.3, k_least_around = 0.06;
+
+StillSettings still_settings(const ReportContext& context, const glm::ivec2& size) {
+  StillSettings still;
+  still.size = size;
+  still.legend = false;
+  still.backdrop = Backdrop::none;
+  still.look.palette = context.palette;
+  return still;
+}
+
+}  // namespace
+
+Illustrator::Illustrator(const ReportContext& context, const Classification& result)
+    : context_(&context),
+      result_(&result),
+      painter_(context.gl, context.model),
+      seen_from_(painter_.seen_best({&result, 1})) {}
+
+glm::dvec3 Illustrator::to_viewer() const { return seen_from_ * glm::dvec3(0, 0, 1); }
+
+Image Illustrator::whole(std::span<const StillBody> bodies) {
+  StillSettings still = still_settings(*context_, k_whole_px);
+  still.seen_from = seen_from_;
+  return painter_.draw(*result_, still, context_->progress, bodies);
+}
+
+Image Illustrator::from_behind() {
+  StillSettings still = still_settings(*context_, k_behind_px);
+  still.seen_from = looking_along(to_viewer(), result_->direction);
+  return painter_.draw(*result_, still, context_->progress);
+}
+
+Image Illustrator::undercut(const Undercut& undercut) {
+  const SplitMesh& split = *result_->split;
+  const UnitFrame& frame = context_->model->frame;
+  // Where this one alone is an undercut, it is what the view is chosen for.
+  auto alone = std::make_shared<SplitMesh>(split);
+  for (SplitPiece& piece : alone->pieces)
+    if (piece.region == Region::undercut) piece.region = Region::both;
+  Bounds box;
+  for (const std::uint32_t piece : undercut.pieces) {
+    alone->pieces[piece].region = Region::undercut;
+    for (const VertexIndex corner : split.pieces[piece].corners)
+      box.add(glm::dvec3(frame.to_unit(split.vertices[corner])));
+  }
+  StillSettings still = still_settings(*context_, k_undercut_px);
+  still.look.arrows = false;
+  const std::shared_ptr<const SplitMesh> shown = alone;
+  still.seen_from = revealing_orientation(*context_->model, {&shown, 1}, result_->direction);
+  const double room = std::max(k_around * glm::length(box.max - box.min), k_least_around);
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 * room : box.min[axis] - 0.5 * room;
+    still.focus.emplace_back(point);
+  }
+  return painter_.draw(*result_, still, context_->progress);
+}
+
+Table undercut_table(const ReportContext& context, Illustrator& pictures,
+                     std::span<const Undercut* const> undercuts, const UndercutAside& aside) {
+  const PartModel& model = *context.model;
+  const std::string unit = length_unit(model.part);
+  const FigureColumn areas(model.geometry.total_area);
+  Table table;
+  table.columns = {{"#"},
+                   {"area " + powered_unit(model.part, 2)},
+                   {"across " + unit},
+                   {"along " + unit},
+                   {"centre " + unit}};
+  table.columns.insert(table.columns.end(), aside.columns.begin(), aside.columns.end());
+  for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_rows); ++k) {
+    const Undercut& undercut = *undercuts[k];
+    Row row;
+    row.cells = {{fmt::format("{}", k + 1)},
+                 {areas.text(undercut.area)},
+                 {figure(undercut.size_across)},
+                 {figure(undercut.size_along)},
+                 {with_minus(figures(undercut.centre, model.frame.diagonal))}};
+    if (aside.cells) {
+      for (Value& cell : aside.cells(k)) row.cells.push_back(std::move(cell));
+    }
+    if (aside.mark) row.mark = aside.mark(k);
+    if (k < k_most_pictures) {
+      row.picture = pictures.undercut(undercut);
+      row.picture_text = fmt::format("Undercut {}", k + 1);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  if (undercuts.size() > k_most_rows) table.rest = fmt::format("… {} in all.", undercuts.size());
+  return table;
+}
+
+}  // namespace moldlight::report

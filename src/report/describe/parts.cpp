@@ -1,0 +1,234 @@
+#include "report/describe/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "classify/option.hpp"
+#include "parting/draft/draft_report.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr double k_most_draft_deg = 10.0, k_least_draft_deg = -5.0;
+constexpr std::size_t k_most_walls = 8;
+
+std::string json_value_text(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return "–";
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_number_float()) return real_text(value.get<double>());
+  if (value.is_string()) return value.get<std::string>().empty() ? "–" : value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& item : value) text += (text.empty() ? "" : ", ") + json_value_text(item);
+  return text.empty() ? "none" : text;
+}
+
+/// "tau_deg" → "tau deg".
+std::string spoken(std::string key) {
+  std::ranges::replace(key, '_', ' ');
+  return key;
+}
+
+Table walls_table(const ReportContext& context, const DraftCheck& check) {
+  const PartModel& model = *context.model;
+  const FigureColumn areas(model.geometry.total_area);
+  Table table{{{"wall", true},
+               {"area " + powered_unit(model.part, 2)},
+               {"least draft"},
+               {"height " + length_unit(model.part)},
+               {"what helps", true}},
+              {}};
+  for (std::size_t k = 0; k < std::min(check.walls.size(), k_most_walls); ++k) {
+    const WallDraft& wall = check.walls[k];
+    const Region region = wall.side == MoldSide::core ? Region::core : Region::cavity;
+    table.rows.push_back({{{std::string(side_name(wall.side))},
+                           {areas.text(wall.area)},
+                           {with_minus(fmt::format("{:.2f}°", wall.least_deg))},
+                           {figure(wall.height)},
+                           {suggestion(model, wall)}},
+                          region_mark(region, context.palette)});
+  }
+  if (check.walls.size() > k_most_walls)
+    table.rest = fmt::format("… {} walls in all; --draft FILE.csv has them.", check.walls.size());
+  return table;
+}
+
+}  // namespace
+
+Value number(std::string text, std::string key, double value) {
+  return {std::move(text), std::move(key), value};
+}
+
+Mark region_mark(Region region, Palette palette) {
+  return {region_colour(region, palette), region == Region::undercut};
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+Report begin_report(const ReportContext& context, std::string kind, const glm::dvec3& direction) {
+  Report report;
+  report.kind = std::move(kind);
+  report.part = part_name(context.model->part);
+  report.subject = "along " + with_minus(short_direction_text(direction));
+  return report;
+}
+
+Section regions_section(const ReportContext& context, const Classification& result,
+                        const std::optional<std::string>& keys) {
+  const std::string area_unit = powered_unit(context.model->part, 2);
+  const FigureColumn areas(result.total_area);
+  const auto value = [&](std::string text, const std::string& key, double found) {
+    return number(std::move(text), keys ? *keys + key : "", found);
+  };
+  Section section{"Who forms what", {}};
+  ShareBar bar;
+  Table table{{{"region", true}, {"area " + area_unit}, {"±"}, {"share"}, {"meaning", true}}, {}};
+  for (const Region region : k_regions) {
+    const std::string name(region_name(region)), title(facts(region).title);
+    const Mark mark = region_mark(region, context.palette);
+    const double part_of = share(result.areas[region], result.total_area), error = result.uncertainty.total();
+    bar.shares.push_back({mark, part_of, title});
+    table.rows.push_back(
+        {{{title},
+          value(areas.text(result.areas[region]), "/areas/" + name, result.areas[region]),
+          region == Region::undercut ? value(error_text(error), "/undercut_uncertainty", error) : Value{},
+          value(share_text(result.areas[region], result.total_area), "/fractions/" + name, part_of),
+          {std::string(facts(region).meaning)}},
+         mark});
+  }
+  section.blocks = {std::move(bar), std::move(table)};
+  const ShadowIdentity& identity = result.identity;
+  const auto area = [&](std::string name, double found, const std::string& key, std::string note) {
+    return Figure{std::move(name), value(areas.text(found), key, found), area_unit, {}, std::move(note)};
+  };
+  FigureGrid grid;
+  grid.figures = {
+      area("Surface", result.total_area, "/areas/total", "of the part"),
+      area("Projected area", result.shadow_area, keys ? "/projected_area" : "",
+           "which the clamp force acts on"),
+      area("Projected undercut", result.projected_undercut, "/projected_undercut", "hidden from both sides"),
+      area("Near-vertical", result.near_vertical_area, "/areas/near_vertical",
+           fmt::format("draft below {}°", figure(result.settings.tau_deg))),
+      {"Two checks",
+       {identity.agrees() ? "agree" : "disagree"},
+       {},
+       {},
+       fmt::format("the shadow from both sides differs by {} {}, limit {}",
+                   error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
+  section.blocks.emplace_back(std::move(grid));
+  return section;
+}
+
+Section part_section(const ReportContext& context, const std::vector<std::string>& warnings) {
+  const PartModel& model = *context.model;
+  const HealthReport& health = model.health;
+  const auto count = [](std::size_t many) { return static_cast<double>(many); };
+  Section section{"The part", {}};
+  FigureGrid grid;
+  grid.figures = {
+      {"Box",
+       {figures(health.bounds.max - health.bounds.min, model.frame.diagonal)},
+       length_unit(model.part)},
+      {"Volume", number(figure(health.volume), "/part/volume", health.volume), powered_unit(model.part, 3)},
+      {"Facets",
+       number(fmt::format("{}", health.facets), "/part/facets", count(health.facets)),
+       {},
+       {},
+       health.closed ? "closed surface" : "the surface is not closed"},
+      {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
+      {"Read as", {model.part.format}, {}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
+  section.blocks.emplace_back(std::move(grid));
+  for (const std::string& warning : warnings) section.blocks.emplace_back(Text{warning, TextLook::notice});
+  return section;
+}
+
+Section draft_section(const ReportContext& context, const DraftShown& draft) {
+  const PartModel& model = *context.model;
+  const DraftCheck& check = draft.check;
+  const std::string area_unit = powered_unit(model.part, 2);
+  const FigureColumn areas(model.geometry.total_area);
+  DraftBars bars;
+  bars.core = region_mark(Region::core, context.palette);
+  bars.cavity = region_mark(Region::cavity, context.palette);
+  bars.unit = area_unit;
+  if (draft.asked) bars.required_deg = check.required_deg;
+  double beyond = 0.0;
+  for (const DraftBin& bin : check.histogram) {
+    const bool shown = bin.from_deg >= k_least_draft_deg && bin.to_deg <= k_most_draft_deg;
+    if (shown) bars.bars.push_back({bin.from_deg, bin.to_deg, bin.area[0], bin.area[1]});
+    if (!shown && bin.from_deg > 0.0) beyond += bin.area[0] + bin.area[1];
+  }
+  Section section{"Draft", {}};
+  section.blocks.emplace_back(
+      Text{fmt::format("Area by draft angle of what core and cavity form, each seen from the half that forms "
+                       "it; {} {} more have over {}°.",
+                       areas.text(beyond), area_unit, figure(k_most_draft_deg)),
+           TextLook::quiet});
+  section.blocks.emplace_back(std::move(bars));
+  if (!draft.asked) return section;
+  FigureGrid grid;
+  for (const std::size_t half : {0U, 1U}) {
+    grid.figures.push_back(
+        {fmt::format("{} below {}°", half == 0 ? "Core" : "Cavity", figure(check.required_deg)),
+         number(areas.text(check.below[half]),
+                fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
+         area_unit,
+         {},
+         counted(check.faces_below[half], "face")});
+  }
+  section.blocks.emplace_back(std::move(grid));
+  Table walls = walls_table(context, check);
+  if (!walls.rows.empty()) section.blocks.emplace_back(std::move(walls));
+  return section;
+}
+
+Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings) {
+  Section section{"To repeat it", {}};
+  section.blocks.emplace_back(Text{context.command, TextLook::command});
+  Facts facts;
+  facts.facts.emplace_back("moldlight", context.version);
+  for (const auto& [key, value] : settings.items())
+    facts.facts.emplace_back(spoken(key), json_value_text(value));
+  section.blocks.emplace_back(std::move(facts));
+  return section;
+}
+
+std::string view_caption() {
+  return "Drag to turn, click and use the wheel to zoom, shift and drag to move; arrow keys, + and − do it, "
+         "too.";
+}
+
+ModelView region_view(const ReportContext& context, const Classification& result,
+                      const glm::dvec3& to_viewer) {
+  const PartModel& model = *context.model;
+  const FigureColumn areas(result.total_area);
+  ModelView view;
+  view.centre = model.frame.center;
+  view.diagonal = model.frame.diagonal;
+  view.direction = result.direction;
+  view.to_viewer = to_viewer;
+  view.opens = "Take core and cavity surface apart";
+  for (const Region region : k_regions) {
+    ViewGroup group;
+    group.name = facts(region).title;
+    group.aside = fmt::format("{}  ·  {} {}", share_text(result.areas[region], result.total_area),
+                              areas.text(result.areas[region]), powered_unit(model.part, 2));
+    group.colour = region_colour(region, context.palette);
+    group.hatched = group.stays_opaque = region == Region::undercut;
+    const double way = region == Region::core ? 1.0 : region == Region::cavity ? -1.0 : 0.0;
+    group.shift = way * k_mold_travel * view.diagonal * result.direction;
+    view.groups.push_back(std::move(group));
+  }
+  ViewSurface surface{piece_mesh(*result.split), {}};
+  for (const SplitPiece& piece : result.split->pieces)
+    surface.group_of_facet.push_back(static_cast<std::uint16_t>(piece.region));
+  view.surfaces.push_back(std::move(surface));
+  return view;
+}
+
+}  // namespace moldlight::report

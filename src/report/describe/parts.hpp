@@ -1,0 +1,75 @@
+// What reports of different kinds have in common: regions, figures, undercuts with pictures, the view, and
+// how to repeat it all.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "actions/undercut.hpp"
+#include "classify/figures.hpp"
+#include "report/describe/describe.hpp"
+
+namespace moldlight::report {
+
+/// A value that the JSON report has under `key`.
+[[nodiscard]] Value number(std::string text, std::string key, double value);
+
+[[nodiscard]] Mark region_mark(Region region, Palette palette);
+
+/// "1 undercut", "3 undercuts".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
+
+/// The part of a report that does not depend on what was found.
+[[nodiscard]] Report begin_report(const ReportContext& context, std::string kind,
+                                  const glm::dvec3& direction);
+
+/// Shares and areas of the regions. `keys`: where the JSON report has the classification; none where it has
+/// not all of it.
+[[nodiscard]] Section regions_section(const ReportContext& context, const Classification& result,
+                                      const std::optional<std::string>& keys);
+/// Size and state of the part, with its warnings.
+[[nodiscard]] Section part_section(const ReportContext& context, const std::vector<std::string>& warnings);
+[[nodiscard]] Section draft_section(const ReportContext& context, const DraftShown& draft);
+/// Settings as a JSON report has them, version and command line.
+[[nodiscard]] Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings);
+
+/// Draws still pictures of a classified part, without backdrop, for light pages and dark ones.
+class Illustrator {
+ public:
+  Illustrator(const ReportContext& context, const Classification& result);
+
+  /// The part from where its undercuts are seen best.
+  [[nodiscard]] Image whole(std::span<const StillBody> bodies = {});
+  /// And from the other side.
+  [[nodiscard]] Image from_behind();
+  /// An undercut, from where most of it is seen.
+  [[nodiscard]] Image undercut(const Undercut& undercut);
+  /// Towards the viewer of whole(), unit.
+  [[nodiscard]] glm::dvec3 to_viewer() const;
+
+ private:
+  const ReportContext* context_;
+  const Classification* result_;
+  StillPainter painter_;
+  glm::dquat seen_from_;
+};
+
+/// What an undercut's row has beside its figures.
+struct UndercutAside {
+  std::vector<Column> columns = {};
+  std::function<std::vector<Value>(std::size_t)> cells = {};
+  std::function<Mark(std::size_t)> mark = {};
+};
+/// A table of undercuts, the largest with a picture each.
+[[nodiscard]] Table undercut_table(const ReportContext& context, Illustrator& pictures,
+                                   std::span<const Undercut* const> undercuts, const UndercutAside& aside);
+
+/// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
+/// apart.
+[[nodiscard]] ModelView region_view(const ReportContext& context, const Classification& result,
+                                    const glm::dvec3& to_viewer);
+
+/// How the view is used.
+[[nodiscard]] std::string view_caption();
+
+}  // namespace moldlight::report

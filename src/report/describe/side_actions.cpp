@@ -1,0 +1,166 @@
+// The report of side actions.
+#include <fmt/format.h>
+#include <glm/trigonometric.hpp>
+
+#include "actions/action_body.hpp"
+#include "actions/actions_files.hpp"
+#include "report/describe/parts.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr Colour k_unreleased = {110, 0, 30};
+
+/// "slide 1".
+std::string title(const ActionPlan& plan, std::size_t action) {
+  return fmt::format("{} {}", facts(plan.actions[action].kind).singular, action + 1);
+}
+
+std::string numbers_text(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (const std::size_t number : numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", number + 1);
+  return text;
+}
+
+Section plan_section(const ActionsReport& found) {
+  const auto& [model, result, settings, plan, changes] = found;
+  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
+  const FigureColumn areas(result.total_area), lengths(10.0 * model.frame.diagonal);
+  Section section{"Side actions", {}};
+  Table table{{{"action", true},
+               {"direction"},
+               {"travel " + unit},
+               {"stroke " + unit},
+               {"free to turn"},
+               {"area " + area_unit},
+               {"undercuts", true}},
+              {}};
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const SideAction& action = plan.actions[k];
+    const std::string key = fmt::format("/actions/{}/", k);
+    table.rows.push_back(
+        {{{title(plan, k)},
+          {with_minus(direction_text(action.direction, 3))},
+          number(lengths.text(action.travel), key + "travel", action.travel),
+          action.stroke ? number(lengths.text(*action.stroke), key + "stroke", *action.stroke) : Value{},
+          {with_minus(freedom_text(action, unit))},
+          number(areas.text(action.area), key + "area", action.area),
+          {numbers_text(action.patches)}},
+         Mark{action_colour(k)}});
+  }
+  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  if (const std::string meetings = meetings_text(plan); !meetings.empty())
+    section.blocks.emplace_back(Text{meetings, TextLook::notice});
+  if (!plan.unreleased.empty()) {
+    section.blocks.emplace_back(Text{
+        fmt::format("Nothing that was tried releases {} {} in {}: {}.", areas.text(plan.unreleased_area),
+                    area_unit, counted(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
+        TextLook::notice});
+  }
+  std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
+                                   : "A cheaper set may exist: the search for the least was given up.";
+  if (plan.dropped > 0)
+    small += fmt::format(" {} within the lateral tolerance {} left out, {} {}.",
+                         plan.dropped == 1 ? "One patch" : fmt::format("{} patches", plan.dropped),
+                         plan.dropped == 1 ? "is" : "are", figure(plan.dropped_area), area_unit);
+  section.blocks.emplace_back(Text{small, TextLook::quiet});
+  return section;
+}
+
+Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
+  std::vector<const Undercut*> undercuts;
+  for (const UndercutReport& patch : plan.patches) undercuts.push_back(&patch.undercut);
+  UndercutAside aside;
+  aside.columns = {{"depth " + length_unit(context.model->part)}, {"released by", true}};
+  aside.cells = [&plan](std::size_t k) -> std::vector<Value> {
+    const UndercutReport& patch = plan.patches[k];
+    const SideAction* action = action_of(plan, k);
+    const bool deep = std::isfinite(patch.depth);
+    return {deep ? number(figure(patch.depth), fmt::format("/patches/{}/depth", k), patch.depth) : Value{"–"},
+            {action != nullptr ? title(plan, static_cast<std::size_t>(action - plan.actions.data()))
+                               : unreleased_text(plan, k)}};
+  };
+  Section section{"Undercuts", {}};
+  section.blocks.emplace_back(undercut_table(context, pictures, undercuts, aside));
+  return section;
+}
+
+/// The part in the colours of what forms it, and the bodies of the actions, each pulled as far as it goes.
+ModelView actions_view(const ReportContext& context, const ActionsReport& found,
+                       const glm::dvec3& to_viewer) {
+  const ActionPlan& plan = found.plan;
+  ModelView view = region_view(context, found.result, to_viewer);
+  view.opens = "Pull the side actions";
+  view.opened = plan.actions.empty() ? 0.0 : 1.0;
+  for (ViewGroup& group : view.groups) group.shift = glm::dvec3(0.0);
+  // Of the undercut only what was left out is not told with what forms it.
+  ViewGroup& left_out = view.groups[static_cast<std::size_t>(Region::undercut)];
+  left_out.name.clear();
+  left_out.aside.clear();
+  const std::size_t first = view.groups.size();
+  for (std::size_t k = 0; k < plan.actions.size(); ++k)
+    view.groups.push_back({.colour = action_colour(k), .stays_opaque = true});
+  const std::size_t unreleased = view.groups.size();
+  view.groups.push_back({.name = plan.unreleased.empty() ? "" : "Not released",
+                         .colour = k_unreleased,
+                         .hatched = true,
+                         .stays_opaque = true});
+  for (std::size_t k = 0; k < plan.action_of_piece.size(); ++k) {
+    const std::int32_t action = plan.action_of_piece[k];
+    std::uint16_t& group = view.surfaces.front().group_of_facet[k];
+    if (action >= 0) group = static_cast<std::uint16_t>(first + static_cast<std::size_t>(action));
+    if (action == k_unreleased_piece) group = static_cast<std::uint16_t>(unreleased);
+  }
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    auto body = action_body(found.model, found.result, plan, k);
+    if (!body) continue;
+    const SideAction& action = plan.actions[k];
+    ViewGroup group{.name = title(plan, k),
+                    .aside = fmt::format("{:.3g} {}", action.travel, length_unit(found.model.part)),
+                    .colour = action_colour(k),
+                    .shift = action.travel * action.direction};
+    if (action.kind == ActionKind::unscrew && action.about) {
+      group.turn_rad = turn_of(action, 1.0);
+      group.point = action.about->point;
+      group.axis = action.about->direction;
+    }
+    const auto number_of_group = static_cast<std::uint16_t>(view.groups.size());
+    view.groups.push_back(std::move(group));
+    std::vector<std::uint16_t> groups(body->facets.size(), number_of_group);
+    view.surfaces.push_back({std::move(*body), std::move(groups)});
+  }
+  return view;
+}
+
+}  // namespace
+
+Report actions_report(const ReportContext& context, const ActionsReport& found) {
+  const ActionPlan& plan = found.plan;
+  const FigureColumn areas(found.result.total_area);
+  Report report = begin_report(context, "Side actions", found.result.direction);
+  const std::string undercuts = counted(plan.patches.size(), "undercut");
+  if (plan.patches.empty()) {
+    report.sentence = "Two-plate mold: no undercut asks for a side action";
+  } else if (plan.unreleased.empty()) {
+    report.sentence = fmt::format("{} {} all of {}", actions_text(plan),
+                                  plan.actions.size() == 1 ? "releases" : "release", undercuts);
+  } else {
+    report.tone = plan.actions.empty() ? Tone::bad : Tone::attention;
+    report.sentence =
+        fmt::format("{}; {} {} of {} cannot be released", actions_text(plan),
+                    areas.text(plan.unreleased_area), powered_unit(found.model.part, 2), undercuts);
+  }
+  Illustrator pictures(context, found.result);
+  const std::vector<StillBody> bodies = pulled_bodies(found);
+  report.still = {pictures.whole(bodies), {}, "The part with its side actions, pulled out", view_caption()};
+  report.view = actions_view(context, found, pictures.to_viewer());
+  report.sections.push_back(plan_section(found));
+  if (!plan.patches.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
+  report.sections.push_back(regions_section(context, found.result, std::nullopt));
+  report.sections.push_back(part_section(context, found.result.warnings));
+  report.sections.push_back(repeat_section(context, actions_json(found)["settings"]));
+  return report;
+}
+
+}  // namespace moldlight::report

@@ -1,0 +1,164 @@
+// The report of a sweep.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "report/describe/parts.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep_pictures.hpp"
+#include "sweep/sweep_report.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr glm::ivec2 k_map_px(1280, 800);
+
+Picture direction_map(const ReportContext& context, const SweepResult& result) {
+  StillSettings still;
+  still.size = k_map_px;
+  Picture picture;
+  picture.light = sweep_sphere_picture(*context.model, result, still);
+  still.theme = Theme::dark;
+  picture.dark = sweep_sphere_picture(*context.model, result, still);
+  picture.text = "Map of the undercut area over all parting directions, with the best of them marked";
+  picture.caption =
+      "The half-sphere of all parting directions in an equal-area map; where nothing was tried it is "
+      "hatched. "
+      "The table below has the marked directions.";
+  return picture;
+}
+
+/// Where the JSON report has a figure of a direction.
+std::string key_of(const DirectionFigure& figure, std::size_t candidate) {
+  const std::string place = fmt::format("/candidates/{}/", candidate);
+  if (figure.key == "undercut") return place + "areas/undercut";
+  return figure.use.classified ? "" : place + std::string(figure.key);
+}
+
+Table candidates_table(const PartModel& model, const SweepResult& result) {
+  const std::vector<const DirectionFigure*> columns = figure_columns(result);
+  Table table{{{"#"}, {"tie", true}, {"direction"}}, {}};
+  for (const DirectionFigure* column : columns)
+    table.columns.push_back({figure_heading(*column, model.part), column->kind == FigureKind::actions});
+  table.columns.push_back({"why", true});
+  for (std::size_t k = 0; k < result.candidates.size(); ++k) {
+    const SweepCandidate& candidate = result.candidates[k];
+    Row row{{{fmt::format("{}", candidate.rank)},
+             {candidate.tie},
+             {with_minus(direction_text(candidate.classification.direction, 4))}}};
+    for (const DirectionFigure* column : columns) {
+      const std::string text =
+          with_minus(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
+      const auto value = figure_value(*column, candidate);
+      const std::string key = column->kind == FigureKind::actions ? "" : key_of(*column, k);
+      row.cells.push_back(value && !key.empty() ? number(text, key, *value) : Value{text});
+    }
+    row.cells.push_back({reasons_text(candidate.candidate)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Section proof_section(const PartModel& model, const SweepProof& proof, const std::string& key,
+                      std::string title) {
+  const std::string area_unit = powered_unit(model.part, 2);
+  Section section{std::move(title), {}};
+  section.blocks.emplace_back(
+      Text{fmt::format("{} {} an undercut of at least {} {}, {}.",
+                       proof.open.empty() ? "Every parting direction"
+                                          : "Every parting direction outside of the caps below",
+                       proof.holds ? "has" : "that was looked at has", figure(proof.bound), area_unit,
+                       proof.grade == ProofGrade::area ? "by area" : "for the scoring samples"),
+           proof.holds ? TextLook::normal : TextLook::notice});
+  FigureGrid grid;
+  grid.figures = {
+      {"Bound", number(figure(proof.bound), key + "/bound", proof.bound), area_unit,
+       proof.bound_error > 0.0 ? error_text(proof.bound_error) : ""},
+      {"Proved",
+       number(fmt::format("{:.4f}", 100.0 * proof.proved_share), key + "/proved_share", proof.proved_share),
+       "%",
+       {},
+       "of the half-sphere of directions"},
+      {"Open", {fmt::format("{}", proof.open.size())}, proof.open.size() == 1 ? "cap" : "caps"},
+      {"Proof", {proof.holds ? "holds" : "does not hold"}, {}, {}, proof.complete ? "" : "a limit ended it"}};
+  section.blocks.emplace_back(std::move(grid));
+  constexpr std::size_t k_most_caps = 12;
+  Table caps{{{"around", true}, {"radius"}, {"undercut " + area_unit}}, {}};
+  for (std::size_t k = 0; k < std::min(proof.open.size(), k_most_caps); ++k) {
+    const OpenCap& open = proof.open[k];
+    caps.rows.push_back({{{with_minus(direction_text(open.cap.direction, 4))},
+                          number(fmt::format("{:.3g}°", open.cap.radius_deg),
+                                 fmt::format("{}/open/{}/radius_deg", key, k), open.cap.radius_deg),
+                          {open.undercut ? figure(*open.undercut) : std::string("–")}}});
+  }
+  if (proof.open.size() > k_most_caps) caps.rest = fmt::format("… {} in all.", proof.open.size());
+  if (!caps.rows.empty()) section.blocks.emplace_back(std::move(caps));
+  return section;
+}
+
+/// What of the best direction is shown beside its figures.
+void show_best(const ReportContext& context, const SweepCandidate& best, Report& report) {
+  const PartModel& model = *context.model;
+  const Classification split =
+      classify_exact(model, best.classification.query(), Progress(&context.progress), true);
+  const double undercut = split.areas[Region::undercut];
+  const bool free = undercut <= split.uncertainty.total();
+  report.subject = "best " + report.subject;
+  report.tone = free ? Tone::good : Tone::attention;
+  report.sentence =
+      free ? "Two-plate mold: the best direction has no undercut"
+           : fmt::format("The best direction leaves {} ± {} {} of undercut, {}",
+                         FigureColumn(split.total_area).text(undercut), error_text(split.uncertainty.total()),
+                         powered_unit(model.part, 2), share_text(undercut, split.total_area));
+  if (const std::string actions = side_actions_text(model, best); !actions.empty() && !free)
+    report.sentence += "; side actions: " + actions;
+  Illustrator pictures(context, split);
+  report.still = {pictures.whole(), {}, "The part with its best parting direction", view_caption()};
+  report.view = region_view(context, split, pictures.to_viewer());
+}
+
+}  // namespace
+
+Report sweep_report(const ReportContext& context, const SweepResult& result) {
+  const PartModel& model = *context.model;
+  const bool any = !result.candidates.empty();
+  Report report =
+      begin_report(context, "Parting directions",
+                   any ? result.candidates.front().classification.direction : glm::dvec3(0, 0, 1));
+  Picture map = direction_map(context, result);
+  if (any) {
+    show_best(context, result.candidates.front(), report);
+  } else {
+    report.subject.clear();
+    report.tone = Tone::bad;
+    report.sentence = "No direction was measured to the end";
+    report.still = map;
+  }
+  report.lead = fmt::format("{} scored{}", counted(result.evaluated.size(), "direction"),
+                            result.complete ? "." : "; the sweep is not complete.");
+  Section directions{"Parting directions", {}};
+  for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});
+  Pictures maps;
+  maps.pictures.push_back(std::move(map));
+  directions.blocks.emplace_back(std::move(maps));
+  if (any) directions.blocks.emplace_back(candidates_table(model, result));
+  report.sections.push_back(std::move(directions));
+  if (result.proof)
+    report.sections.push_back(proof_section(model, *result.proof, "/proof", "Proof that none is better"));
+  if (result.all_free)
+    report.sections.push_back(
+        proof_section(model, *result.all_free, "/all_free", "All directions that are free"));
+  if (any) {
+    Section best = regions_section(context, result.candidates.front().classification, "/candidates/0");
+    best.title = "Who forms what along the best";
+    report.sections.push_back(std::move(best));
+  }
+  report.sections.push_back(
+      part_section(context, any ? result.candidates.front().classification.warnings : model.warnings));
+  report.sections.push_back(repeat_section(context, sweep_json(model, result)["settings"]));
+  return report;
+}
+
+}  // namespace moldlight::report

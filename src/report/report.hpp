@@ -1,0 +1,117 @@
+// A report as a value: what it says, without how it looks. Writers make a page or a PDF of the same value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/image.hpp"
+#include "mold/region.hpp"
+#include "report/model_view.hpp"
+
+namespace moldlight::report {
+
+/// A small sample of a colour.
+struct Mark {
+  Colour colour = {};
+  bool hatched = false;
+};
+
+/// A text for people; where it is a figure, also the number and where the JSON report has it (a JSON
+/// pointer).
+struct Value {
+  std::string text = {};
+  std::string key = {};  // empty: no figure of the JSON report
+  double number = 0.0;
+};
+
+struct Figure {
+  std::string name;
+  Value value;
+  std::string unit = {}, error = {}, note = {};  // error without its ±
+};
+struct FigureGrid {
+  std::vector<Figure> figures;
+};
+
+/// One bar of the parts of a whole.
+struct ShareBar {
+  struct Share {
+    Mark mark;
+    double share = 0.0;  // [0, 1]
+    std::string name;
+  };
+  std::vector<Share> shares;
+};
+
+struct Column {
+  std::string heading;
+  bool text = false;  // else figures, which stand at the right
+};
+struct Row {
+  std::vector<Value> cells;
+  std::optional<Mark> mark = {};
+  Image picture = {};  // may be empty
+  std::string picture_text = {};
+};
+struct Table {
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+  std::string rest = {};  // what is said of rows that are left out
+};
+
+struct Picture {
+  Image light = {}, dark = {};  // by theme; dark may be empty: `light` is transparent, and for both
+  std::string text;             // what it shows, for who does not see it
+  std::string caption = {};
+};
+struct Pictures {
+  std::vector<Picture> pictures;
+};
+
+/// Areas by draft, stacked: of core and of cavity.
+struct DraftBars {
+  struct Bar {
+    double from_deg = 0.0, to_deg = 0.0;
+    double core = 0.0, cavity = 0.0;
+  };
+  std::vector<Bar> bars;  // of equal width, rising
+  std::optional<double> required_deg = {};
+  Mark core, cavity;
+  std::string unit;  // of areas
+};
+
+enum class TextLook : std::uint8_t { normal, quiet, notice, command };
+struct Text {
+  std::string text;
+  TextLook look = TextLook::normal;
+};
+
+/// Names and values, such as settings.
+struct Facts {
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+using Block = std::variant<FigureGrid, ShareBar, Table, Pictures, DraftBars, Text, Facts>;
+
+struct Section {
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+enum class Tone : std::uint8_t { good, attention, bad };
+
+struct Report {
+  std::string kind;      // "Parting direction", …
+  std::string part;      // name of the part's file
+  std::string subject;   // "along +Z"
+  std::string sentence;  // the verdict
+  Tone tone = Tone::good;
+  std::string lead;  // a sentence below it; may be empty
+  Picture still;     // what stands for the view where there is none
+  std::optional<ModelView> view;
+  std::vector<Section> sections;
+};
+
+}  // namespace moldlight::report

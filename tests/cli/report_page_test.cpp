@@ -1,0 +1,170 @@
+// The page that --html writes, as a program reads it and as a browser shows it.
+#include <filesystem>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_part.hpp"
+#include "support/browser.hpp"
+
+namespace moldlight {
+namespace {
+
+namespace fs = std::filesystem;
+using test::file_bytes;
+using test::json_of;
+using test::run_moldlight;
+using test::SmallPart;
+using Json = nlohmann::ordered_json;
+
+struct Kind {
+  std::string name;
+  std::vector<std::string> more;
+  std::size_t least_figures = 0;
+};
+
+class ReportPages : public testing::TestWithParam<Kind> {
+ protected:
+  /// Writes the page and the JSON.
+  void write(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {GetParam().name, part_.file(), "--html", page(), "--json", json()};
+    words.insert(words.end(), GetParam().more.begin(), GetParam().more.end());
+    words.insert(words.end(), more.begin(), more.end());
+    const auto run = run_moldlight(words);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  [[nodiscard]] std::string page() const { return part_.output("report.html"); }
+  [[nodiscard]] std::string json() const { return part_.output("report.json"); }
+
+  SmallPart part_;
+};
+
+TEST_P(ReportPages, ItsFiguresAreTheJsons) {
+  write();
+  const Json json = json_of(file_bytes(this->json()));
+  const std::string page = file_bytes(this->page());
+  const std::regex figure(R"re(<data data-key="([^"]+)" value="([^"]+)">)re");
+  std::size_t figures = 0;
+  for (std::sregex_iterator it(page.begin(), page.end(), figure), end; it != end; ++it, ++figures) {
+    const Json::json_pointer place((*it)[1].str());
+    ASSERT_TRUE(json.contains(place)) << place;
+    EXPECT_EQ(json[place].get<double>(), std::stod((*it)[2])) << place;
+  }
+  EXPECT_GE(figures, GetParam().least_figures);
+  EXPECT_LT(fs::file_size(this->page()), 1'500'000u);
+}
+
+TEST_P(ReportPages, TurnsOpensAndCutsInABrowser) {
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
+  write();
+  const test::LoadedPage loaded = test::load_page(page(), "selftest");
+  EXPECT_TRUE(loaded.messages.empty()) << loaded.messages.front();
+  EXPECT_EQ(loaded.requests, 0u);
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(loaded.dom, match, std::regex(R"re(<pre id="selftest">([^<]+)<)re")));
+  const Json found = json_of(match[1]);
+  ASSERT_EQ(found["errors"], Json::array()) << found;
+  EXPECT_EQ(found["blocked"], 0) << "by the page's own policy";
+  EXPECT_EQ(found["requests"], 0);
+  EXPECT_EQ(found["glError"], 0);
+  const double pixels = found["pixels"], drawn = found["drawn"];
+  EXPECT_GT(drawn, 0.03 * pixels) << found;
+  EXPECT_LT(drawn, 0.95 * pixels) << found;
+  EXPECT_GT(found["colours"], 50);
+  for (const char* act : {"turned", "opened", "cleared", "cut", "hidden"})
+    EXPECT_GT(found[act], 0.01 * pixels) << act << " in " << found;
+  EXPECT_LT(found["restored"], 0.02 * drawn) << "as it was, once all is undone: " << found;
+  EXPECT_LE(found["width"], found["room"]) << "nothing sticks out at the side";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ReportPages,
+    testing::Values(
+        Kind{"classify", {"--direction", "z", "--required-draft", "1", "--backend", "osmesa"}, 18},
+        Kind{"actions", {"--direction", "z", "--backend", "osmesa"}, 5},
+        Kind{"mold", {"--direction", "z", "--fill-undercut", "--backend", "osmesa"}, 15},
+        Kind{"sweep",
+             {"--directions", "60", "--refine", "2", "--top", "4", "--scoring-samples", "2000", "--prove",
+              "1", "--backend", "osmesa"},
+             35}),
+    [](const auto& each) { return each.param.name; });
+
+std::vector<std::string> classify_page(const std::string& part, const std::string& page) {
+  return {"classify", part, "--direction", "z", "--backend", "osmesa", "--html", page};
+}
+
+TEST(ReportPage, ARequestWouldBeSeen) {
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const test::ScratchFolder folder;
+  const std::string page = folder.write("page.html", "<img src=\"http://127.0.0.1:8099/picture.png\">");
+  EXPECT_GE(test::load_page(page, "").requests, 1u);
+}
+
+TEST(ReportPage, FitsIntoFourHundredPixels) {
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
+  const SmallPart part;
+  const std::string page = part.output("page.html");
+  ASSERT_EQ(run_moldlight(classify_page(part.file(), page)).exit_code, 0);
+  // A window is not made as narrow as this; a frame is. Its page says how wide it is.
+  const std::string frame =
+      part.folder().write("frame.html",
+                          "<iframe src=\"page.html#selftest\" width=\"400\" height=\"900\"></iframe>"
+                          "<script>setTimeout(() => document.body.append(document.querySelector('iframe')"
+                          ".contentDocument.getElementById('selftest').textContent), 3000)</script>");
+  const test::LoadedPage loaded = test::load_page(frame, "", {"--allow-file-access-from-files"});
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(loaded.dom, match, std::regex(R"re(\{"pixels".*\})re"))) << loaded.dom;
+  const Json found = json_of(match[0]);
+  EXPECT_LE(found["width"], 400) << found;
+  EXPECT_GT(found["drawn"], 0.03 * found["pixels"].get<double>()) << found;
+}
+
+TEST(ReportPage, AHostileNameInjectsNothing) {
+  const SmallPart part;
+  const fs::path folder = fs::path(part.file()).parent_path();
+  for (const char* name : {"<img src=x onerror=alert(1)>.obj", "a\"onload=\"alert(1).obj", "<!--.obj",
+                           "<script>alert(1)<'script>.obj", "\xFF\xFE\n.obj"}) {
+    const fs::path file = folder / name;
+    fs::copy_file(part.file(), file);
+    const std::string page = part.output("page.html");
+    const auto run = run_moldlight(classify_page(file.string(), page));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::string text = file_bytes(page);
+    for (const char* evil : {"<img src=x", "<script>alert", "\"onload=\"", "<!--"})
+      EXPECT_EQ(text.find(evil), std::string::npos) << name;
+    if (!test::has_browser() || name[1] != 's') continue;
+    const test::LoadedPage loaded = test::load_page(page, "selftest");
+    EXPECT_TRUE(loaded.messages.empty()) << name << ": " << loaded.messages.front();
+    EXPECT_NE(loaded.dom.find("\"errors\":[],\"blocked\":0"), std::string::npos) << name;
+  }
+}
+
+TEST(ReportPage, IsThePictureWithoutScriptsOrWebGl) {
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
+  const SmallPart part;
+  const std::string page = part.output("page.html");
+  ASSERT_EQ(run_moldlight(classify_page(part.file(), page)).exit_code, 0);
+  const test::LoadedPage loaded = test::load_page(page, "selftest", {"--disable-3d-apis"});
+  EXPECT_NE(loaded.dom.find("no WebGL 2"), std::string::npos) << "it says so where it is asked";
+  EXPECT_EQ(loaded.dom.find("class=\"view live\""), std::string::npos);
+  EXPECT_TRUE(std::regex_search(loaded.dom, std::regex("<canvas[^>]* hidden")));
+}
+
+TEST(ReportPage, IsTheSameEveryTime) {
+  const SmallPart part;
+  const std::string page = part.output("page.html");
+  ASSERT_EQ(run_moldlight(classify_page(part.file(), page)).exit_code, 0);
+  const std::string first = file_bytes(page);
+  ASSERT_EQ(run_moldlight(classify_page(part.file(), page)).exit_code, 0);
+  EXPECT_EQ(file_bytes(page), first);
+}
+
+TEST(ReportPage, CannotTakeThePlaceOfWhatIsRead) {
+  const SmallPart part;
+  const auto run = run_moldlight(classify_page(part.file(), part.file()));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--html"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace moldlight

@@ -1,0 +1,144 @@
+// What a page's script unpacks is what was packed, to the rounding that is promised.
+#include "report/model_view.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "support/boxes.hpp"
+#include "support/shapes.hpp"
+
+namespace moldlight::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string bytes_of_base64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t group = 0;
+  int bits = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    group = group << 6 | static_cast<std::uint32_t>(digits.find(c));
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 255);
+  }
+  return bytes;
+}
+
+/// Reads what packed() says it writes.
+class Reader {
+ public:
+  explicit Reader(const Json& packed) {
+    const std::string small = bytes_of_base64(packed["data"].get<std::string>());
+    bytes_.resize(std::size_t{1} << 24);
+    uLongf size = static_cast<uLongf>(bytes_.size());
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes_.data()), &size,
+                         reinterpret_cast<const Bytef*>(small.data()), static_cast<uLong>(small.size())),
+              Z_OK);
+    bytes_.resize(size);
+  }
+  std::uint32_t number() {
+    std::uint32_t value = 0;
+    for (int shift = 0;; shift += 7) {
+      const auto byte = static_cast<unsigned char>(bytes_.at(at_++));
+      value |= static_cast<std::uint32_t>(byte & 127) << shift;
+      if (byte < 128) return value;
+    }
+  }
+  std::int32_t difference() {
+    const std::uint32_t value = number();
+    return value % 2 != 0 ? -static_cast<std::int32_t>(value / 2) - 1 : static_cast<std::int32_t>(value / 2);
+  }
+  [[nodiscard]] bool at_end() const { return at_ == bytes_.size(); }
+
+ private:
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+ModelView view_of(const TriangleMesh& mesh) {
+  ModelView view;
+  view.centre = bounds(mesh).center();
+  view.diagonal = bounds(mesh).diagonal();
+  view.groups = {{"a"}, {"b"}};
+  ViewSurface surface{mesh, {}};
+  for (std::size_t k = 0; k < mesh.facets.size(); ++k)
+    surface.group_of_facet.push_back(static_cast<std::uint16_t>(k / 3 % 2));
+  view.surfaces.push_back(std::move(surface));
+  return view;
+}
+
+TEST(ModelView, UnpacksToTheSameSurface) {
+  const TriangleMesh mesh = test::refined(test::cup_with_side_hole(test::ShapeSettings{}), 2000).mesh;
+  const ModelView view = view_of(mesh);
+  const Json packed = report::packed(view);
+  const Json& surface = packed["surfaces"][0];
+  Reader reader(packed);
+  const std::size_t corners = surface["corners"];
+  ASSERT_EQ(surface["facets"], mesh.facets.size());
+  std::vector<glm::dvec3> points(corners);
+  glm::ivec3 last(0);
+  for (glm::dvec3& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      last[axis] += reader.difference();
+      const double low = surface["low"][axis], high = surface["high"][axis];
+      point[axis] = low + (high - low) * last[axis] / 65535.0 + view.centre[axis];
+    }
+  }
+  std::uint32_t next = 0;
+  double furthest = 0.0;
+  for (const auto& facet : mesh.facets) {
+    for (const VertexIndex corner : facet) {
+      const std::uint32_t back = reader.number();
+      ASSERT_LE(back, next);
+      furthest = std::max(furthest, glm::distance(points.at(next - back), mesh.vertices[corner]));
+      if (back == 0) ++next;
+    }
+  }
+  EXPECT_EQ(next, corners);
+  EXPECT_LE(furthest, view.diagonal / 65535.0);
+  std::int32_t group = 0;
+  for (const std::uint16_t expected : view.surfaces[0].group_of_facet) {
+    group += reader.difference();
+    ASSERT_EQ(group, expected);
+  }
+  EXPECT_TRUE(reader.at_end());
+}
+
+TEST(ModelView, LinesAreInThePartsBox) {
+  ModelView view = view_of(test::box_mesh({0, 0, 0}, {1, 2, 3}));
+  view.surfaces.clear();
+  view.lines = {{{{0, 0, 0}, {1, 1, 1}}, false, 1}, {{{0.5, 0.25, 0}, {1, 0, 0}, {0, 1, 1}}, true, 0}};
+  const Json packed = report::packed(view);
+  Reader reader(packed);
+  glm::ivec3 last(0);
+  for (const ViewLine& line : view.lines) {
+    for (const glm::dvec3& point : line.points) {
+      for (int axis = 0; axis < 3; ++axis) {
+        last[axis] += reader.difference();
+        EXPECT_NEAR(last[axis] / 65535.0, point[axis], 1e-5);
+      }
+    }
+  }
+  EXPECT_TRUE(reader.at_end());
+  EXPECT_EQ(packed["lines"][1]["points"], 3);
+  EXPECT_EQ(packed["lines"][1]["closed"], true);
+}
+
+TEST(ModelView, FiftyThousandFacetsAreSmall) {
+  const TriangleMesh mesh = test::refined(test::cup_with_side_hole(test::ShapeSettings{}), 50'000).mesh;
+  ASSERT_GE(mesh.facets.size(), 50'000u);
+  const double bytes_a_facet = static_cast<double>(report::packed(view_of(mesh)).dump().size()) /
+                               static_cast<double>(mesh.facets.size());
+  EXPECT_LT(50'000.0 * bytes_a_facet, 0.7e6) << "pictures and text want their share of 1.5 MB";
+  RecordProperty("bytes_for_50k_facets", std::to_string(50'000.0 * bytes_a_facet));
+}
+
+}  // namespace
+}  // namespace moldlight::report
