@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double k_most_fold = 1e-8;  // of the block's rectangle
 /// So many steps of rounding may a surface move where needles are taken out of it.
-constexpr double k_rounding_steps = 0.5;
+constexpr double k_rounding_steps = 2.0;
 
 /// Rounded to single precision, with equal vertices joined and facets gone that have two of one.
 TriangleMesh rounded(const TriangleMesh& mesh, const auto& place) {

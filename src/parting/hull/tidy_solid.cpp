@@ -13,6 +13,7 @@
 
 #include "mesh/edge_table.hpp"
 #include "mesh/union_find.hpp"
+#include "parting/hull/thin_facets.hpp"
 
 namespace moldlight {
 
@@ -121,13 +122,14 @@ class Flipper {
     const double sine_c = glm::length(left), sine_d = glm::length(right), cosine_c = glm::dot(a - c, b - c),
                  cosine_d = glm::dot(a - d, b - d);
     const double scale = glm::length(a - c) * glm::length(b - c) * glm::length(a - d) * glm::length(b - d);
-    if (sine_c * cosine_d + cosine_c * sine_d >= -1e-9 * scale) return false;
+    const bool is_rounder = sine_c * cosine_d + cosine_c * sine_d < -1e-9 * scale;
     const glm::dvec3 first = glm::cross(a - c, d - c), second = glm::cross(b - d, c - d),
                      both = first + second;
     const double size = glm::length(both);
     if (std::abs(glm::dot(d - a, left)) > query_.tolerance * size) return false;
     const Against before = against(left, right), after = against(first, second);
     if (after.seen > before.seen || after.leaning > before.leaning) return false;
+    if (!is_rounder && after.leaning >= before.leaning) return false;
     return std::ranges::none_of(std::array{first, second}, [&](const glm::dvec3& normal) {
       return glm::dot(normal, both) <= 0.5 * glm::length(normal) * size;
     });
@@ -258,6 +260,7 @@ void divide_doubles(TriangleMesh& mesh, std::span<const TouchingEdge> edges) {
 void tidy_solid(TriangleMesh& mesh, const TidyQuery& query) {
   drop_fins(mesh);
   Flipper(mesh, query).run();
+  collapse_thin_facets(mesh, query);
   drop_fins(mesh);
 }
 

@@ -19,8 +19,9 @@ struct TidyQuery {
 };
 
 /// Drops pairs of facets with the same corners that face away from each other, and flips edges between facets
-/// that are flat within the tolerance where that makes the least angle greater (Lawson 1977). The solid stays
-/// closed; the result depends on nothing but the mesh.
+/// that are flat within the tolerance where that makes the least angle greater (Lawson 1977), or where less
+/// of a half leans along its pull then; thin_facets.hpp takes out what leans by rounding and cannot be
+/// flipped. The solid stays closed; the result depends on nothing but the mesh.
 void tidy_solid(TriangleMesh& mesh, const TidyQuery& query);
 
 /// Splits vertices so that every edge has two facets and the facets of every vertex hang together: where more

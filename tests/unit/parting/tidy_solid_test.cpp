@@ -81,6 +81,56 @@ TEST(TidySolid, TakesNeedlesOutOfFlatSurface) {
   EXPECT_EQ(least_height(mesh) > 0.5, !on_rim);
 }
 
+double leaning_area(const TriangleMesh& mesh, const glm::dvec3& pull) {
+  double area = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const glm::dvec3 normal = glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
+                                         mesh.corner(facet, 2) - mesh.corner(facet, 0));
+    const double size = glm::length(normal), along = glm::dot(normal, pull);
+    if (along > k_leaning_sine * size && along < 0.5 * size) area += 0.5 * size;
+  }
+  return area;
+}
+
+/// Two points of a wall lie so near each other that the last digit of one makes the facets between them lean.
+TEST(TidySolid, TakesOutThinFacetsThatLeanByRounding) {
+  TriangleMesh mesh = test::box_mesh({0, 0, 0}, {4, 4, 1});
+  const auto insert = [&](FacetIndex facet, const glm::dvec3& at) {
+    const auto corners = mesh.facets[facet];
+    const auto point = static_cast<VertexIndex>(mesh.vertices.size());
+    mesh.vertices.push_back(at);
+    mesh.facets[facet] = {corners[0], corners[1], point};
+    mesh.facets.push_back({corners[1], corners[2], point});
+    mesh.facets.push_back({corners[2], corners[0], point});
+  };
+  FacetIndex wall = 0;
+  const auto on_wall = [&](int k) { return mesh.corner(wall, k).y == 0.0; };
+  while (!(on_wall(0) && on_wall(1) && on_wall(2))) ++wall;
+  const glm::dvec3 middle = (mesh.corner(wall, 0) + mesh.corner(wall, 1) + mesh.corner(wall, 2)) / 3.0;
+  insert(wall, middle);
+  // Of the three facets that which is above the point.
+  const glm::dvec3 above = middle + glm::dvec3(0.0, 1e-6, 1e-3);
+  const auto holds = [&](FacetIndex facet) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 &a = mesh.corner(facet, k), &b = mesh.corner(facet, (k + 1) % 3);
+      if (glm::cross(b - a, above - a).y > 0.0) return false;
+    }
+    return true;
+  };
+  const auto last = static_cast<FacetIndex>(mesh.facets.size() - 1);
+  const FacetIndex within = holds(wall) ? wall : holds(last - 1) ? last - 1 : last;
+  insert(within, above);
+  const glm::dvec3 pull(0, 0, 1);
+  ASSERT_GT(leaning_area(mesh, pull), 0.0);
+  TriangleMesh free = mesh;
+  tidy_solid(free, {.tolerance = 2e-6});
+  EXPECT_GT(leaning_area(free, pull), 0.0) << "nothing leans where nothing is pulled";
+  tidy_solid(mesh, {.tolerance = 2e-6, .pull = pull});
+  EXPECT_EQ(leaning_area(mesh, pull), 0.0);
+  EXPECT_EQ(edges_of_other_than_two(mesh), 0U);
+  EXPECT_NEAR(signed_volume(mesh), 16.0, 1e-5);
+}
+
 TEST(TidySolid, LeavesWhatIsBent) {
   TriangleMesh mesh = test::box_mesh({0, 0, 0}, {4, 2, 1e-3});
   const TriangleMesh before = mesh;
