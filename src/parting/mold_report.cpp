@@ -177,20 +177,6 @@ void add_halves(const MoldReport& report, Json& json) {
   }
 }
 
-/// Faces given by hand that the halves form otherwise.
-std::string missed_text(const MoldReport& report) {
-  std::string text;
-  for (const auto& [missed, why] :
-       {std::pair(&report.halves.missed_leaning, "they lean against it or are hidden"),
-        {&report.halves.missed_upright, "the parting surface would have to be steeper there"}}) {
-    if (!missed->at) continue;
-    text += fmt::format("          {} {} of the faces that a half was to form, near {}, it cannot: {}\n",
-                        figure(missed->area), powered_unit(report.model.part, 2),
-                        figures(*missed->at, report.model.frame.diagonal), why);
-  }
-  return text;
-}
-
 std::string halves_table(const MoldReport& report) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
@@ -225,7 +211,8 @@ std::string halves_table(const MoldReport& report) {
                                              : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
                    figures(*halves.forced_at, report.model.frame.diagonal));
   }
-  text += missed_text(report);
+  for (const std::string& line : missed_lines(report.model, halves))
+    fmt::format_to(out, "          {}\n", line);
   if (!halves.inserts.empty()) {
     fmt::format_to(out, "          left to {} insert{}: {} {}, {} of the part's volume\n",
                    halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),
@@ -288,6 +275,19 @@ std::string unfilled_text(const PartModel& model, const MoldSettings& settings, 
                      figure(halves.insert_volume), powered_unit(model.part, 3), halves.inserts.size(),
                      halves.inserts.size() == 1 ? "" : "s", places,
                      halves.inserts.size() > k_most_places ? "; …" : "");
+}
+
+std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& halves) {
+  std::vector<std::string> lines;
+  for (const auto& [missed, why] :
+       {std::pair(&halves.missed_leaning, "they lean against it or are hidden"),
+        {&halves.missed_upright, "the parting surface would have to be steeper there"}}) {
+    if (!missed->at) continue;
+    lines.push_back(fmt::format("{} {} of the faces that a half was to form, near {}, it cannot: {}",
+                                figure(missed->area), powered_unit(model.part, 2),
+                                figures(*missed->at, model.frame.diagonal), why));
+  }
+  return lines;
 }
 
 nlohmann::ordered_json mold_json(const MoldReport& report) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -37,6 +38,9 @@ struct MoldReport {
 /// there are none.
 [[nodiscard]] std::string unfilled_text(const PartModel& model, const MoldSettings& settings,
                                         const MoldHalves& halves);
+
+/// Faces given by hand that the halves form otherwise: how much, where, why.
+[[nodiscard]] std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& halves);
 
 /// Schema `moldlight.mold/1`. Lengths and areas are in the part's unit, angles in degrees.
 [[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);

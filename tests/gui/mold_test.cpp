@@ -11,6 +11,7 @@
 #include "gui/panels/mold_panel.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/window_with_part.hpp"
+#include "parting/mold_report.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -286,6 +287,21 @@ TEST_F(Mold, MovesAFaceToTheOtherHalf) {
   press();
   EXPECT_TRUE(asked().cosmetic.empty());
   EXPECT_FALSE(state().toasts.empty());
+}
+
+TEST_F(Mold, SaysWhichFacesTheHalvesCannotFormAsAsked) {
+  // Two walls that meet: where one climbs to its half and the other down to its own, neither can be whole.
+  PartNotes notes;
+  notes.settings.mold.cosmetic = cosmetic_with(cosmetic_with("", 3, true), 2, false);
+  window.app().set_notes(notes);
+  open(k_box);
+  unfold();
+  ASSERT_TRUE(mold().solids) << mold().error;
+  const auto missed = missed_lines(*state().model, mold().solids->halves);
+  ASSERT_EQ(missed.size(), 1U);
+  const auto lines = halves_lines(state());
+  EXPECT_TRUE(std::ranges::any_of(
+      lines, [&](const HalvesLine& line) { return line.doubt && line.text == missed.front(); }));
 }
 
 TEST_F(Mold, IsExportedAsTheCommandWritesIt) {

@@ -134,6 +134,7 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
                     length_unit(model.part));
   }
   lines.push_back({surfaces});
+  for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
   if (halves.inserts.empty()) return lines;
   if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty()) {
     lines.push_back({"No files: " + unfilled, true});
