@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -55,10 +56,12 @@ std::array<ConvexPolygon, 2> halved(const ConvexPolygon& polygon) {
 /// One piece at a time.
 class Laying {
  public:
-  Laying(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance)
+  Laying(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance,
+         const Progress& progress)
       : side_(side),
         onto_(onto),
         tolerance_(tolerance),
+        progress_(progress),
         rounding_(k_cut_rounding * std::max(side.model().frame.diagonal, onto.model().frame.diagonal)) {}
 
   void lay(PieceIndex piece, PieceOverlay& result) {
@@ -139,6 +142,8 @@ class Laying {
                 PieceOverlay& result) {
     std::vector<ConvexPolygon> rest = {polygon}, next;
     for (const Over& one : over) {
+      // On dense curved surface hulls cut a piece into very many.
+      if (progress_.cancelled()) throw Cancelled();
       next.clear();
       for (ConvexPolygon& part : rest) {
         if (side_of(part, one.hull, rounding_) == HullSide::outside) {
@@ -168,6 +173,7 @@ class Laying {
   const OverlaySide& side_;
   const OverlaySide& onto_;
   OverlayTolerance tolerance_;
+  const Progress& progress_;
   double rounding_;
   PieceIndex piece_ = 0;
   std::vector<ConvexPolygon> left_;
@@ -215,19 +221,23 @@ Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTo
                const Progress& progress) {
   constexpr std::size_t k_block = 64;
   const std::size_t count = side.count(), blocks = (count + k_block - 1) / k_block;
+  std::mutex mutex;
+  std::size_t done = 0;
   std::vector<PieceOverlay> results(blocks);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t block = range.begin(); block < range.end(); ++block) {
-          if (progress.cancelled()) throw Cancelled();
-          Laying laying(side, onto, tolerance);
+          Laying laying(side, onto, tolerance, progress);
           for (std::size_t k = block * k_block; k < std::min(count, (block + 1) * k_block); ++k) {
             const auto piece = static_cast<PieceIndex>(k);
+            if (progress.cancelled()) throw Cancelled();
             if (side.area(piece) > 0.0) laying.lay(piece, results[block]);
           }
+          const std::lock_guard lock(mutex);
+          progress.report("laying surfaces on each other",
+                          static_cast<double>(++done) / static_cast<double>(blocks));
         }
       });
-  progress.report("laying surfaces on each other", 1.0);
   Overlay overlay;
   for (PieceOverlay& one : results) {
     append(overlay.shares, one.shares);

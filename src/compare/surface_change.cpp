@@ -88,15 +88,15 @@ class LeftOvers {
   [[nodiscard]] bool is_former(std::size_t k) const { return k < split_; }
 
   /// Those that are certainly left over, joined where they touch.
-  [[nodiscard]] UnionFind joined() const {
-    UnionFind sets = joined_where_touching(polygons(), extent());
+  [[nodiscard]] UnionFind joined(const Progress& progress) const {
+    UnionFind sets = joined_where_touching(polygons(), extent(), progress);
     join_faces(former_, 0, split_, sets);
     join_faces(fresh_, split_, count(), sets);
     return sets;
   }
 
   /// Gives what is explained, but touches a place on the same part, to that place.
-  void add_explained(std::vector<std::uint32_t>& place_of) const {
+  void add_explained(std::vector<std::uint32_t>& place_of, const Progress& progress) const {
     std::vector<ReachingPolygon> rims;
     for (const LeftOver* one : all_) rims.push_back({&one->polygon, tolerance_.rounding});
     const std::vector<std::uint32_t> certain = place_of;
@@ -111,7 +111,8 @@ class LeftOvers {
         [&](std::uint32_t a, std::uint32_t b) {
           const std::uint32_t open = certain[a] == k_no_change ? a : b;
           place_of[open] = std::min(place_of[open], certain[open == a ? b : a]);
-        });
+        },
+        progress);
   }
 
   /// What is explained by being beside other surface alone: a rim, as wide as the tolerance, of what is not.
@@ -192,9 +193,10 @@ void measure_places(const LeftOvers& left, std::vector<std::uint32_t>& place_of,
   }
 }
 
-void find_places(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change) {
+void find_places(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change,
+                 const Progress& progress) {
   const LeftOvers left(former, fresh, change);
-  UnionFind joined = left.joined();
+  UnionFind joined = left.joined(progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < left.count(); ++k)
     if (left.is_certain(k)) certain[joined.find(k)] += left[k].area;
@@ -205,7 +207,7 @@ void find_places(const OverlaySide& former, const OverlaySide& fresh, double spe
     if (left.is_certain(k) && certain[root] > speck)
       place_of[k] = number.try_emplace(root, static_cast<std::uint32_t>(number.size())).first->second;
   }
-  left.add_explained(place_of);
+  left.add_explained(place_of, progress);
   change.places.resize(number.size());
   measure_places(left, place_of, change.places);
   const auto order =
@@ -268,11 +270,12 @@ class RegionChanges {
 
 /// Adds the changes from one region to another.
 void add_regions(const OverlaySide& former, const RegionChanges& changes,
-                 const std::vector<std::uint32_t>& numbers, double speck, SurfaceChange& change) {
+                 const std::vector<std::uint32_t>& numbers, double speck, SurfaceChange& change,
+                 const Progress& progress) {
   const std::vector<OtherRegion>& found = change.of_former.regions;
   std::vector<ReachingPolygon> polygons;
   for (const std::uint32_t k : numbers) polygons.push_back({&found[k].polygon, 0.5 * change.tolerance.apart});
-  UnionFind joined = joined_where_touching(polygons, former.model().frame.diagonal);
+  UnionFind joined = joined_where_touching(polygons, former.model().frame.diagonal, progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < numbers.size(); ++k)
     if (changes.is_certain(found[numbers[k]])) certain[joined.find(k)] += found[numbers[k]].area;
@@ -297,7 +300,8 @@ void add_regions(const OverlaySide& former, const RegionChanges& changes,
   }
 }
 
-void find_regions(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change) {
+void find_regions(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change,
+                  const Progress& progress) {
   const std::vector<OtherRegion>& found = change.of_former.regions;
   change.change_of_region.assign(found.size(), k_no_change);
   const RegionChanges changes(former, fresh, change);
@@ -307,7 +311,8 @@ void find_regions(const OverlaySide& former, const OverlaySide& fresh, double sp
     numbers[from][static_cast<std::size_t>(fresh.region(found[k].other))].push_back(k);
   }
   for (const auto& from : numbers)
-    for (const std::vector<std::uint32_t>& some : from) add_regions(former, changes, some, speck, change);
+    for (const std::vector<std::uint32_t>& some : from)
+      add_regions(former, changes, some, speck, change, progress);
   const auto order = largest_first(change.regions, [](const ChangedRegion& r) { return r.area; });
   reorder(change.regions, order);
   renumber(change.change_of_region, ranks(order));
@@ -325,8 +330,8 @@ SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& 
   progress.report("finding what changed", 0.0);
   // Surface farther than the tolerance is more than a corner of a needle.
   const double speck = tolerance.apart * tolerance.apart;
-  find_places(former, fresh, speck, change);
-  find_regions(former, fresh, speck, change);
+  find_places(former, fresh, speck, change, progress);
+  find_regions(former, fresh, speck, change, progress);
   return change;
 }
 

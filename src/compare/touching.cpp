@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "mesh/triangle_mesh.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 /// Along the extent; a cell is never smaller than what polygons reach.
 constexpr double k_cells = 128.0;
+constexpr std::size_t k_steps_between = 64;  // two looks at whether to go on
 
 struct InCell {
   std::uint64_t cell;
@@ -38,7 +40,8 @@ std::uint64_t cell_number(const glm::i64vec3& cell) {
 
 void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
                     const std::function<double(std::uint32_t, std::uint32_t)>& reach,
-                    const std::function<void(std::uint32_t, std::uint32_t)>& touch) {
+                    const std::function<void(std::uint32_t, std::uint32_t)>& touch,
+                    const Progress& progress) {
   double greatest = 0.0;
   for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
   const double size = std::max(extent / k_cells, 4.0 * greatest);
@@ -58,9 +61,15 @@ void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
   std::ranges::sort(places);
   for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
     while (last < places.size() && places[last].cell == places[first].cell) ++last;
-    for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = i + 1; k < last; ++k) {
-        const std::uint32_t a = places[i].polygon, b = places[k].polygon;
+    const std::span here(places.data() + first, last - first);
+    std::ranges::stable_sort(here, {}, [&](const InCell& one) { return boxes[one.polygon].min.x; });
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (i % k_steps_between == 0)
+        progress.report("finding what changed",
+                        static_cast<double>(first) / static_cast<double>(places.size()));
+      for (std::size_t k = i + 1; k < here.size(); ++k) {
+        const std::uint32_t a = here[i].polygon, b = here[k].polygon;
+        if (boxes[b].min.x > boxes[a].max.x) break;
         if (!overlap(boxes[a], boxes[b])) continue;
         const double within = reach(a, b);
         if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);
@@ -69,14 +78,15 @@ void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
   }
 }
 
-UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent) {
+UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+                                const Progress& progress) {
   UnionFind joined(polygons.size());
   visit_touching(
       polygons, extent,
       [&](std::uint32_t a, std::uint32_t b) {
         return joined.find(a) == joined.find(b) ? -1.0 : polygons[a].reach + polygons[b].reach;
       },
-      [&](std::uint32_t a, std::uint32_t b) { joined.join(a, b); });
+      [&](std::uint32_t a, std::uint32_t b) { joined.join(a, b); }, progress);
   return joined;
 }
 
