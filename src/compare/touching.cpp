@@ -49,6 +49,7 @@ void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
   std::vector<InCell> places;
   const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
   for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    if (polygons[k].polygon->empty()) continue;
     for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
     boxes[k].min -= polygons[k].reach;
     boxes[k].max += polygons[k].reach;

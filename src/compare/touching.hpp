@@ -11,7 +11,7 @@
 
 namespace moldlight {
 
-/// A polygon and how far around its rim others are one with it.
+/// A polygon and how far around its rim others are one with it; one without corners touches nothing.
 struct ReachingPolygon {
   const ConvexPolygon* polygon = nullptr;
   double reach = 0.0;
