@@ -8,15 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "classify/method_options.hpp"
 #include "mold/direction.hpp"
 #include "mold/measure.hpp"
-#include "sweep/arena_threads.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/basin_search.hpp"
 #include "sweep/candidates/find_candidates.hpp"
@@ -107,7 +103,6 @@ class SweepRun {
   void find_side_actions();
   void list();
   void measure_axes();
-  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const std::vector<Contender>& listed);
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
                                                 const std::optional<TiltMargin>& tilt);
   void complete(std::vector<Contender>& listed);
@@ -425,7 +420,14 @@ void SweepRun::list() {
     for (RankedFigures& each : figures) each.patches = 0.0;
   }
   const Ranking ranking = rating_.rank(figures);
-  const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(listed);
+  std::vector<glm::dvec3> directions;
+  for (const Contender& contender : listed) directions.push_back(contender.candidate.direction);
+  const std::vector<std::optional<TiltMargin>> tilts =
+      tilt_margins({.pools = pools_,
+                    .clock = clock_,
+                    .growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area,
+                    .jobs = result_.jobs},
+                   directions);
   for (const std::size_t i : ranking.order) {
     SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
     candidate.rank = result_.candidates.size() + 1;
@@ -455,25 +457,6 @@ void SweepRun::measure_axes() {
       leaning[k]->axis.reset();
     }
   }
-}
-
-/// Of every contender, each on one thread: one after the other they would leave threads idle.
-std::vector<std::optional<TiltMargin>> SweepRun::tilt_margins(const std::vector<Contender>& listed) {
-  const double growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area;
-  std::vector<std::optional<TiltMargin>> margins(listed.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  tbb::task_arena arena(arena_threads(result_.jobs));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
-      const std::unique_ptr<DirectionScorer> scorer = pools_.make_ray_scorer();
-      margins[i] =
-          tilt_margin(*scorer, listed[i].candidate.direction, growth, [this] { return clock_.stopped(); });
-      const std::lock_guard lock(mutex);
-      clock_.report(sweep_stage::k_final, static_cast<double>(++done) / static_cast<double>(listed.size()));
-    });
-  });
-  return margins;
 }
 
 /// Of every measured contender what is not known yet, as far as there is time.

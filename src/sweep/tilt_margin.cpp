@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <utility>
-#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "mold/map_frame.hpp"
+#include "sweep/arena_threads.hpp"
+#include "sweep/sweep_stages.hpp"
 
 namespace moldlight {
 
@@ -83,6 +89,24 @@ std::optional<TiltMargin> tilt_margin(DirectionScorer& scorer, const glm::dvec3&
     toward = leans.direction(side, bad_deg);
   }
   return TiltMargin{good_deg, toward};
+}
+
+std::vector<std::optional<TiltMargin>> tilt_margins(const TiltSearch& search,
+                                                    std::span<const glm::dvec3> directions) {
+  std::vector<std::optional<TiltMargin>> margins(directions.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::task_arena arena(arena_threads(search.jobs));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
+      const std::unique_ptr<DirectionScorer> scorer = search.pools.make_ray_scorer();
+      margins[i] = tilt_margin(*scorer, directions[i], search.growth, [&] { return search.clock.stopped(); });
+      const std::lock_guard lock(mutex);
+      search.clock.report(sweep_stage::k_final,
+                          static_cast<double>(++done) / static_cast<double>(directions.size()));
+    });
+  });
+  return margins;
 }
 
 }  // namespace moldlight

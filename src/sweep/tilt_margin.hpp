@@ -3,10 +3,14 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "sweep/direction_scorer.hpp"
+#include "sweep/scoring_pools.hpp"
+#include "sweep/sweep_clock.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -17,5 +21,17 @@ namespace moldlight {
 /// that sampling noise mostly cancels (RayScorer). Empty if `stop` said so before the end.
 [[nodiscard]] std::optional<TiltMargin> tilt_margin(DirectionScorer& scorer, const glm::dvec3& direction,
                                                     double growth, const std::function<bool()>& stop);
+
+/// What many are found with.
+struct TiltSearch {
+  const ScoringPools& pools;
+  SweepClock& clock;
+  double growth;  // as above
+  int jobs;
+};
+/// Of each direction, as far as there is time, each on one thread: one after the other they would leave
+/// threads idle.
+[[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const TiltSearch& search,
+                                                                  std::span<const glm::dvec3> directions);
 
 }  // namespace moldlight
