@@ -321,6 +321,7 @@ glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert) {
 
 MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
                        const MoldSettings& settings, const Progress& progress) {
+  validate(settings, model.frame.diagonal);
   MoldHalves halves;
   halves.frame = mold_frame(direction);
   halves.centre = model.frame.center;

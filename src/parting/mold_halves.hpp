@@ -93,7 +93,8 @@ struct MeetingPlace {
 };
 
 /// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
-/// have them, outweigh the place. Throws UsageError for faces that the part has not, Cancelled.
+/// have them, outweigh the place. Throws UsageError for faces that the part has not and for a margin without
+/// bounds, Cancelled.
 [[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
                                      const MeetingPlace& place, const MoldSettings& settings,
                                      const Progress& progress);

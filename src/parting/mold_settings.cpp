@@ -13,6 +13,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_margin_share = 0.15;  // of the part's diagonal
+constexpr double k_most_margin = 100.0;  // diagonals: points of a wider plane would have too few digits
 
 /// "core:1,2".
 CosmeticFaces parse_half(std::string_view text) {
@@ -113,6 +114,13 @@ std::string cosmetic_with(std::string_view text, std::uint32_t face, std::option
           fmt::format("{}{}:{}", with.empty() ? "" : "/", half ? "core" : "cavity", fmt::join(faces, ","));
   }
   return with;
+}
+
+void validate(const MoldSettings& settings, double diagonal) {
+  if (settings.margin > k_most_margin * diagonal)
+    throw UsageError(
+        fmt::format("--margin: {:g} is more than {:g} times the part, {:g} from corner to corner",
+                    settings.margin, k_most_margin, diagonal));
 }
 
 double block_margin(const MoldSettings& settings, double diagonal) {

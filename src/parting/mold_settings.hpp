@@ -40,6 +40,9 @@ struct CosmeticFaces {
 /// The text with this face at that half alone, or at none.
 [[nodiscard]] std::string cosmetic_with(std::string_view text, std::uint32_t face, std::optional<bool> core);
 
+/// Throws UsageError for a margin of more than a hundred diagonals of the part, in its unit.
+void validate(const MoldSettings& settings, double diagonal);
+
 /// Margin of a block around a part of this diagonal, both in the same unit.
 [[nodiscard]] double block_margin(const MoldSettings& settings, double diagonal);
 

@@ -153,6 +153,7 @@ TEST_F(Mold, RefusesWhatMakesNoSense) {
   EXPECT_EQ(code("--cosmetic", "lid:3"), 2);
   EXPECT_EQ(code("--cosmetic", "core:100000"), 2);
   EXPECT_EQ(code("--margin", "-1"), 2);
+  EXPECT_EQ(code("--margin", "1e30"), 2) << "where points of a plane have too few digits";
   EXPECT_EQ(code("--shrink", "50"), 2);
   EXPECT_EQ(code("--parting-height", "1.5"), 0);
   EXPECT_EQ(run_moldlight({"mold", part.file()}).exit_code, 2) << "a direction is needed";
