@@ -8,6 +8,8 @@ namespace moldlight::demo {
 /// Lid of an enclosure: drafted shell with rounded corners, ribs, screw bosses, vents; a side window and two
 /// of its four snap hooks are undercut along z.
 TopoDS_Shape enclosure_lid();
+/// A revision of it: a third hook has a window below it, one screw boss is moved, the side window is wider.
+TopoDS_Shape enclosure_lid_b();
 
 /// Screw cap: knurled outside, thread-like beads inside that are undercut along every direction.
 TopoDS_Shape bottle_cap();

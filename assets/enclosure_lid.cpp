@@ -45,11 +45,17 @@ TopoDS_Shape snap_hook(double x, double side) {
                gp_Vec(k_width, 0.0, 0.0));
 }
 
-}  // namespace
+/// What the two revisions differ in.
+struct Revision {
+  double connector_width = 15.0;
+  double boss_shift = 0.0;        // of one screw boss, along x
+  bool window_at_corner = false;  // below the hook at x = 20, y < 0, too
+};
 
-TopoDS_Shape enclosure_lid() {
+TopoDS_Shape lid(const Revision& revision) {
   std::vector<TopoDS_Shape> added = ribs(), removed;
   at_bosses([&](double x, double y) {
+    if (x > 0.0 && y > 0.0) x -= revision.boss_shift;
     added.push_back(pin(x, y, 1.0, 15.0, 3.9, -1.0));
     // Webs to the walls.
     added.push_back(
@@ -63,13 +69,24 @@ TopoDS_Shape enclosure_lid() {
   for (const double x : {-20.0, 20.0}) {
     removed.push_back(drafted_block({.x = x, .y = 24.2, .width = 9.4, .depth = 2.6}, -1.0, 3.5, 0.0));
   }
+  if (revision.window_at_corner)
+    removed.push_back(drafted_block({.x = 20.0, .y = -24.2, .width = 9.4, .depth = 2.6}, -1.0, 3.5, 0.0));
   for (const double x : {-7.5, -4.5, -1.5, 1.5, 4.5, 7.5}) {
     removed.push_back(drafted_block({.x = x, .width = 1.5, .depth = 17.0, .radius = 0.7}, -1.0, 3.5, 1.0));
   }
   // A connector's window through the short wall: a side action, or undercut.
-  const TopoDS_Shape upright = drafted_block({.width = 15.0, .depth = 7.0, .radius = 1.8}, 0.0, 8.0, 0.0);
+  const TopoDS_Shape upright =
+      drafted_block({.width = revision.connector_width, .depth = 7.0, .radius = 1.8}, 0.0, 8.0, 0.0);
   removed.push_back(moved(upright, gp_Pnt(-46.0, 0.0, 12.5), gp_Dir(1, 0, 0), gp_Dir(0, 1, 0)));
   return cut(fused(shell(), added), removed);
+}
+
+}  // namespace
+
+TopoDS_Shape enclosure_lid() { return lid({}); }
+
+TopoDS_Shape enclosure_lid_b() {
+  return lid({.connector_width = 18.0, .boss_shift = 2.0, .window_at_corner = true});
 }
 
 }  // namespace moldlight::demo

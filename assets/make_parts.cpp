@@ -1,4 +1,5 @@
-// Writes the demo parts: make_parts FOLDER. The same parts to the bit in every run with the same modeller.
+// Writes the demo parts into their folders below another: make_parts ASSETS. The same parts to the bit in
+// every run with the same modeller.
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -16,16 +17,17 @@ struct DemoPart {
   moldlight::demo::Tessellation tessellation;
 };
 
-constexpr DemoPart k_parts[] = {{"enclosure_lid", moldlight::demo::enclosure_lid, {0.03, 15.0}},
-                                {"bottle_cap", moldlight::demo::bottle_cap, {0.03, 13.0}},
-                                {"cable_clip", moldlight::demo::cable_clip, {0.02, 7.5}},
-                                {"tilted_bracket", moldlight::demo::tilted_bracket, {0.02, 12.0}}};
+constexpr DemoPart k_parts[] = {{"parts/enclosure_lid", moldlight::demo::enclosure_lid, {0.03, 15.0}},
+                                {"revisions/enclosure_lid_b", moldlight::demo::enclosure_lid_b, {0.03, 15.0}},
+                                {"parts/bottle_cap", moldlight::demo::bottle_cap, {0.03, 13.0}},
+                                {"parts/cable_clip", moldlight::demo::cable_clip, {0.02, 7.5}},
+                                {"parts/tilted_bracket", moldlight::demo::tilted_bracket, {0.02, 12.0}}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::cerr << "usage: make_parts FOLDER\n";
+    std::cerr << "usage: make_parts ASSETS\n";
     return 2;
   }
   try {

@@ -13,6 +13,7 @@ uniform vec3 u_eye_up;
 uniform vec3 u_eye_back;
 uniform vec2 u_hatch_origin;  // a point that goes with the scene, px
 uniform vec2 u_hatch;         // pitch and strength; 0: none
+uniform float u_dimmed;       // how gray colours are, [0, 1]
 uniform vec3 u_opacity;       // of the part, of its undercuts, of a mold's steel
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_accessible;  // bits
@@ -83,6 +84,7 @@ void main() {
     hatch = 0.0;
   }
 #endif
+  albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.59, 0.11))), u_dimmed);
   n = back ? -n : n;
   vec3 seen = vec3(dot(n, u_eye_right), dot(n, u_eye_up), dot(n, u_eye_back));
   albedo *= (back ? 0.45 : 1.0) * (1.0 - hatch);

@@ -1,5 +1,7 @@
 #include "actions/action_settings.hpp"
 
+#include "mesh/length_unit.hpp"
+
 namespace moldlight {
 
 std::span<const Option<ActionSettings>> action_options() {
@@ -14,6 +16,11 @@ std::span<const Option<ActionSettings>> action_options() {
       {"lifter_angle_deg", "--lifter-angle", "Lifter angle", "deg",
        "Angle of a lifter to the ejection: its stroke is its travel divided by the tangent.",
        RealKind<S>{&S::lifter_angle_deg, 1.0, 45.0, 0.5}},
+      {"lifter_room_mm", "--lifter-room", "Lifter room", "mm",
+       "What a lifter needs beyond its travel, for its own thickness and to stay clear; one with less is "
+       "told "
+       "as such, and taken for want of others.",
+       RealKind<S>{&S::lifter_room_mm, 0.0, 1000.0, 0.5}},
       {"clearance_mm", "--clearance", "Clearance", "mm", "What a slide travels beyond the least.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},
       {"strip_strain_pct", "--strip-strain", "Strip strain", "%",
@@ -36,6 +43,11 @@ std::span<const Option<ActionSettings>> action_options() {
                    .set = [](S& s, std::string_view text) { s.pins = parse_pins(text); }}},
   };
   return k_options;
+}
+
+double unit_per_mm(const Part& part) {
+  const auto unit = find_length_unit(part.unit);
+  return 1.0 / (unit ? unit->mm : 1.0);
 }
 
 }  // namespace moldlight

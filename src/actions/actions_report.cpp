@@ -93,6 +93,8 @@ Json action_json(const SideAction& action) {
           {"area", action.area},
           {"side", side_name(action.core_side)},
           {"clear_to", finite(action.clear_to)},
+          {"room_needed", action.kind == ActionKind::lifter ? Json(action.room_needed) : Json()},
+          {"has_room", has_room(action)},
           {"meets", numbers_json(action.meets)}};
 }
 
@@ -107,20 +109,6 @@ std::string patches_text(const std::vector<std::size_t>& patches) {
 /// Without the sign of what two decimals show as 0.
 double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value; }
 
-/// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm".
-std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
-  std::string text;
-  if (change.depth) text = fmt::format("cut back by {} {}", figure(*change.depth), unit);
-  if (const auto& window = change.window) {
-    const std::string least = fmt::format("{:.3g}", window->least_thickness);
-    const std::string greatest = fmt::format("{:.3g}", window->thickness);
-    text += fmt::format("{}opened towards {} by a window of {} {} through {}{} {}",
-                        text.empty() ? "" : ", or ", side_name(window->core_side), figure(window->area),
-                        area_unit, least == greatest ? "" : least + " to ", greatest, unit);
-  }
-  return text.empty() ? "-" : text;
-}
-
 std::string changes_text(std::span<const ToBeFree> changes, const std::string& unit,
                          const std::string& area_unit) {
   constexpr std::size_t k_most = 6;
@@ -133,6 +121,19 @@ std::string changes_text(std::span<const ToBeFree> changes, const std::string& u
 }
 
 }  // namespace
+
+std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
+  std::string text;
+  if (change.depth) text = fmt::format("cut back by {} {}", figure(*change.depth), unit);
+  if (const auto& window = change.window) {
+    const std::string least = fmt::format("{:.3g}", window->least_thickness);
+    const std::string greatest = fmt::format("{:.3g}", window->thickness);
+    text += fmt::format("{}opened towards {} by a window of {} {} through {}{} {}",
+                        text.empty() ? "" : ", or ", side_name(window->core_side), figure(window->area),
+                        area_unit, least == greatest ? "" : least + " to ", greatest, unit);
+  }
+  return text.empty() ? "-" : text;
+}
 
 std::string freedom_text(const SideAction& action, const std::string& unit) {
   switch (action.kind) {
@@ -159,8 +160,26 @@ std::string meetings_text(const ActionPlan& plan) {
     }
   }
   if (number == 0) return "";
-  return fmt::format("\nSlides would meet, since their ways cross: rows {}{}.\n", pairs,
+  return fmt::format("\nSlides would meet, since their ways cross{}: rows {}{}.\n",
+                     plan.optimal ? ", and nothing that was tried avoids it" : "", pairs,
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
+}
+
+std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
+  constexpr std::size_t k_most = 6;
+  std::string rows;
+  std::size_t number = 0;
+  double needed = 0.0;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const SideAction& action = plan.actions[k];
+    if (has_room(action) || ++number > k_most) continue;
+    needed = action.room_needed;
+    rows += fmt::format("{}{} ({:.2f} {})", number == 1 ? "" : ", ", k + 1, action.clear_to - action.travel,
+                        unit);
+  }
+  if (number == 0) return "";
+  return fmt::format("\nLifters with less room beyond their travel than {:.3g} {}: rows {}{}.\n", needed,
+                     unit, rows, number > k_most ? fmt::format(" … {} in all", number) : "");
 }
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
@@ -203,7 +222,7 @@ std::string actions_table(const ActionsReport& report) {
                      lengths.text(action.travel), action.stroke ? lengths.text(*action.stroke) : "",
                      areas.text(action.area), patches_text(action.patches));
     }
-    text += meetings_text(plan);
+    text += meetings_text(plan) + crowded_text(plan, unit);
   }
   if (!plan.unreleased.empty())
     fmt::format_to(out, "\nNothing that was tried releases {} {} in {} undercuts: {}\n",

@@ -29,9 +29,14 @@ struct ActionsReport {
 
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
+/// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm"; "-" for neither.
+[[nodiscard]] std::string change_text(const ToBeFree& change, const std::string& unit,
+                                      const std::string& area_unit);
 /// Pairs of slides that would meet, named as their rows are counted, in a paragraph; empty where there are
 /// none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
+/// Lifters without the room that they need, likewise.
+[[nodiscard]] std::string crowded_text(const ActionPlan& plan, const std::string& unit);
 
 /// A line a patch, with the action that releases it; a heading line names the columns.
 [[nodiscard]] std::string actions_csv(const ActionsReport& report);

@@ -30,6 +30,17 @@ std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vec
   return chosen;
 }
 
+/// How far they move, specks that stay behind aside, until the part is in the way of one: `travel` or more.
+double reach_of(const Release& release, std::span<const UndercutSample> samples, const glm::dvec3& pull,
+                double travel) {
+  double reach = std::numeric_limits<double>::infinity();
+  for (const UndercutSample& sample : samples) {
+    const double length = release.free_length(sample, pull);
+    if (length >= travel) reach = std::min(reach, length);
+  }
+  return reach;
+}
+
 }  // namespace
 
 double clear_length(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
@@ -67,14 +78,13 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
     way.length = pull.travel =
         clear_length(release, deepest(context, atoms, column, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
-    double room = std::numeric_limits<double>::infinity();
-    for (const UndercutSample& sample : samples)
-      room = std::min(room, std::max(pull.travel, release.free_length(sample, pull.direction)));
-    action.clear_to = room * diagonal;
+    action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
+    action.room_needed = context.pulls.lifter_room() * diagonal;
     pull.interval =
         release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);
   } else if (is_slide(pull.kind)) {
-    pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind);
+    if (!pull.kept)
+      pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind, k_exact_turn_deg);
     context.pulls.set_travel(deepest(context, atoms, column, samples, pull.direction), k_fine_step, pull);
   }
   const double clearance = is_slide(pull.kind) ? context.settings.clearance_mm * context.unit_per_mm : 0.0;

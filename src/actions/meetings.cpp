@@ -29,9 +29,9 @@ struct Reach {
 
 /// In the unit frame.
 struct Way {
-  std::size_t action;
-  glm::dvec3 direction;
-  double end;  // along the direction
+  std::size_t action = 0;
+  glm::dvec3 direction{1, 0, 0};
+  double end = 0.0;  // along the direction
   std::vector<UndercutSample> samples;
 
   [[nodiscard]] Reach extent(const glm::dvec3& along) const {
@@ -44,7 +44,7 @@ struct Way {
 class Meetings {
  public:
   Meetings(const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan)
-      : model_(model), split_(split), plan_(plan) {
+      : model_(model), split_(split), release_(release), plan_(plan) {
     std::vector<Undercut> surfaces(plan.actions.size());
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
       const std::int32_t action = plan.action_of_piece[piece];
@@ -56,9 +56,9 @@ class Meetings {
     }
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       if (surfaces[k].area <= 0.0) continue;
+      ways_.push_back({.action = k, .samples = sample_undercut(model, split, surfaces[k], k_asked)});
       const SideAction& action = plan.actions[k];
-      const double end = release.reach(action.direction) + k_beyond + action.travel / model.frame.diagonal;
-      ways_.push_back({k, action.direction, end, sample_undercut(model, split, surfaces[k], k_asked)});
+      ways_.back() = moved(ways_.back(), {action.direction, action.travel});
     }
   }
 
@@ -73,7 +73,34 @@ class Meetings {
     return found;
   }
 
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing(const MovedSlide& one,
+                                                                          const MovedSlide& other) const {
+    const auto ways_of = [&](const MovedSlide& slide) {
+      std::vector<Way> ways;
+      const auto its = std::ranges::find(ways_, slide.action, &Way::action);
+      for (const SlideMove& move : slide.moves) {
+        if (its != ways_.end()) ways.push_back(moved(*its, move));
+      }
+      return ways;
+    };
+    const std::vector<Way> a = ways_of(one), b = ways_of(other);
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < b.size(); ++j) {
+        if (crosses(a[i], b[j]) || crosses(b[j], a[i])) found.emplace_back(i, j);
+      }
+    }
+    return found;
+  }
+
  private:
+  [[nodiscard]] Way moved(const Way& way, const SlideMove& move) const {
+    Way other = way;
+    other.direction = move.direction;
+    other.end = release_.reach(move.direction) + k_beyond + move.travel / model_.frame.diagonal;
+    return other;
+  }
+
   /// Whether what `one` moves passes where `other` is.
   [[nodiscard]] bool crosses(const Way& one, const Way& other) const {
     const glm::dvec3 normal = glm::cross(one.direction, other.direction);
@@ -126,6 +153,7 @@ class Meetings {
 
   const PartModel& model_;
   const SplitMesh& split_;
+  const Release& release_;
   const ActionPlan& plan_;
   std::unordered_multimap<FacetIndex, std::uint32_t> pieces_;  // that slides form, by their facet
   std::vector<Way> ways_;
@@ -139,6 +167,14 @@ void find_meetings(const PartModel& model, const SplitMesh& split, const Release
     plan.actions[b].meets.push_back(a);
   }
   for (SideAction& action : plan.actions) std::ranges::sort(action.meets);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> crossing_moves(const PartModel& model,
+                                                                const SplitMesh& split,
+                                                                const Release& release,
+                                                                const ActionPlan& plan, const MovedSlide& one,
+                                                                const MovedSlide& other) {
+  return Meetings(model, split, release, plan).crossing(one, other);
 }
 
 }  // namespace moldlight

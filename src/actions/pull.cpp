@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,16 +15,47 @@ namespace {
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr std::size_t k_quick_samples = 24;   // which tell soon that a lifter is hopeless
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
+constexpr double k_compared_turn_deg = 0.01;  // of turns that are compared; what is chosen is found anew
 constexpr double k_same_elevation_deg = 0.01;
-constexpr std::size_t k_lifters = 3;     // of an undercut that are looked at closely
+constexpr std::size_t k_lifters = 3;     // of an undercut, with room and without
+constexpr std::size_t k_most_tries = 8;  // at each
 constexpr int k_most_parts = 3;          // of an undercut that nothing releases whole
 constexpr double k_least_part = 0.05;    // of its area: less is not worth an action
+constexpr double k_narrow_cost = 5e-4;   // of a pull that may not turn at all, beside the weights
+constexpr double k_travel_cost = 1e-3;   // of the diagonal, beside the weights
+constexpr double k_wish_gain = 0.05;     // of a direction of the user's own, off the weights
+constexpr double k_no_room_cost = 1.5;   // of a lifter without room: dearer than any pull that has
 constexpr double k_worth_lifting = 1.1;  // what a lifter must free of it, of what a slide does
 
 double area_of(std::span<const UndercutSample> samples) {
   double area = 0.0;
   for (const UndercutSample& sample : samples) area += sample.area;
   return area;
+}
+
+/// What a split of an undercut comes to.
+struct Worth {
+  double left = 1.0;  // share that no pull frees: for an insert, which may leave some of it
+  double cost = 0.0;  // of the cheapest pull for each part
+};
+Worth worth_of(std::span<const FreedPart> parts) {
+  Worth worth;
+  double whole = 0.0, left = 0.0;
+  for (const FreedPart& part : parts) {
+    double least = k_never;
+    for (const Pull& pull : part.pulls) least = std::min(least, pull_cost(pull));
+    const double area = area_of(part.samples);
+    whole += area;
+    left += part.pulls.empty() ? area : 0.0;
+    worth.cost += part.pulls.empty() ? facts(ActionKind::insert).weight : least;
+  }
+  if (whole > 0.0) worth.left = left / whole;
+  return worth;
+}
+/// Frees more by what is worth an action, or as much for less.
+bool is_better(const Worth& one, const Worth& other) {
+  if (std::abs(one.left - other.left) > k_least_part) return one.left < other.left;
+  return one.cost < other.cost;
 }
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
@@ -38,6 +70,13 @@ double turn_between(const glm::dvec3& from, const glm::dvec3& to, const glm::dve
 }
 
 }  // namespace
+
+double pull_cost(const Pull& pull) {
+  const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
+  const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
+  return facts(pull.kind).weight - gain + (pull.has_room ? 0.0 : k_no_room_cost) +
+         k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
+}
 
 std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
                                    std::span<const PullCandidate> tried,
@@ -56,7 +95,7 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
       const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
       if (angle_deg <= above_deg || angle_deg > up_to_deg || is_known(pulls, candidate.direction)) continue;
       if (!release_.releases(samples, candidate.direction, k_never)) continue;
-      pulls.push_back(in_the_middle(samples, candidate, kind, tried));
+      pulls.push_back(in_the_middle(samples, candidate, kind, k_compared_turn_deg, tried));
       estimate_travel(samples, pulls.back());
       // What the part's shape says may suit a neighbour better than the middle.
       if (candidate.source == PullSource::even ||
@@ -86,10 +125,11 @@ bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull
 }
 
 Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
-                               ActionKind kind, std::span<const PullCandidate> others) const {
+                               ActionKind kind, double resolved_deg,
+                               std::span<const PullCandidate> others) const {
   constexpr double k_wide_deg = 10.0, k_least_margin = 0.15;  // of the width
   Pull pull{.kind = kind, .direction = candidate.direction, .source = candidate.source};
-  pull.interval = release_.free_turn(samples, pull.direction, direction_);
+  pull.interval = release_.free_turn(samples, pull.direction, direction_, resolved_deg);
   const auto [from_deg, to_deg] = pull.interval;
   const double middle = pull.interval.middle_deg(), half = 0.5 * (to_deg - from_deg);
   if (pull.source == PullSource::wish) return pull;
@@ -152,23 +192,36 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
                        .source = candidate.source,
                        .travel = *travel,
                        .core_side = core_side});
+      set_room(few_of(samples), found.back());
     }
   }
   std::ranges::stable_sort(
       found, {}, [](const Pull& pull) { return std::pair(pull.source != PullSource::wish, pull.travel); });
   std::vector<Pull> pulls;
-  for (Pull& pull : found) {
-    if (pulls.size() == k_lifters) break;
-    const auto travel = release_.first_clear(samples, pull.direction, side(pull.core_side), 1.0);
-    if (!travel) continue;
-    pull.travel = *travel;
-    pulls.push_back(pull);
+  for (const bool roomy : {true, false}) {
+    std::size_t number = 0, tries = 0;
+    for (Pull pull : found) {
+      // Few samples may say that there is room where all of them do not.
+      if (pull.has_room != roomy || number == k_lifters || tries == k_most_tries) continue;
+      ++tries;
+      const auto travel = release_.first_clear(samples, pull.direction, side(pull.core_side), 1.0);
+      if (!travel) continue;
+      pull.travel = *travel;
+      set_room(samples, pull);
+      number += pull.has_room == roomy ? 1 : 0;
+      pulls.push_back(pull);
+    }
   }
   return pulls;
 }
 
+void PullFinder::set_room(std::span<const UndercutSample> samples, Pull& lifter) const {
+  lifter.has_room = release_.releases(samples, lifter.direction, lifter.travel + lifter_room_);
+}
+
 std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> samples,
-                                              std::span<const PullCandidate> tried, double least) const {
+                                              std::span<const PullCandidate> tried, double least,
+                                              double room) const {
   constexpr double k_first = 1.0 / 512.0, k_growth = 1.2;
   constexpr std::size_t k_every = 3;  // of the fan
   std::optional<Pull> best;
@@ -181,52 +234,81 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     for (const bool core_side : {true, false}) {
       const glm::dvec3 side = core_side ? direction_ : -direction_;
       for (double length = k_first; length < 1.0; length *= k_growth) {
-        if (release_.free_area(few, candidate.direction, length) <= most * (1.0 + 1e-9)) break;
-        const double cleared = release_.cleared_area(few, candidate.direction, side, length);
+        if (release_.free_area(few, candidate.direction, length + room) <= most * (1.0 + 1e-9)) break;
+        const double cleared = release_.cleared_area(few, {candidate.direction, side, length}, room);
         if (cleared <= most * (1.0 + 1e-9)) continue;
         most = cleared;
         best = Pull{.kind = ActionKind::lifter,
                     .direction = candidate.direction,
                     .source = candidate.source,
                     .travel = length,
-                    .core_side = core_side};
+                    .core_side = core_side,
+                    .has_room = room > 0.0 || lifter_room_ <= 0.0};
       }
     }
   }
   return best;
 }
 
+std::vector<Pull> PullFinder::turned(std::span<const UndercutSample> samples,
+                                     std::span<const Pull> pulls) const {
+  constexpr double k_wide_deg = 10.0;
+  std::vector<Pull> found;
+  for (const Pull& pull : pulls) {
+    if (!is_slide(pull.kind)) continue;
+    Pull other = pull;
+    other.kept = true;
+    other.for_sharing = false;
+    if (pull.for_sharing) found.push_back(other);
+    const auto [from_deg, to_deg] = pull.interval;
+    if (pull.for_sharing || to_deg - from_deg < k_wide_deg) continue;
+    other.source = PullSource::even;
+    for (const double share : {0.4, 0.7, 0.95}) {
+      for (const double turn_deg : {share * from_deg, share * to_deg}) {
+        other.direction = turned_about(pull.direction, direction_, turn_deg);
+        other.interval = {from_deg - turn_deg, to_deg - turn_deg};
+        estimate_travel(samples, other);
+        found.push_back(other);
+      }
+    }
+  }
+  return found;
+}
+
 std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples,
                                          std::span<const PullCandidate> tried,
                                          std::optional<ActionKind> only) const {
+  const bool lifters = !only || only == ActionKind::lifter;
+  std::vector<FreedPart> roomy = split_with(samples, tried, only, lifter_room_);
+  const auto is_poor = [](const FreedPart& part) {
+    return part.pulls.empty() || !part.pulls.front().has_room;
+  };
+  if (!lifters || lifter_room_ <= 0.0 || (!roomy.empty() && std::ranges::none_of(roomy, is_poor)))
+    return roomy;
+  // Lifters without room may free more, or ask for less beside them.
+  std::vector<FreedPart> crowded = split_with(samples, tried, only, 0.0);
+  return is_better(worth_of(crowded), worth_of(roomy)) ? crowded : roomy;
+}
+
+std::vector<FreedPart> PullFinder::split_with(std::span<const UndercutSample> samples,
+                                              std::span<const PullCandidate> tried,
+                                              std::optional<ActionKind> only, double room) const {
   const bool lifters = !only || only == ActionKind::lifter;
   std::vector<FreedPart> parts;
   std::vector<UndercutSample> rest(samples.begin(), samples.end());
   const double whole = area_of(samples);
   for (int round = 0; round < k_most_parts; ++round) {
     double most = 0.0;
-    std::optional<Pull> found;
-    for (const PullCandidate& candidate : tried) {
-      const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
-      const ActionKind kind =
-          angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
-      if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
-      // Of equal ones that which comes first: it is better meant.
-      const double freed = release_.free_area(rest, candidate.direction, k_never);
-      if (freed <= most * (1.0 + 1e-9)) continue;
-      most = freed;
-      found = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
-    }
-    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most) : std::nullopt)
+    std::optional<Pull> found = most_freeing(rest, tried, only, most);
+    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most, room) : std::nullopt)
       found = lifter;
     if (!found) break;
     Pull& best = *found;
     const bool lifts = best.kind == ActionKind::lifter;
-    const glm::dvec3 side = best.core_side ? direction_ : -direction_;
+    const LifterWay way{best.direction, best.core_side ? direction_ : -direction_, best.travel};
     FreedPart part;
     std::erase_if(rest, [&](const UndercutSample& sample) {
-      const bool freed = lifts ? release_.free_length(sample, best.direction) >= best.travel &&
-                                     release_.clear(sample, best.direction, best.travel, side)
+      const bool freed = lifts ? release_.clears(sample, way, room)
                                : release_.free_length(sample, best.direction) == k_never;
       if (freed) part.samples.push_back(sample);
       return freed;
@@ -237,9 +319,10 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
     }
     if (lifts) {
       best.travel =
-          release_.first_clear(part.samples, best.direction, side, best.travel).value_or(best.travel);
+          release_.first_clear(part.samples, best.direction, way.side, best.travel).value_or(best.travel);
+      set_room(part.samples, best);
     } else {
-      best.interval = release_.free_turn(part.samples, best.direction, direction_);
+      best.interval = release_.free_turn(part.samples, best.direction, direction_, k_compared_turn_deg);
       estimate_travel(part.samples, best);
     }
     part.pulls = {best};
@@ -248,6 +331,23 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
   if (!parts.empty() && area_of(rest) > k_blocked_share * whole)
     parts.push_back({.samples = rest, .pulls = lifters ? find_lifters(rest, tried) : std::vector<Pull>()});
   return parts;
+}
+
+std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> samples,
+                                             std::span<const PullCandidate> tried,
+                                             std::optional<ActionKind> only, double& most) const {
+  std::optional<Pull> best;
+  for (const PullCandidate& candidate : tried) {
+    const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
+    const ActionKind kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
+    if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
+    // Of equal ones that which comes first: it is better meant.
+    const double freed = release_.free_area(samples, candidate.direction, k_never);
+    if (freed <= most * (1.0 + 1e-9)) continue;
+    most = freed;
+    best = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
+  }
+  return best;
 }
 
 std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> samples,

@@ -17,8 +17,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
-constexpr double k_resolved = 1e-7;  // of a length
-constexpr double k_resolved_deg = 1e-4;
+constexpr double k_resolved = 1e-7;    // of a length
 constexpr double k_step_deg = 2.5;     // beyond it a turn goes on in equal steps
 constexpr double k_past = 1e-6;        // behind a facet that is not in the way
 constexpr double k_touching = 1e-6;    // no farther apart than the rounding of coordinates
@@ -30,7 +29,7 @@ constexpr double k_across = 1.0;
 
 /// To both sides of 0, as long as `free` holds at an angle in degrees.
 template <typename Free>
-TurnInterval turn_while(const Free& free) {
+TurnInterval turn_while(const Free& free, double resolved_deg = k_exact_turn_deg) {
   const auto reach = [&](double sense) {
     double good = 0.0, bad = 0.25;
     while (free(sense * bad)) {
@@ -38,7 +37,7 @@ TurnInterval turn_while(const Free& free) {
       if (good >= 180.0) return 180.0;
       bad = std::min(180.0, bad < k_step_deg ? 2.0 * bad : bad + k_step_deg);
     }
-    while (bad - good > k_resolved_deg) {
+    while (bad - good > resolved_deg) {
       const double middle = 0.5 * (good + bad);
       (free(sense * middle) ? good : bad) = middle;
     }
@@ -136,21 +135,42 @@ double Release::free_area(std::span<const UndercutSample> samples, const glm::dv
   return area;
 }
 
-bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length) const {
+template <typename Free>
+bool Release::is_speck(const UndercutSample& sample, const Free& free) const {
+  constexpr int k_turns = 8;
+  const MapFrame frame = map_frame(sample.normal);
+  for (int k = 0; k < k_turns; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / k_turns;
+    UndercutSample beside = sample;
+    beside.position +=
+        glm::vec3(2.0 * query_.lateral * (std::cos(angle) * frame.x + std::sin(angle) * frame.y));
+    if (free(beside)) return true;
+  }
+  return false;
+}
+
+template <typename Free>
+bool Release::all_but_specks(std::span<const UndercutSample> samples, const Free& free) const {
   double total = 0.0, blocked = 0.0;
   for (const UndercutSample& sample : samples) total += sample.area;
   for (const UndercutSample& sample : samples) {
-    if (free_length(sample, pull) >= length) continue;
+    if (free(sample)) continue;
     blocked += sample.area;
-    if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
+    if (blocked > k_blocked_share * total || sample.area <= 0.0 || !is_speck(sample, free)) return false;
   }
   return true;
 }
 
+bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length) const {
+  return all_but_specks(samples,
+                        [&](const UndercutSample& sample) { return free_length(sample, pull) >= length; });
+}
+
 TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                const glm::dvec3& axis) const {
+                                const glm::dvec3& axis, double resolved_deg) const {
   return turn_while(
-      [&](double angle_deg) { return releases(samples, turned_about(pull, axis, angle_deg), k_never); });
+      [&](double angle_deg) { return releases(samples, turned_about(pull, axis, angle_deg), k_never); },
+      resolved_deg);
 }
 
 TurnInterval Release::lifter_turn(std::span<const UndercutSample> samples, const LifterWay& way,
@@ -185,20 +205,23 @@ bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double
   return !model_.rays().first_hit(at, glm::vec3(side), true).has_value();
 }
 
-double Release::cleared_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                             const glm::dvec3& side, double length) const {
+bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {
+  return clear(sample, way.pull, way.length, way.side) && free_length(sample, way.pull) >= way.length + room;
+}
+
+double Release::cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
+                             double room) const {
   double area = 0.0;
-  for (const UndercutSample& sample : samples) {
-    if (clear(sample, pull, length, side) && free_length(sample, pull) >= length) area += sample.area;
-  }
+  for (const UndercutSample& sample : samples) area += clears(sample, way, room) ? sample.area : 0.0;
   return area;
 }
 
 double Release::clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                              const glm::dvec3& side, double step) const {
+  const double outside = reach(pull) + query_.lateral;
   double beyond = 0.0;
   for (const UndercutSample& sample : samples) {
-    const double end = std::max(0.0, 0.5 * k_across - glm::dot(glm::dvec3(sample.position), pull));
+    const double end = std::max(0.0, outside - glm::dot(glm::dvec3(sample.position), pull));
     double good = end, bad = end - step;
     // What has been found already need not be found again.
     while (bad > beyond && clear(sample, pull, bad, side)) {
@@ -219,15 +242,7 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
 }
 
 bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way) const {
-  double total = 0.0, blocked = 0.0;
-  for (const UndercutSample& sample : samples) total += sample.area;
-  for (const UndercutSample& sample : samples) {
-    if (clear(sample, way.pull, way.length, way.side) && free_length(sample, way.pull) >= way.length)
-      continue;
-    blocked += sample.area;
-    if (blocked > k_blocked_share * total || sample.area <= 0.0) return false;
-  }
-  return true;
+  return all_but_specks(samples, [&](const UndercutSample& sample) { return clears(sample, way); });
 }
 
 std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, const glm::dvec3& pull,

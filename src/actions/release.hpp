@@ -10,9 +10,12 @@
 
 namespace moldlight {
 
-/// Of an undercut's area so much may stay blocked: specks at its rim, within the lateral tolerance of an
-/// edge.
+/// Of an undercut's area so much may stay blocked: specks at its rim, within twice the lateral tolerance of
+/// an edge or of what is free.
 inline constexpr double k_blocked_share = 0.005;
+
+/// How finely a turn is found where it is told.
+inline constexpr double k_exact_turn_deg = 1e-4;
 
 /// Degrees about an axis to both sides of a direction, [-180, 180].
 struct TurnInterval {
@@ -49,14 +52,15 @@ class Release {
   /// Area of the samples that move at least so far.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                  double length) const;
-  /// Whether all but k_blocked_share of their area moves so far; samples without area must move, too. Ends at
-  /// the first too many that is blocked.
+  /// Whether all of them move so far but for specks, which make up k_blocked_share of their area at most;
+  /// samples without area must move, too. Ends at the first that tells.
   [[nodiscard]] bool releases(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                               double length) const;
 
-  /// How far a released pull may turn about `axis` (unit) to either side and still release, to 1e-4 degrees.
+  /// How far a released pull may turn about `axis` (unit) to either side and still release, less
+  /// `resolved_deg` at most.
   [[nodiscard]] TurnInterval free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                       const glm::dvec3& axis) const;
+                                       const glm::dvec3& axis, double resolved_deg) const;
 
   /// How far a lifter may turn about `axis` and still clear the samples by a travel of at most a tenth more:
   /// by what turning alone adds to it, by half of the tenth, or by all of it. To 1e-4 degrees.
@@ -69,14 +73,16 @@ class Release {
   /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;
-  /// Area of the samples that move so far, and are clear there.
-  [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                    const glm::dvec3& side, double length) const;
+  /// Whether it moves so far and `room` beyond that, and is clear without it.
+  [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room = 0.0) const;
+  /// Area of the samples that do.
+  [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
+                                    double room = 0.0) const;
   /// The least length beyond which all samples are clear, whatever lies beyond; looked for in steps of `step`
   /// and then halved to 1e-7.
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                     const glm::dvec3& side, double step) const;
-  /// Whether all but k_blocked_share of their area moves so far and is clear there; as releases().
+  /// Whether all of them do without room; as releases().
   [[nodiscard]] bool clears(std::span<const UndercutSample> samples, const LifterWay& way) const;
   /// The least length, up to `most`, at which all samples are clear at once and which they reach; none where
   /// there is no such length.
@@ -89,6 +95,11 @@ class Release {
   [[nodiscard]] int depth(const glm::dvec3& from, const glm::dvec3& along) const;
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
   [[nodiscard]] bool is_shallow_at(const UndercutSample& sample) const;
+  /// Whether a blocked sample is within twice the lateral tolerance of a place of its plane that is free.
+  template <typename Free>
+  [[nodiscard]] bool is_speck(const UndercutSample& sample, const Free& free) const;
+  template <typename Free>
+  [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free) const;
 
   const PartModel& model_;
   ExactQuery query_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "base/check.hpp"
 
@@ -14,15 +15,23 @@ constexpr double k_saving = 1e-12;
 
 class Search {
  public:
-  Search(std::size_t atoms, std::span<const CoverColumn> columns, std::size_t most_nodes)
+  Search(std::size_t atoms, std::span<const CoverColumn> columns, std::span<const CoverClash> clashes,
+         std::size_t most_nodes)
       : columns_(columns),
         most_nodes_(most_nodes),
         having_(atoms),
+        prices_(columns.size()),
         covered_(atoms, 0),
-        allowed_(columns.size(), 1) {
+        allowed_(columns.size(), 1),
+        price_(columns.size(), 0.0) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       CHECK(columns[c].cost > 0.0);
       for (const std::size_t atom : columns[c].atoms) having_[atom].push_back(c);
+    }
+    for (const CoverClash& clash : clashes) {
+      CHECK(clash.a != clash.b && clash.price >= 0.0);
+      prices_[clash.a][clash.b] += clash.price;
+      prices_[clash.b][clash.a] += clash.price;
     }
     drop_dominated();
   }
@@ -49,14 +58,25 @@ class Search {
       sorted.push_back(column.atoms);
       std::ranges::sort(sorted.back());
     }
+    // In place of `a`, whatever else is chosen.
+    const auto serves = [&](std::size_t b, std::size_t a) {
+      return columns_[b].cost <= columns_[a].cost && std::ranges::includes(sorted[b], sorted[a]) &&
+             clashes_no_more(b, a);
+    };
     for (std::size_t a = 0; a < columns_.size(); ++a) {
       for (std::size_t b = 0; b < columns_.size() && allowed_[a] != 0; ++b) {
-        if (a == b || allowed_[b] == 0 || !std::ranges::includes(sorted[b], sorted[a])) continue;
-        const bool same = sorted[a].size() == sorted[b].size() && columns_[a].cost == columns_[b].cost;
-        if (columns_[b].cost <= columns_[a].cost && (!same || b < a)) allowed_[a] = 0;
+        if (a == b || allowed_[b] == 0 || !serves(b, a)) continue;
+        if (b < a || !serves(a, b)) allowed_[a] = 0;
       }
     }
     for (auto& having : having_) std::erase_if(having, [&](std::size_t c) { return allowed_[c] == 0; });
+  }
+
+  [[nodiscard]] bool clashes_no_more(std::size_t one, std::size_t than) const {
+    return std::ranges::all_of(prices_[one], [&](const auto& clash) {
+      const auto same = prices_[than].find(clash.first);
+      return clash.first == than || (same != prices_[than].end() && same->second >= clash.second);
+    });
   }
 
   /// Cost that the open atoms need at least: of atoms that share no column each needs one of its own.
@@ -69,12 +89,34 @@ class Search {
       if (std::ranges::any_of(having, [&](std::size_t c) { return touched[c] != 0; })) continue;
       double cheapest = std::numeric_limits<double>::infinity();
       for (const std::size_t c : having) {
-        cheapest = std::min(cheapest, columns_[c].cost);
+        cheapest = std::min(cheapest, cost_now(c));
         touched[c] = 1;
       }
       least += cheapest;
     }
     return least;
+  }
+
+  /// With the prices of its clashes with what is chosen.
+  [[nodiscard]] double cost_now(std::size_t column) const { return columns_[column].cost + price_[column]; }
+
+  void choose(std::size_t column) {
+    chosen_.push_back(column);
+    for (const std::size_t atom : columns_[column].atoms) ++covered_[atom];
+    for (const auto& [other, price] : prices_[column]) price_[other] += price;
+  }
+  void take_back() {
+    const std::size_t column = chosen_.back();
+    chosen_.pop_back();
+    for (const std::size_t atom : columns_[column].atoms) --covered_[atom];
+    // Summed up anew: sums that are taken apart again would keep rounding.
+    for (const auto& [other, price] : prices_[column]) {
+      price_[other] = 0.0;
+      for (const std::size_t c : chosen_) {
+        const auto clash = prices_[other].find(c);
+        if (clash != prices_[other].end()) price_[other] += clash->second;
+      }
+    }
   }
 
   void branch(double cost) {
@@ -98,23 +140,24 @@ class Search {
     const auto worth = [&](std::size_t c) {
       const auto open =
           std::ranges::count_if(columns_[c].atoms, [&](std::size_t atom) { return covered_[atom] == 0; });
-      return static_cast<double>(open) / columns_[c].cost;
+      return static_cast<double>(open) / cost_now(c);
     };
     std::ranges::stable_sort(order, std::greater(), worth);
     for (const std::size_t c : order) {
-      chosen_.push_back(c);
-      for (const std::size_t atom : columns_[c].atoms) ++covered_[atom];
-      branch(cost + columns_[c].cost);
-      for (const std::size_t atom : columns_[c].atoms) --covered_[atom];
-      chosen_.pop_back();
+      const double more = cost_now(c);
+      choose(c);
+      branch(cost + more);
+      take_back();
     }
   }
 
   std::span<const CoverColumn> columns_;
   std::size_t most_nodes_;
-  std::vector<std::vector<std::size_t>> having_;  // columns of each atom
-  std::vector<int> covered_;                      // how often each atom is
+  std::vector<std::vector<std::size_t>> having_;       // columns of each atom
+  std::vector<std::map<std::size_t, double>> prices_;  // of each column's clashes, by the other column
+  std::vector<int> covered_;                           // how often each atom is
   std::vector<char> allowed_;
+  std::vector<double> price_;  // of each column, of its clashes with what is chosen
   std::vector<std::size_t> chosen_, best_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   std::size_t nodes_ = 0;
@@ -122,8 +165,9 @@ class Search {
 
 }  // namespace
 
-Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns, std::size_t most_nodes) {
-  return Search(atoms, columns, most_nodes).run();
+Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns,
+                  std::span<const CoverClash> clashes, std::size_t most_nodes) {
+  return Search(atoms, columns, clashes, most_nodes).run();
 }
 
 }  // namespace moldlight

@@ -20,15 +20,9 @@ class Sharing {
   Sharing(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach)
       : atoms_(atoms), pulls_(pulls), reach_(reach) {}
 
-  std::vector<Column> columns() const {
-    std::vector<Column> columns;
-    for (std::size_t k = 0; k < atoms_.size(); ++k) {
-      for (const Pull& pull : atoms_[k].pulls) {
-        if (is_slide(pull.kind)) add_shared(columns, k, pull);
-        if (!pull.for_sharing) columns.push_back({pull, {k}});
-      }
-    }
-    return columns;
+  void add(std::vector<Column>& columns, std::size_t atom, const Pull& pull) const {
+    if (is_slide(pull.kind)) add_shared(columns, atom, pull);
+    if (!pull.for_sharing) columns.push_back({pull, {atom}});
   }
 
  private:
@@ -93,9 +87,18 @@ class Sharing {
 
 }  // namespace
 
+void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach,
+                      std::size_t atom, const Pull& pull, std::vector<Column>& columns) {
+  Sharing(atoms, pulls, reach).add(columns, atom, pull);
+}
+
 std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
                                  const SharingReach& reach) {
-  return Sharing(atoms, pulls, reach).columns();
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    for (const Pull& pull : atoms[k].pulls) add_pull_columns(atoms, pulls, reach, k, pull, columns);
+  }
+  return columns;
 }
 
 }  // namespace moldlight

@@ -12,9 +12,12 @@ struct SharingReach {
   double across = 0.0, along = 0.0;  // its direction
 };
 
-/// For each pull of each atom the atom alone and, for slides, all that its direction releases as well and
+/// Adds, for a pull of an atom, the atom alone and, for slides, all that its direction releases as well and
 /// that are near it or near another one of them; if some of their own directions are within k_bundle_deg, or
 /// the shapes of both suggest the same one.
+void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach,
+                      std::size_t atom, const Pull& pull, std::vector<Column>& columns);
+/// Of each pull of each atom.
 [[nodiscard]] std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
                                                const SharingReach& reach);
 

@@ -7,6 +7,12 @@
 
 namespace moldlight {
 
+bool has_room(const SideAction& action) {
+  constexpr double k_rounding = 1e-6;  // of single precision, share of the length
+  return action.kind != ActionKind::lifter ||
+         action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding);
+}
+
 const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
   const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
     return std::ranges::find(action.patches, patch) != action.patches.end();

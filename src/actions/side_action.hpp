@@ -38,8 +38,12 @@ struct SideAction {
   bool core_side = true;             // the half that it belongs to: the core's, along +d
   double clear_to =
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
+  double room_needed = 0.0;                     // of a lifter, beyond its travel
   std::vector<std::size_t> meets = {};          // of a slide: others whose ways cross its own, rising
 };
+
+/// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
+[[nodiscard]] bool has_room(const SideAction& action);
 
 /// An undercut and what was found out about it.
 struct UndercutReport {

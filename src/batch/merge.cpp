@@ -56,14 +56,17 @@ class CsvSink : public MergeSink {
 
 std::unique_ptr<MergeSink> csv_sink(const std::string& path) { return std::make_unique<CsvSink>(path); }
 
-ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress) {
+ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress,
+                    MergeSink* first) {
   std::vector<std::unique_ptr<MergeSink>> sinks;
   if (!files.csv.empty()) sinks.push_back(csv_sink(files.csv));
   if (!files.sqlite.empty()) sinks.push_back(sqlite_sink(files.sqlite, manifest));
   if (!files.html.empty()) sinks.push_back(html_sink(files.html, manifest));
   const ReadingCounts counts = for_each_result(manifest, progress, [&](const PartResult& result) {
+    if (first != nullptr) first->add(result);
     for (const auto& sink : sinks) sink->add(result);
   });
+  if (first != nullptr) first->finish();
   for (const auto& sink : sinks) {
     progress.report("writing", 1.0);
     sink->finish();

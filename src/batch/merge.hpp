@@ -33,7 +33,9 @@ class MergeSink {
 /// A page that sorts and filters, with the pictures where they lie.
 [[nodiscard]] std::unique_ptr<MergeSink> html_sink(const std::string& path, const Manifest& manifest);
 
-/// Throws FileError, Cancelled; files that were wanted are then as they were.
-ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress);
+/// `first` takes the rows, too, if it is given, and finishes before any file is put in place. Throws
+/// FileError, Cancelled, what `first` throws; files that were wanted are then as they were.
+ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress,
+                    MergeSink* first = nullptr);
 
 }  // namespace moldlight::batch

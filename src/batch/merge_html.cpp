@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const page::PageFrame& frame() {
-  static const page::PageFrame k_frame = {"moldlight batch", "batch.css", "batch.js", true};
+  static const page::PageFrame k_frame = {"moldlight batch", "batch.css", {"batch.js"}, true};
   return k_frame;
 }
 

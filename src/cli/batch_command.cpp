@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
@@ -11,6 +12,7 @@
 #include "batch/runner.hpp"
 #include "batch/status.hpp"
 #include "classify/classify_report.hpp"
+#include "cli/batch_baseline.hpp"
 #include "cli/batch_work.hpp"
 #include "cli/flags.hpp"
 #include "cli/meter.hpp"
@@ -47,8 +49,9 @@ struct StatusFlags {
 };
 
 struct MergeFlags {
-  std::string folder;
+  std::string folder, baseline;
   MergeFiles files;
+  std::vector<Criterion> fail_on;
 };
 
 std::string count_text(std::size_t count, const char* noun) {
@@ -228,26 +231,37 @@ int run_status(const StatusFlags& flags, Console& console, const Progress& progr
 
 int run_merge(const MergeFlags& flags, Console& console, const Progress& progress) {
   const MergeFiles& files = flags.files;
-  if (files.csv.empty() && files.sqlite.empty() && files.html.empty())
-    throw UsageError("batch merge wants a file: --csv, --sqlite or --html");
+  if (files.csv.empty() && files.sqlite.empty() && files.html.empty() && flags.baseline.empty())
+    throw UsageError("batch merge wants a file: --csv, --sqlite or --html, or a --baseline");
   const Manifest manifest = read_manifest(flags.folder);
   const NamedPath manifest_file{"the batch's manifest",
                                 (fs::path(manifest.folder) / k_manifest_name).string()};
-  check_outputs({.inputs = {manifest_file},
+  check_outputs({.inputs = {manifest_file, {"--baseline", flags.baseline}},
                  .files = {{"--csv", files.csv}, {"--sqlite", files.sqlite}, {"--html", files.html}}});
   set_parts_progress(console, "merge");
-  const ReadingCounts counts = merge(manifest, files, progress);
+  std::optional<BatchBaseline> baseline;
+  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.fail_on);
+  const ReadingCounts counts = merge(manifest, files, progress, baseline ? &*baseline : nullptr);
   console.set_progress_text({});
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", count_text(manifest.rows, "part"),
-                             counts.done, counts.failed, counts.missing));
+                             counts.done, counts.failed, counts.missing) +
+                 (baseline ? baseline->table() : ""));
   if (counts.damaged > 0)
     console.warning(
         fmt::format("{} damaged and set aside; the next run makes them anew",
                     counts.damaged == 1 ? "1 result is" : fmt::format("{} results are", counts.damaged)));
-  if (counts.missing == 0) return 0;
-  console.warning(fmt::format(
-      "{} no result yet", counts.missing == 1 ? "1 part has" : fmt::format("{} parts have", counts.missing)));
-  return k_try_again;
+  if (counts.missing > 0)
+    console.warning(fmt::format("{} no result yet", counts.missing == 1
+                                                        ? "1 part has"
+                                                        : fmt::format("{} parts have", counts.missing)));
+  // What has failed stays so, whatever is still to come.
+  if (baseline && baseline->failure_count() > 0) {
+    for (const std::string& sentence : baseline->failures()) console.failure(sentence);
+    if (baseline->failure_count() > baseline->failures().size())
+      console.failure(fmt::format("criteria failed {} times in all", baseline->failure_count()));
+    return k_criterion_failed;
+  }
+  return counts.missing > 0 ? k_try_again : 0;
 }
 
 // --- the command line
@@ -326,6 +340,11 @@ void add_merge(CLI::App& batch, Request& request) {
                  "it), more_than_two_actions and failed"});
   add_file_flag(*command, flags->files.html,
                 {"--html", "FILE.html", "A page to sort and filter, with pictures"});
+  CLI::Option* baseline = add_file_flag(
+      *command, flags->baseline,
+      {"--baseline", "FILE.csv",
+       "Compare with an earlier table of --csv: parts that are new, gone, and whose figures changed"});
+  add_criteria_flag(*command, flags->fail_on, batch_figure_names())->needs(baseline);
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_merge);
 }

@@ -1,9 +1,12 @@
 // moldlight compare: what a revision of a part changes for the mold.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "cli/flags.hpp"
+#include "cli/report_flags.hpp"
 #include "compare/compare_figures.hpp"
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
@@ -26,8 +29,15 @@ struct CompareFlags {
   CompareSettings settings;
   std::vector<Criterion> fail_on;
   std::string image;
+  ReportFlags report;
   StillSettings still;
 };
+
+void check_files(const CompareFlags& flags) {
+  std::vector<NamedPath> written = {{"--json", flags.a.json_file()}, {"--image", flags.image}};
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  check_outputs({.inputs = {{"A", flags.a.part}, {"B", flags.b}}, .files = written});
+}
 
 ComparedQuery compared_query(const CompareFlags& flags, const Comparison& comparison,
                              const Progress& progress) {
@@ -41,11 +51,10 @@ ComparedQuery compared_query(const CompareFlags& flags, const Comparison& compar
 
 int run(const CompareFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
-  check_outputs({.inputs = {{"A", flags.a.part}, {"B", flags.b}},
-                 .files = {{"--json", flags.a.json_file()}, {"--image", flags.image}}});
+  check_files(flags);
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
-  if (!flags.image.empty()) context = create_context(flags.method.backend);
+  if (!flags.image.empty() || flags.report.any()) context = create_context(flags.method.backend);
   const auto a = load_part(flags.a.part, flags.a.reading, progress);
   const auto b = load_part(flags.b, flags.a.reading, progress);
   validate(flags.method, a->frame.diagonal);
@@ -55,8 +64,15 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
     for (const std::string& warning : part->result.warnings)
       console.warning(fmt::format("{}: {}", name, warning));
   // Before anything is put out: a criterion may ask for what these parts do not have.
-  const std::vector<std::string> failed = met_criteria(flags.fail_on, comparison_figures(comparison));
-  if (context) write_png(flags.image, comparison_picture(*context, comparison, flags.still, progress));
+  const std::vector<ComparedFigure> figures = comparison_figures(comparison);
+  const std::vector<std::string> failed = met_criteria(flags.fail_on, figures);
+  if (!flags.image.empty())
+    write_png(flags.image, comparison_picture(*context, comparison, flags.still, progress));
+  if (flags.report.any()) {
+    const auto for_report =
+        report_context(flags.report, *context, comparison.b.model, flags.still.look.palette, progress);
+    write_reports(flags.report, report::compare_report(for_report, comparison, {flags.fail_on, figures}));
+  }
   put_report(
       console, flags.a.json, [&] { return compare_json(comparison); },
       [&] { return compare_table(comparison); });
@@ -88,12 +104,15 @@ void add_compare_command(CLI::App& program, Request& request) {
   add_option_flags(*command, compare_options(), flags->settings);
   add_criteria_flag(*command, flags->fail_on, comparison_figure_names());
   add_option_flags(*command, action_options(), flags->settings.actions);
+  add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(
       *command, flags->image,
       {"--image", "FILE.png",
        "Draw both parts side by side with what differs lit, and write the picture to this file"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
-  for (CLI::Option* flag : add_still_flags(*command, flags->still)) flag->needs(image);
+  // The palette is the report's, too.
+  for (CLI::Option* flag : add_still_flags(*command, flags->still))
+    if (flag->get_name() != "--palette") flag->needs(image);
   add_method_flags(*command, flags->method);
   set_work(*command, request, flags, run);
 }

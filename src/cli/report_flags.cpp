@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/console.hpp"
 #include "cli/flags.hpp"
 #include "report/html_writer.hpp"
 
@@ -31,6 +32,15 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
       {"--html", "FILE.html",
        "Write a report that opens in any browser without a network: verdict, figures, pictures, and "
        "the part to turn, open and cut"});
+  CLI::Option* pdf =
+      add_file_flag(command, flags.pdf, {"--pdf", "FILE.pdf", "Write the same report as pages for paper"});
+  add_text_flag(command, {"--paper", "a4|letter", "Size of the pages of --pdf [default a4]"},
+                [&flags](const std::string& text) {
+                  if (text != "a4" && text != "letter")
+                    throw UsageError(fmt::format("--paper: '{}' is not a4 or letter", one_line(text)));
+                  flags.paper = text == "a4" ? report::Paper::a4 : report::Paper::letter;
+                })
+      ->needs(pdf);
 }
 
 report::ReportContext report_context(const ReportFlags& flags, const gl::Context& context,
@@ -42,6 +52,7 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
 
 void write_reports(const ReportFlags& flags, const report::Report& report) {
   if (!flags.html.empty()) report::write_html(flags.html, report);
+  if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper);
 }
 
 std::string command_text(const std::vector<std::string>& words) {

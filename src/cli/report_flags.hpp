@@ -7,19 +7,21 @@
 
 #include "cli/command.hpp"
 #include "report/describe/describe.hpp"
+#include "report/pdf_writer.hpp"
 
 namespace moldlight::cli {
 
 struct ReportFlags {
-  std::string html;
+  std::string html, pdf;
+  report::Paper paper = report::Paper::a4;
   const Request* request = nullptr;  // that has the command line
 
-  [[nodiscard]] bool any() const { return !html.empty(); }
+  [[nodiscard]] bool any() const { return !html.empty() || !pdf.empty(); }
   /// As check_outputs() takes them.
-  [[nodiscard]] std::vector<NamedPath> files() const { return {{"--html", html}}; }
+  [[nodiscard]] std::vector<NamedPath> files() const { return {{"--html", html}, {"--pdf", pdf}}; }
 };
 
-/// Adds --html. `request` and `flags` outlive the command.
+/// Adds --html, --pdf and --paper. `request` and `flags` outlive the command.
 void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& request);
 
 /// What a report is made with; `context` and `progress` must outlive it.

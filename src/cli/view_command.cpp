@@ -22,7 +22,7 @@ namespace {
 constexpr glm::ivec2 k_least_size(320, 240);
 
 struct ViewFlags {
-  std::string part;
+  std::string part, compare;
   ReadOptions reading;
   gui::PartNotes notes;
   gui::WindowSettings window;
@@ -59,13 +59,20 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
     const auto model = load_part(flags.part, flags.reading, progress);
     notes->settings.direction = best_direction(model, flags.notes.settings.method, progress);
   }
+  if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
   if (flags.screenshot.empty()) {
-    gui::run_window(
-        {.part = flags.part, .reading = flags.reading, .notes = notes, .window = flags.window_given},
-        progress);
+    gui::run_window({.part = flags.part,
+                     .compare = flags.compare,
+                     .reading = flags.reading,
+                     .notes = notes,
+                     .window = flags.window_given},
+                    progress);
     return 0;
   }
-  check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}, {"--script", flags.script}},
+  check_outputs({.inputs = {{"PART", flags.part},
+                            {"--compare", flags.compare},
+                            {"--settings", flags.settings},
+                            {"--script", flags.script}},
                  .files = {{"--screenshot", flags.screenshot}}});
   gui::OffscreenOptions window;
   window.size = flags.size;
@@ -75,6 +82,7 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   window.shipped_parts = gui::shipped_parts();
   gui::take_screenshot(
       {.part = flags.part,
+       .compare = flags.compare,
        .output = flags.screenshot,
        .script = flags.script.empty() ? std::nullopt : std::optional(read_whole(flags.script)),
        .notes = notes,
@@ -113,12 +121,18 @@ void add_view_command(CLI::App& program, Request& request) {
       "--benchmark", flags->benchmark,
       "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
       "with the direction at rest, and with a direction that changes every frame");
+  CLI::Option* compare = add_file_flag(
+      *command, flags->compare,
+      {"--compare", "FILE", "Compare the part with another revision, which is shown beside it"});
   add_option_flags(*command, reading_options(), flags->reading);
   CLI::Option* direction =
       add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction});
   direction->description(direction->get_description() + " [default 0,0,1]");
   add_method_flags(*command, flags->notes.settings.method);
   add_option_flags(*command, look_options(), flags->notes.settings.look);
+  CompareSettings& revision = flags->notes.settings.revision;
+  for (const Option<CompareSettings>& option : compare_options())
+    add_option_flag(*command, option, revision)->needs(compare);
   add_option_flags(*command, gui::window_options(), flags->window);
   command->callback([command, flags, &request] {
     const auto window = options_json(gui::window_options(), flags->window);
@@ -131,8 +145,9 @@ void add_view_command(CLI::App& program, Request& request) {
       const auto names = [&](const auto& entry) { return entry.flag == name; };
       flags->settings_given =
           flags->settings_given ||
-          (option->count() > 0 && (name == "--direction" || std::ranges::any_of(method_options(), names) ||
-                                   std::ranges::any_of(look_options(), names)));
+          (option->count() > 0 &&
+           (name == "--direction" || std::ranges::any_of(method_options(), names) ||
+            std::ranges::any_of(look_options(), names) || std::ranges::any_of(compare_options(), names)));
     }
     request.body = [flags](Console& console, const Progress& progress) {
       return run(*flags, console, progress);

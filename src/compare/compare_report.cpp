@@ -9,6 +9,7 @@
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_table.hpp"
+#include "compare/compare_texts.hpp"
 
 namespace moldlight {
 
@@ -108,21 +109,6 @@ Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T
                     {"a", side(former, change.former)},
                     {"b", side(fresh, change.fresh)}});
   return list;
-}
-
-/// With its sign; "0" for what is less than the column shows.
-std::string change_text(const FigureColumn& column, double change) {
-  const std::string text = column.text(std::abs(change));
-  const bool none = text.find_first_not_of("0.") == std::string::npos;
-  return none ? "0" : (change > 0.0 ? "+" : "-") + text;
-}
-
-std::string point_text(const FigureColumn& column, const glm::dvec3& point) {
-  const auto text = [&](double value) {
-    const std::string digits = column.text(value);
-    return digits.find_first_not_of("-0.") == std::string::npos ? column.text(0.0) : digits;
-  };
-  return fmt::format("{}, {}, {}", text(point.x), text(point.y), text(point.z));
 }
 
 std::string more_text(std::size_t count) {

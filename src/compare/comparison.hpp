@@ -23,6 +23,8 @@ struct CompareSettings {
   ActionSettings actions;
   double same_within =
       0.0;  // surface that is no farther apart is the same, in A's unit; 0: 1e-4 of A's diagonal
+
+  bool operator==(const CompareSettings&) const = default;
 };
 [[nodiscard]] std::span<const Option<CompareSettings>> compare_options();
 

@@ -41,6 +41,7 @@ App::App(const gl::Context& context, AppOptions options)
       measurer_(options_.make_context, options_.wake),
       actions_(options_.wake),
       mold_(options_.wake),
+      comparer_(options_.wake),
       sweep_(options_.wake) {
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
@@ -75,6 +76,7 @@ void App::open_batch(const std::string& path) {
 }
 
 void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
+  compared_next_.reset();
   batch_loader_.give_up();
   const JobStatus first{"reading", 0.0};
   loader_.start(
@@ -126,6 +128,7 @@ void App::frame(const FrameInput& input) {
   layout_.begin_frame(size_, scale_);
   if (picture_wait_ > 0) --picture_wait_;
   poll_jobs();
+  arrange_revisions();
   if (flight_.flying()) state_.camera = flight_.at(now_s_);
   pick();
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
@@ -134,15 +137,20 @@ void App::frame(const FrameInput& input) {
   state_.mold_open = state_.model && has_mold_panel(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
-  for (const std::string& path : input.dropped) edits.ask(&Commands::open_part, path);
+  take_dropped(input.dropped, edits);
   for (const KeyPress& press : input.played.keys) {
     if (leaves(press) && close_innermost(typing, edits)) continue;
     if ((!typing && !takes_key(press, false)) || ends_program(press)) apply_shortcut(press, state_, edits);
   }
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
-  const SceneFrame scene_frame{
+  const auto split = split_view();
+  SceneFrame scene_frame{
       .size = size_, .open_mold = arrows_apart(opened().halves), .line_shown = line_shown()};
+  if (split && revision_) {
+    scene_frame.second_from = split->left;
+    scene_frame.second_shift = picture_shift(*split, size_, split_side());
+  }
   viewport_.handle_mouse(ui, state_, scene_frame, edits);
   const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
   const MapTextures maps =
@@ -156,7 +164,12 @@ void App::frame(const FrameInput& input) {
                    .shipped_parts = shipped,
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>(),
                    .batch = [this](const Digest& part) { return batch_pictures_->texture(part); }});
-  if (const auto split = split_view()) draw_split(ui, *split, pictures_->beside(split->size));
+  if (split && revision_) {
+    draw_split(ui, *split, revision_->beside(split->size));
+    draw_revision_names(ui, state_, *split, split_side());
+  } else if (split) {
+    draw_split(ui, *split, pictures_->beside(split->size));
+  }
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   draw_hints({ui, state_, edits, layout_});
   const Query asked_before = state_.settings;
@@ -167,6 +180,7 @@ void App::frame(const FrameInput& input) {
   follow_figures();
   find_actions(edits.dragging || ImGui::IsAnyItemActive());
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
+  compare_revisions(edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
   sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
@@ -187,8 +201,8 @@ bool App::takes_key(const KeyPress& press, bool typing) const {
   }
   const UiMemory& memory = imgui_.memory();
   const Dialogs& dialogs = state_.dialogs;
-  const bool asked =
-      dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture || dialogs.batch;
+  const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture ||
+                     dialogs.batch || dialogs.dropped;
   return memory.keyboard.focused() || memory.popups.any() || asked;
 }
 
@@ -217,6 +231,7 @@ void App::poll_jobs() {
         say(error.what(), true);
       }
     } else if (!outcome->error.empty()) {
+      compared_next_.reset();
       say(outcome->error, true);
     }
   }
@@ -273,12 +288,18 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.face.reset();
   state_.measuring.reset();
   state_.mold_choices = {};
+  state_.revisions.hover.reset();
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
   state_.recent = options_.user.recent;
   if (other_body) fit_frames_ = 3;
   if (again) return;
+
+  comparer_.leave(state_.revisions);
+  state_.revision_choices = {};
+  revision_.reset();
+  before_revisions_.reset();
 
   notes_to_set_.reset();
   saved_notes_ = notes;
@@ -291,6 +312,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.camera = Camera{};
   state_.camera.orientation = standard_orientation(StandardView::isometric);
   fit_frames_ = 3;
+  if (const auto other = std::exchange(compared_next_, std::nullopt)) compare_with(*other);
 }
 
 void App::apply(const Edits& edits) {
@@ -326,11 +348,11 @@ void App::apply(const Edits& edits) {
     settle_frames_ = k_settle_frames;
   }
   if (!state_.model) return;
-  if (const bool split = split_view().has_value(); split != was_split_) {
+  if (const bool split = split_view().has_value() && !revision_; split != was_split_) {
     was_split_ = split;
     commands.fit_view();
   }
-  opening_.aim(state_.settings.look.open_mold, now_s_, held || !state_.window.motion);
+  opening_.aim(wanted_opening(), now_s_, held || !state_.window.motion);
   if (fit_frames_ > 0) {
     --fit_frames_;
     fit(state_.camera, true);
@@ -383,6 +405,7 @@ void App::end_jobs() {
   measurer_.cancel();
   actions_.cancel();
   mold_.cancel();
+  comparer_.end_jobs();
 }
 
 void App::save() {

@@ -18,6 +18,7 @@
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/mold_finder.hpp"
+#include "gui/jobs/revision_comparer.hpp"
 #include "gui/jobs/window_sweep.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/store/history.hpp"
@@ -26,6 +27,7 @@
 #include "gui/view/candidate_pictures.hpp"
 #include "gui/view/motion.hpp"
 #include "gui/view/part_thumbnails.hpp"
+#include "gui/view/revision_view.hpp"
 #include "gui/view/side_actions.hpp"
 #include "gui/view/viewport.hpp"
 #include "render/view_passes.hpp"
@@ -64,6 +66,8 @@ class App {
 
   /// Starts to load a part, or a batch's table; what is shown stays until it is there.
   void open(const std::string& path);
+  /// Compares the part that is shown, or is being loaded, with another revision of it.
+  void compare_with(const std::string& path);
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
@@ -90,10 +94,11 @@ class App {
   [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
   /// True while pictures on the start page are still to come.
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
-  /// True while figures, the split mesh, side actions, or the mold are not there that will be.
+  /// True while figures, the split mesh, side actions, the mold, or a comparison are not there that will be.
   [[nodiscard]] bool measuring() const {
-    return state_.model && (state_.figures.measuring || state_.actions.awaited || state_.mold.line_awaited ||
-                            state_.mold.solids_awaited);
+    return state_.model &&
+           (state_.figures.measuring || state_.actions.awaited || state_.actions.changes_awaited ||
+            state_.mold.line_awaited || state_.mold.solids_awaited || state_.revisions.awaited);
   }
   /// True while a sweep runs, or is about to.
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
@@ -138,6 +143,11 @@ class App {
   void find_actions(bool moving);
   /// The loop that is looked at stays so in another line.
   void find_mold(bool moving);
+  void compare_revisions(bool moving);
+  /// Makes room for the other revision, or puts back what was there without it.
+  void arrange_revisions();
+  /// What a part dropped on the window is taken for, or a choice that is asked of the user.
+  void take_dropped(const std::vector<std::string>& paths, Edits& edits);
   void turn_direction(bool held);
   /// The sweep that nobody asked for: once the part is measured, until direction or method change, which
   /// wants the processor for itself.
@@ -157,9 +167,14 @@ class App {
   [[nodiscard]] double arrows_apart(double open) const;
   /// How far the mold is opened in this frame.
   [[nodiscard]] OpenedMold opened() const;
-  /// What panels leave free of the picture; of its left half when two directions are compared.
+  /// How far the mold is to be open: closed where revisions are compared.
+  [[nodiscard]] double wanted_opening() const;
+  /// What panels leave free of the picture; of its left half where it is split.
   [[nodiscard]] FreeArea fit_area() const;
+  /// Of two directions, or of two revisions.
   [[nodiscard]] std::optional<SplitView> split_view() const;
+  /// Width of what the panels take on either side of a split picture, pixels.
+  [[nodiscard]] int split_side() const;
 
   const gl::Context* context_;
   gl::Tools tools_;
@@ -178,10 +193,24 @@ class App {
   Measurer measurer_;
   ActionFinder actions_;
   MoldFinder mold_;
+  RevisionComparer comparer_;
   WindowSweep sweep_;
   std::unique_ptr<BatchPictures> batch_pictures_;
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
+  std::unique_ptr<RevisionPicture> revision_;  // of the one that is prepared
+  LitBodies lit_;                              // of the part
+  std::optional<std::string> compared_next_;   // with the part that is being loaded
+  /// What a comparison hides.
+  struct Before {
+    Camera camera;
+    bool fitted = false;
+    SweepChoices sweep;
+    std::optional<std::size_t> undercut, loop;
+    std::shared_ptr<const ActionPlan> plan;  // of the undercut
+    std::shared_ptr<const MoldLine> line;    // of the loop
+  };
+  std::optional<Before> before_revisions_;
   Flight<Camera> flight_;
   Flight<glm::dvec3> turn_;
   std::optional<Camera> fitted_;  // where the last fit leads

@@ -12,6 +12,7 @@
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/mold_state.hpp"
+#include "gui/jobs/revision_state.hpp"
 #include "gui/jobs/sweep_state.hpp"
 #include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
@@ -55,6 +56,8 @@ struct Toast {
 struct Dialogs {
   bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false,
        batch = false, exporting_mold = false;
+  bool browser_compares = false;       // the browser is for another revision
+  std::optional<std::string> dropped;  // path of a part that is to be opened or compared
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
@@ -72,6 +75,7 @@ struct Editable {
   SweepChoices sweep_choices;
   ActionChoices action_choices;
   MoldChoices mold_choices;
+  RevisionChoices revision_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
   std::set<Hint> hints_done;
 };
@@ -87,6 +91,7 @@ struct AppState : Editable {
   SweepState sweep;
   ActionsState actions;
   MoldState mold;
+  RevisionState revisions;                  // of the part and another revision of it
   bool mold_open = false;                   // the panel of the mold is unfolded
   std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
   std::optional<CutPlane> cut;              // by the section that is shown

@@ -13,6 +13,7 @@ namespace moldlight::gui {
 
 namespace {
 
+constexpr float k_names_height = 32.0F;  // of two revisions, layout units
 constexpr double k_resting_share = 0.5;  // of its travel, at which a body stands where nothing moves
 
 }  // namespace
@@ -94,12 +95,17 @@ double App::arrows_apart(double open) const {
 void App::pick() {
   state_.hover.reset();
   state_.span.reset();
+  state_.revisions.hover.reset();
   if (!scene_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid()) return;
   const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size_.x || pixel.y >= size_.y) return;
   const auto split = split_view();
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= (split ? split->left : size_.x) || pixel.y >= size_.y) return;
-  const auto point = scene_->pick(pixel);
+  const bool second = split && pixel.x >= split->left;
+  if (second && !revision_) return;
+  const auto point = second ? revision_->pick({pixel.x - split->left, pixel.y}) : scene_->pick(pixel);
   if (!point) return;
+  if (revision_) state_.revisions.hover = revision_hover(state_, second, *point);
+  if (second) return;
   if (point->facet != k_no_facet) state_.hover = describe(*state_.model, state_.settings, *point);
   if (!state_.cut || opening_.at(now_s_) > 0.0) return;
   // The plane's point on the line of sight, if it lies before the surface.
@@ -120,6 +126,10 @@ SceneSettings App::scene_settings() const {
   const LookSettings& look = state_.settings.look;
   ViewSettings& shown = scene.view.settings;
   shown = {look};
+  if (revision_) {
+    constexpr double k_dimmed = 0.75;
+    shown.dimmed = is_lit(state_) ? k_dimmed : 0.0;
+  }
   shown.theme = state_.window.theme;
   shown.tau_deg = state_.settings.method.tau_deg;
   shown.open_mold = opened().halves;
@@ -132,7 +142,7 @@ SceneSettings App::scene_settings() const {
     shown.arrows_apart = arrows_apart(shown.steel.opened);
   }
   // The mold's line in place of the borders of regions, where it is known.
-  if (state_.mold.line) shown.parting_line = false;
+  if (state_.mold.line && !revision_) shown.parting_line = false;
   shown.pixel_scale = scale_;
   shown.cut = scene_->section(look, state_.settings.direction.unit());
   shown.cut_arrow = true;
@@ -144,8 +154,9 @@ SceneSettings App::scene_settings() const {
   if (regions_by_maps()) scene.samples = state_.figures.samples;
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
-  scene.bodies = body_places(state_, opening_.at(now_s_),
-                             state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
+  scene.bodies = revision_ ? lit_places(state_)
+                           : body_places(state_, opening_.at(now_s_),
+                                         state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
   if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
     marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
@@ -156,9 +167,14 @@ SceneSettings App::scene_settings() const {
 
 bool App::draw(const ViewTarget& target) {
   bool refining = false;
-  if (const auto split = split_view()) refining = pictures_->draw_beside(*split, scene_settings());
+  if (const auto split = split_view()) {
+    refining = revision_ ? revision_->draw(state_, *split, scene_settings())
+                         : pictures_->draw_beside(*split, scene_settings());
+  }
   if (scene_) {
-    scene_->take_bodies(state_.actions.bodies);
+    const auto& moved = state_.actions.bodies;
+    scene_->take_bodies(revision_ ? lit_.of(state_, false, state_.cut)
+                                  : Scene::Bodies(moved, moved ? &moved->bodies : nullptr));
     scene_->take_mold({.line = line_shown() ? state_.mold.line : nullptr,
                        .loop = state_.mold_choices.loop,
                        .solids = state_.mold.solids,
@@ -197,8 +213,14 @@ OpenedMold App::opened() const {
 void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
   const OpenedMold opened =
-      opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, state_.settings.look.open_mold);
+      opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, wanted_opening());
   std::vector<glm::vec3> outermost = state_.extremes;
+  if (revision_) {
+    const FrameTie tie = tie_of(state_, *revision_->of());
+    const FrameTie back{tie.to, tie.from};
+    for (const glm::vec3& point : revision_->of()->part.geometry->extremes)
+      outermost.emplace_back(back.point(glm::dvec3(point)));
+  }
   if (steel_wanted()) {
     const std::vector<glm::vec3> block = block_corners(state_);
     outermost.insert(outermost.end(), block.begin(), block.end());
@@ -245,22 +267,28 @@ void App::turn_direction(bool held) {
   settle_frames_ = k_settle_frames;
 }
 
-std::optional<SplitView> App::split_view() const {
-  const auto& compared = state_.sweep_choices.compared;
-  if (!scene_ || !pictures_ || !compared || *compared >= pictures_->result()->candidates.size())
-    return std::nullopt;
+double App::wanted_opening() const { return revision_ ? 0.0 : state_.settings.look.open_mold; }
+
+int App::split_side() const {
   const FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
-  return split_view_of(state_.camera, size_, *compared, std::max(area.min.x, size_.x - area.max.x));
+  return std::max(area.min.x, size_.x - area.max.x);
+}
+
+std::optional<SplitView> App::split_view() const {
+  if (!scene_) return std::nullopt;
+  if (revision_) return split_view_of(state_.camera, size_, 0, split_side());
+  const auto& compared = state_.sweep_choices.compared;
+  if (!pictures_ || !compared || *compared >= pictures_->result()->candidates.size()) return std::nullopt;
+  return split_view_of(state_.camera, size_, *compared, split_side());
 }
 
 FreeArea App::fit_area() const {
   FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);
   if (!split_view()) return area;
-  // Both halves show what one of them has room for, below the table of their difference.
-  const int side = std::max(area.min.x, size_.x - area.max.x);
-  area.min.x = side;
+  // Both halves show what one of them has room for, below the names, or the table of their difference.
+  area.min.x = split_side();
   area.max.x = size_.x / 2;
-  area.min.y += static_cast<int>(k_comparison_height * scale_);
+  area.min.y += static_cast<int>((revision_ ? k_names_height : k_comparison_height) * scale_);
   return area;
 }
 

@@ -218,8 +218,12 @@ void escape(const Pressed& p) {
     p.edits.mold_choices.moves_faces = false;
   } else if (p.edits.mold_choices.loop) {
     p.edits.mold_choices.loop.reset();
+  } else if (p.edits.revision_choices.chosen) {
+    p.edits.revision_choices.chosen.reset();
   } else if (p.state.face) {
     p.edits.ask(&Commands::choose_face, std::nullopt);
+  } else if (p.state.revisions.on()) {
+    p.edits.ask(&Commands::leave_revisions);
   }
 }
 
@@ -358,7 +362,14 @@ const std::vector<Shortcut>& shortcuts() {
       {{program, "Ctrl+O", "open a part, or a batch's folder"},
        with_ctrl,
        {'O'},
-       [](P p) { p.edits.dialogs.browser = true; }},
+       [](P p) {
+         p.edits.dialogs.browser = true;
+         p.edits.dialogs.browser_compares = false;
+       }},
+      {{program, "Ctrl+D", "compare with another revision, or leave it"},
+       with_ctrl,
+       {'D'},
+       asks(&Commands::compare_or_leave)},
       {{program, "L", "the batch's parts, where one was opened"},
        always,
        {'L'},

@@ -68,6 +68,17 @@ struct Commands {
   void export_files(const OutputPaths& files, const std::string& picture);
   /// Writes what `mold` would write too.
   void export_mold(const MoldPaths& paths);
+  /// Compares the part with another revision of it, a file, beside it.
+  void compare_with(const std::string& path);
+  /// Asks for that file, or leaves the comparison.
+  void compare_or_leave();
+  void leave_revisions();
+  /// Gives up what runs for the comparison.
+  void cancel_revisions();
+  /// The other revision becomes the part, and the part the one it is compared with.
+  void exchange_revisions();
+  /// Looks at a change in both pictures.
+  void look_at_change(std::size_t change);
   void start_sweep();
   void cancel_sweep();
   void save_notes_beside(bool beside);

@@ -17,7 +17,10 @@ void take_screenshot(const ScreenshotOptions& options) {
       throw Error(window.state().toasts.empty() ? options.part + ": cannot be loaded"
                                                 : window.state().toasts.back().text);
     }
+    if (!options.compare.empty()) window.app().compare_with(options.compare);
     window.wait_until_measured();
+    if (!options.compare.empty() && !window.state().revisions.on())
+      throw Error(window.state().toasts.back().text);
     if (window.app().sweeping()) window.wait_until_swept();
   } else {
     window.wait_until_prepared();

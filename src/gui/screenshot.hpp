@@ -10,7 +10,8 @@
 namespace moldlight::gui {
 
 struct ScreenshotOptions {
-  std::string part;  // empty: the start page
+  std::string part;          // empty: the start page
+  std::string compare = {};  // another revision beside it; empty: none
   std::string output;
   std::optional<std::string> script;  // JSON text
   std::optional<PartNotes> notes;

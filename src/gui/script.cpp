@@ -211,6 +211,7 @@ Play with_text(const Event& event) {
 void type(OffscreenWindow& window, const std::string& text) { window.type(text); }
 void drop(OffscreenWindow& window, const std::string& path) { window.drop(path); }
 void open(OffscreenWindow& window, const std::string& path) { window.app().open(path); }
+void compare(OffscreenWindow& window, const std::string& path) { window.app().compare_with(path); }
 void write_screenshot(OffscreenWindow& window, const std::string& path) {
   write_picture(path, window.size(), window.pixels());
 }
@@ -229,6 +230,7 @@ constexpr EventKind k_events[] = {
     {"type", with_text<type>},
     {"hold", hold, false},
     {"open", with_text<open>, false},
+    {"compare", with_text<compare>, false},
     {"drop", with_text<drop>},
     {"resize", resize},
     {"scale", set_scale},

@@ -291,6 +291,7 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
   if (!options.part.empty()) app.open(options.part);
+  if (!options.compare.empty()) app.compare_with(options.compare);
   glfwShowWindow(context->window());
   const InterruptWatch watch(progress);
   run_frames(app, *context, progress);

@@ -13,7 +13,8 @@
 namespace moldlight::gui {
 
 struct WindowOptions {
-  std::string part;  // empty: the start page
+  std::string part;          // empty: the start page
+  std::string compare = {};  // another revision beside it; empty: none
   ReadOptions reading;
   std::optional<PartNotes> notes;  // settings given on the command line
   /// Keys of window_options() given there, with their values: they hold this time, and are not remembered.

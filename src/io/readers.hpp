@@ -42,8 +42,8 @@ namespace moldlight {
 /// Throws FileError also where this build has no STEP support, and where the file breaks the reading
 /// program.
 [[nodiscard]] Part read_step(const ReadContext& context);
-/// Path of moldlight-step: beside this program, or where an installation keeps helpers; none where it is
-/// neither.
+/// Path of moldlight-step: beside this program, or where an installation keeps helpers, of the program or of
+/// the Python module; none where it is nowhere of these.
 [[nodiscard]] std::optional<std::string> step_reading_program();
 /// The part in a StepResult as bytes, which are not trusted. Throws FileError.
 [[nodiscard]] Part part_of_step_result(const ReadContext& context, std::string_view bytes);

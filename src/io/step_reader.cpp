@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -227,12 +228,21 @@ void check_result(const ReadContext& context, const StepResult& result) {
 
 std::optional<std::string> step_reading_program() {
   std::error_code error;
+  std::vector<fs::path> places;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
   for (const char* place :
-       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"}) {
-    const std::string program = (folder / place).string();
-    if (::access(program.c_str(), X_OK) == 0) return program;
+       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"})
+    places.push_back(folder / place);
+  // As a module of another program: from the shared library's own place, in a build folder or installed. Of
+  // the program itself the name may be relative, and says nothing.
+  Dl_info own = {};
+  if (::dladdr(&k_end_mark, &own) != 0 && own.dli_fname != nullptr && own.dli_fname[0] == '/') {
+    const fs::path library = fs::path(own.dli_fname).parent_path();
+    for (const char* place : {"../../bin/moldlight-step", "../../../../libexec/moldlight/moldlight-step"})
+      places.push_back(library / place);
   }
+  for (const fs::path& program : places)
+    if (::access(program.c_str(), X_OK) == 0) return program.string();
   return std::nullopt;
 }
 

@@ -23,7 +23,11 @@ std::string style_of(const PageFrame& frame) {
   return fmt::format("\n{}{}", page_file("common.css"), page_file(frame.style));
 }
 
-std::string script_of(const PageFrame& frame) { return fmt::format("\n{}", page_file(frame.script)); }
+std::string script_of(const PageFrame& frame) {
+  std::string text = "\n";
+  for (const std::string_view name : frame.scripts) text += page_file(name);
+  return text;
+}
 
 }  // namespace
 

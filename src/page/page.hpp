@@ -5,13 +5,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace moldlight::page {
 
 struct PageFrame {
   std::string title;
-  std::string_view style, script;  // names of embedded files; the style comes after common.css
-  bool pictures_beside = false;    // whether pictures that lie beside the page may be shown
+  // Names of embedded files: the style comes after common.css, the scripts after each other, as one.
+  std::string_view style;
+  std::vector<std::string_view> scripts;
+  bool pictures_beside = false;  // whether pictures that lie beside the page may be shown
 };
 
 /// Up to where the body's content begins.

@@ -11,7 +11,7 @@
 
 #include "base/check.hpp"
 #include "base/utf8.hpp"
-#include "picture/letters.hpp"
+#include "picture/canvas_surface.hpp"
 
 namespace moldlight {
 
@@ -56,51 +56,15 @@ cairo_surface_t* surface_of(const Image& image) {
 
 }  // namespace
 
-struct Canvas::Surface {
-  explicit Surface(cairo_surface_t* owned) : pixels(owned), cairo(cairo_create(owned)) {}
-  ~Surface() {
-    cairo_destroy(cairo);
-    cairo_surface_destroy(pixels);
-  }
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-
-  void set(const Ink& ink) const {
-    cairo_set_source_rgba(cairo, ink.colour.r / 255.0, ink.colour.g / 255.0, ink.colour.b / 255.0,
-                          ink.opacity);
-  }
-  void box_path(const Box& box, double radius) const {
-    const glm::dvec2 low = box.corner, high = box.far_corner();
-    const double r = std::min({radius, 0.5 * box.size.x, 0.5 * box.size.y});
-    const double quarter = glm::half_pi<double>();
-    cairo_new_path(cairo);
-    cairo_arc(cairo, high.x - r, low.y + r, r, -quarter, 0.0);
-    cairo_arc(cairo, high.x - r, high.y - r, r, 0.0, quarter);
-    cairo_arc(cairo, low.x + r, high.y - r, r, quarter, 2.0 * quarter);
-    cairo_arc(cairo, low.x + r, low.y + r, r, 2.0 * quarter, 3.0 * quarter);
-    cairo_close_path(cairo);
-  }
-  void circle_path(const glm::dvec2& centre, double radius) const {
-    cairo_new_path(cairo);
-    cairo_arc(cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
-  }
-  [[nodiscard]] std::vector<SetLetter> set_text(std::string_view text, const TextStyle& style) {
-    return letters.set(text, style.size_px, style.weight, style.tabular);
-  }
-
-  cairo_surface_t* pixels;
-  cairo_t* cairo;
-  LetterSetter letters;
-};
-
 Canvas::Canvas(int width, int height) : Canvas(empty_image(width, height)) {}
 Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>(surface_of(image))) {}
+Canvas::Canvas(std::unique_ptr<Surface> surface) : surface_(std::move(surface)) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 glm::dvec2 Canvas::size() const {
-  return {cairo_image_surface_get_width(surface_->pixels), cairo_image_surface_get_height(surface_->pixels)};
+  return {cairo_image_surface_get_width(surface_->target), cairo_image_surface_get_height(surface_->target)};
 }
 
 void Canvas::fill(const Ink& ink) {
@@ -198,10 +162,12 @@ void Canvas::text(const glm::dvec2& at, std::string_view text, const TextStyle& 
                        : style.align == Align::centre ? at.x - 0.5 * width
                                                       : at.x - width;
   surface_->set(style.ink);
-  for (const SetLetter& letter : letters) {
-    cairo_set_scaled_font(surface_->cairo, letter.font);
-    const cairo_glyph_t glyph{letter.glyph, start + letter.start, at.y};
-    cairo_show_glyphs(surface_->cairo, &glyph, 1);
+  const std::u32string spelled =
+      cairo_surface_has_show_text_glyphs(surface_->target) != 0 ? letters_of(text) : std::u32string();
+  for (std::size_t k = 0; k < letters.size(); ++k) {
+    cairo_set_scaled_font(surface_->cairo, letters[k].font);
+    const cairo_glyph_t glyph{letters[k].glyph, start + letters[k].start, at.y};
+    spelled.empty() ? cairo_show_glyphs(surface_->cairo, &glyph, 1) : surface_->show(glyph, spelled[k]);
   }
 }
 
@@ -213,21 +179,25 @@ double Canvas::text_width(std::string_view text, const TextStyle& style) {
 std::string Canvas::elided(std::string_view text, const TextStyle& style, double width) {
   if (text_width(text, style) <= width) return std::string(text);
   const std::u32string letters = letters_of(text);
-  for (std::size_t kept = letters.size(); kept-- > 0;) {
+  const auto shortened = [&](std::size_t kept) {
     const std::size_t tail = kept / 2, head = kept - tail;
-    const std::string shorter =
-        utf8_of(letters.substr(0, head)) + "…" + utf8_of(letters.substr(letters.size() - tail));
-    if (text_width(shorter, style) <= width) return shorter;
+    return utf8_of(letters.substr(0, head)) + "…" + utf8_of(letters.substr(letters.size() - tail));
+  };
+  // Of what fits and what does not, halved until they are one letter apart.
+  std::size_t fits = 0, too_many = letters.size();
+  while (too_many - fits > 1) {
+    const std::size_t kept = (fits + too_many) / 2;
+    (text_width(shortened(kept), style) <= width ? fits : too_many) = kept;
   }
-  return "…";
+  return shortened(fits);
 }
 
 Image Canvas::image() const {
-  cairo_surface_flush(surface_->pixels);
-  Image image = empty_image(cairo_image_surface_get_width(surface_->pixels),
-                            cairo_image_surface_get_height(surface_->pixels));
-  const std::uint8_t* bytes = cairo_image_surface_get_data(surface_->pixels);
-  const int stride = cairo_image_surface_get_stride(surface_->pixels);
+  cairo_surface_flush(surface_->target);
+  Image image = empty_image(cairo_image_surface_get_width(surface_->target),
+                            cairo_image_surface_get_height(surface_->target));
+  const std::uint8_t* bytes = cairo_image_surface_get_data(surface_->target);
+  const int stride = cairo_image_surface_get_stride(surface_->target);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       std::uint32_t word = 0;

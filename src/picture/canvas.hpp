@@ -1,4 +1,4 @@
-// Drawing on pictures: boxes, lines, arrows and text (Cairo).
+// Drawing on pictures, and on the pages of a PDF: boxes, lines, arrows and text (Cairo).
 #pragma once
 
 #include <cstdint>
@@ -49,6 +49,7 @@ class Canvas {
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
 
+  /// Of a picture; zero for pages.
   [[nodiscard]] glm::dvec2 size() const;
 
   void fill(const Ink& ink);
@@ -70,10 +71,14 @@ class Canvas {
   /// The text, or what fits into `width` of it with an ellipsis in its middle.
   [[nodiscard]] std::string elided(std::string_view text, const TextStyle& style, double width);
 
+  /// Of what is no page.
   [[nodiscard]] Image image() const;
 
  private:
+  friend class PdfPages;
   struct Surface;
+  explicit Canvas(std::unique_ptr<Surface> surface);
+
   std::unique_ptr<Surface> surface_;
 };
 

@@ -135,6 +135,7 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
     program.set("u_hatch", glm::vec2(k_hatch_pitch_px * settings.pixel_scale,
                                      settings.hatching && regions ? k_hatch_strength : 0.0));
   }
+  program.set("u_dimmed", settings.dimmed);
   // A layer of steel leaves the part as it is.
   const bool steel = frame.layer == Layer::steel;
   const double part = ghost ? 1.0 - settings.transparency : 1.0;

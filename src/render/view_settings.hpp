@@ -76,6 +76,7 @@ struct ViewSettings : LookSettings {
   std::optional<CutPlane> cut{};  // follows from the section
   bool cut_arrow = false;         // on the plane, for a hand to hold it by
   SteelLook steel{};
+  double dimmed = 0.0;        // [0, 1]: how gray the colours of the part's surface are, beside what is lit
   double arrows_apart = 0.0;  // as an opened mold would move the arrows, where it is more than that
   double pixel_scale = 1.0;   // widths of lines and hatches in units of a pixel
   int samples = 16;           // pictures at rest average this many shifted ones, [1, 64]

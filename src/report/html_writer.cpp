@@ -74,7 +74,8 @@ std::string view_html(const Report& report) {
 }  // namespace
 
 std::string html_page(const Report& report) {
-  const page::PageFrame frame{report.part + " · moldlight", "report.css", "report.js"};
+  const page::PageFrame frame{
+      report.part + " · moldlight", "report.css", {"model.js", "view.js", "report.js"}};
   std::string html = page::page_begin(frame);
   html += fmt::format(
       "<main>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{} <span>{}</span></h1>\n<p class=\"verdict "

@@ -102,6 +102,8 @@ Json group_json(const ViewGroup& group, const glm::dvec3& centre) {
   Json json = {{"name", group.name},       {"colour", {group.colour.r, group.colour.g, group.colour.b}},
                {"hatched", group.hatched}, {"opaque", group.stays_opaque},
                {"hidden", group.hidden},   {"shift", vector_json(group.shift)}};
+  if (group.without_edges) json["plain"] = true;
+  if (group.shown_with) json["with"] = *group.shown_with;
   if (group.turn_rad != 0.0) {
     json["turn"] = group.turn_rad;
     json["point"] = vector_json(group.point - centre);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct ViewGroup {
   glm::dvec3 shift{0.0};      // once the mold is open
   double turn_rad = 0.0;      // by then, about `axis` through `point`
   glm::dvec3 point{0.0}, axis{0, 0, 1};
-  bool hidden = false;  // at first
+  bool hidden = false;                         // at first
+  bool without_edges = false;                  // its sharp edges are not drawn
+  std::optional<std::size_t> shown_with = {};  // a named group: hidden when that is
 };
 
 struct ViewSurface {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/small_part.hpp"
+#include "cli/report_kinds.hpp"
 #include "support/browser.hpp"
 
 namespace moldlight {
@@ -17,20 +17,11 @@ using test::run_moldlight;
 using test::SmallPart;
 using Json = nlohmann::ordered_json;
 
-struct Kind {
-  std::string name;
-  std::vector<std::string> more;
-  std::size_t least_figures = 0;
-};
-
-class ReportPages : public testing::TestWithParam<Kind> {
+class ReportPages : public testing::TestWithParam<test::ReportKind> {
  protected:
   /// Writes the page and the JSON.
-  void write(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {GetParam().name, part_.file(), "--html", page(), "--json", json()};
-    words.insert(words.end(), GetParam().more.begin(), GetParam().more.end());
-    words.insert(words.end(), more.begin(), more.end());
-    const auto run = run_moldlight(words);
+  void write() {
+    const auto run = run_moldlight(test::report_run(GetParam(), part_, {"--html", page(), "--json", json()}));
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   [[nodiscard]] std::string page() const { return part_.output("report.html"); }
@@ -77,17 +68,8 @@ TEST_P(ReportPages, TurnsOpensAndCutsInABrowser) {
   EXPECT_LE(found["width"], found["room"]) << "nothing sticks out at the side";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, ReportPages,
-    testing::Values(
-        Kind{"classify", {"--direction", "z", "--required-draft", "1", "--backend", "osmesa"}, 18},
-        Kind{"actions", {"--direction", "z", "--backend", "osmesa"}, 5},
-        Kind{"mold", {"--direction", "z", "--fill-undercut", "--backend", "osmesa"}, 15},
-        Kind{"sweep",
-             {"--directions", "60", "--refine", "2", "--top", "4", "--scoring-samples", "2000", "--prove",
-              "1", "--backend", "osmesa"},
-             35}),
-    [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, ReportPages, testing::ValuesIn(test::report_kinds()),
+                         [](const auto& each) { return each.param.name; });
 
 std::vector<std::string> classify_page(const std::string& part, const std::string& page) {
   return {"classify", part, "--direction", "z", "--backend", "osmesa", "--html", page};

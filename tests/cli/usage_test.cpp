@@ -234,6 +234,16 @@ TEST(Usage, OutputsThatMeetInputsOrFoldersEndWithTwo) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
+TEST(Usage, ARevisionInTheWindowIsOneOfAPart) {
+  const SmallPart part;
+  expect_failure({"view", "--compare", part.file()}, 2, {"--compare needs a PART"});
+  expect_failure({"view", part.file(), "--align"}, 2, {"--align", "--compare"});
+  const std::string bad = part.folder().write("bad.stl", "solid nothing");
+  expect_failure({"view", part.file(), "--compare", bad, "--screenshot", part.output("a.png")}, 1,
+                 {"bad.stl"});
+  EXPECT_FALSE(fs::exists(part.output("a.png")));
+}
+
 TEST(Usage, LengthsBeyondThePartEndWithTwo) {
   const SmallPart part;
   expect_failure(part.classify({"--tolerance", "1e20"}), 2, {"--tolerance", "1e+20"});

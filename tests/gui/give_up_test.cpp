@@ -1,33 +1,10 @@
 // Giving up what takes long: a load is held at its first report of progress, so that it is under way for
 // sure.
-#include <condition_variable>
-#include <mutex>
-
+#include "gui/barrier.hpp"
 #include "gui/window_with_part.hpp"
 
 namespace moldlight::gui::test {
 namespace {
-
-/// Holds every thread that wakes the window, until released.
-class Barrier {
- public:
-  void pass() {
-    std::unique_lock lock(mutex_);
-    passable_.wait(lock, [this] { return open_; });
-  }
-  void set_open(bool open) {
-    {
-      const std::lock_guard lock(mutex_);
-      open_ = open;
-    }
-    passable_.notify_all();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable passable_;
-  bool open_ = true;
-};
 
 TEST(GivingUp, LoadingIsCancelled) {
   Barrier barrier;

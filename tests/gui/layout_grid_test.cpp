@@ -54,9 +54,9 @@ class TextOrder {
 
   /// Whether it lies over all others for as long as its user wants it: dialogs, menus, tooltips.
   [[nodiscard]] static bool is_passing(const ImGuiWindow& each) {
-    constexpr std::array<std::string_view, 10> k_names = {
-        "Help",    "Window settings", "Open",  "Export", "Batch",
-        "Picture", "Large map",       "Scrim", "Toast",  "Popup"};
+    constexpr std::array<std::string_view, 11> k_names = {
+        "Dropped", "Help",      "Window settings", "Open",  "Export", "Batch",
+        "Picture", "Large map", "Scrim",           "Toast", "Popup"};
     const auto named = [&](std::string_view name) { return std::string_view(each.Name).starts_with(name); };
     return (each.Flags & ImGuiWindowFlags_Tooltip) != 0 || std::ranges::any_of(k_names, named);
   }

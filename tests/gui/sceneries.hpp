@@ -99,6 +99,25 @@ class WindowSceneries : public WindowWithPart {
          [] {}},
         {"large ball", press('M'), press('M')},
         {"comparison", press('C'), press(k_escape)},
+        {"a dropped part",
+         [this] {
+           window.drop(parts_.path("parts/part-0000.off"));
+           window.frame();
+           window.settle();
+         },
+         press(k_escape)},
+        {"another revision",
+         [this] {
+           window.app().compare_with(parts_.path("parts/part-0001.off"));
+           window.wait_until_measured();
+         },
+         [] {}},
+        {"options of revisions", click_on("revision options"),
+         [this, click_on, press] {
+           click_on("revision options")();
+           press('D', true)();
+           window.settle();
+         }},
     };
   }
 

@@ -9,6 +9,7 @@
 
 #include "gui/offscreen.hpp"
 #include "gui/panels/verdict.hpp"
+#include "gui/view/undercut_window.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"
@@ -45,6 +46,21 @@ class SideActions : public ::testing::Test {
     window.settle();
   }
 
+  /// A groove across which a slide may turn by nearly half a turn.
+  void open_groove() {
+    moldlight::test::SolidBuilder solid;
+    solid.extrude({{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 10}, {20, 10}, {20, 15}, {0, 15}}, {}, 60.0);
+    const TriangleMesh mesh = solid.mesh();
+    const std::vector<Region> regions(mesh.facets.size(), Region::both);
+    const std::string path = folder.file("groove.stl");
+    write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
+    open(path);
+  }
+
+  [[nodiscard]] bool is_told(std::string_view text) const {
+    return std::ranges::any_of(window.app().texts(),
+                               [&](const DrawnText& each) { return each.text.starts_with(text); });
+  }
   [[nodiscard]] const AppState& state() const { return window.state(); }
   [[nodiscard]] const ActionPlan& plan() const { return *state().actions.plan; }
   [[nodiscard]] const ActionSettings& settings() const { return state().settings.actions; }
@@ -97,13 +113,9 @@ TEST_F(SideActions, AreToldInTheVerdictAndListed) {
   EXPECT_EQ(state().figures.undercuts, plan().patches.size()) << "as they are counted before there is a list";
   for (std::size_t k = 1; k <= plan().patches.size(); ++k)
     EXPECT_TRUE(window.app().controls().contains("undercut " + std::to_string(k)) || k > 6) << k;
-  const auto texts = window.app().texts();
-  const auto told = [&](std::string_view text) {
-    return std::ranges::any_of(texts, [&](const DrawnText& each) { return each.text.starts_with(text); });
-  };
-  EXPECT_TRUE(told("lifter"));
-  EXPECT_TRUE(told("stroke 17.1 mm"));
-  EXPECT_TRUE(told("free −1.0 to 1.0°"));
+  EXPECT_TRUE(is_told("lifter"));
+  EXPECT_TRUE(is_told("stroke 17.1 mm"));
+  EXPECT_TRUE(is_told("free −1.0 to 1.0°"));
 }
 
 TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
@@ -187,15 +199,41 @@ TEST_F(SideActions, ShowWhatTheirSettingsDo) {
   EXPECT_EQ(settings().lifter_angle_deg, 8.0);
 }
 
+TEST_F(SideActions, ShowTheWindowThatWouldDoWithoutThem) {
+  open_groove();
+  EXPECT_FALSE(window.app().controls().contains("undercut window")) << "none is looked at";
+  click("undercut 1");
+  window.settle();
+  const ToBeFree* const change = chosen_change(state());
+  ASSERT_TRUE(change != nullptr && change->depth && change->window);
+  EXPECT_NEAR(*change->depth, 10.0, 0.07);
+  EXPECT_NEAR(change->window->area, 600.0, 0.6);
+  EXPECT_TRUE(is_told("or a window of 600 mm²"));
+  // Where the corners of the way through are seen.
+  const double top = change->window->core_side ? 15.0 : 0.0;
+  ScreenBox seen{glm::vec2(1e9F), glm::vec2(-1e9F)};
+  for (const glm::dvec3 corner :
+       {glm::dvec3(10, 0, top), glm::dvec3(20, 0, top), glm::dvec3(10, 60, top), glm::dvec3(20, 60, top)}) {
+    const auto at = project(state().camera, {1280, 720}, glm::dvec3(state().model->frame.to_unit(corner)));
+    ASSERT_TRUE(at);
+    seen.min = glm::min(seen.min, glm::vec2(*at));
+    seen.max = glm::max(seen.max, glm::vec2(*at));
+  }
+  const ScreenBox drawn = window.control("undercut window");
+  EXPECT_LT(glm::distance(drawn.min, seen.min), 2.0F);
+  EXPECT_LT(glm::distance(drawn.max, seen.max), 2.0F);
+  move_to(window.control("undercut 1").centre());
+  window.frames(60);
+  const auto texts = window.app().texts();
+  EXPECT_TRUE(std::ranges::any_of(texts, [](const DrawnText& each) {
+    return each.text.find("Without an action: cut back by 10 mm, or opened towards") != std::string::npos;
+  })) << "the row's tip";
+  click("undercut 1");
+  EXPECT_FALSE(window.app().controls().contains("undercut window"));
+}
+
 TEST_F(SideActions, TakeADirectionThatIsDraggedAndFree) {
-  // A groove across which a slide may turn by nearly half a turn.
-  moldlight::test::SolidBuilder solid;
-  solid.extrude({{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 10}, {20, 10}, {20, 15}, {0, 15}}, {}, 60.0);
-  const TriangleMesh mesh = solid.mesh();
-  const std::vector<Region> regions(mesh.facets.size(), Region::both);
-  const std::string path = folder.file("groove.stl");
-  write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
-  open(path);
+  open_groove();
   ASSERT_EQ(plan().actions.size(), 1U);
   click("undercut 1");
   window.settle();

@@ -12,6 +12,7 @@
 #include "classify/headless.hpp"
 #include "gui/offscreen.hpp"
 #include "gui/store/files.hpp"
+#include "gui/view/direction.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/read_png.hpp"
 #include "support/scratch_folder.hpp"
@@ -165,6 +166,47 @@ TEST_F(SweepWindow, ColoursTheBallByTheScoredDirections) {
   const EvaluatedDirection* found = state().map->nearest(-first.direction, 0.01);
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->undercut, first.undercut);
+}
+
+class ProvedSweepWindow : public SweepWindow {
+ protected:
+  static SweepSettings proved() {
+    SweepSettings sweep = quick_sweep();
+    sweep.all_free_pct = 1.0;
+    return sweep;
+  }
+  ProvedSweepWindow() : SweepWindow(proved()) {}
+  [[nodiscard]] bool told(const std::string& text) const {
+    return std::ranges::any_of(window_.app().texts(), [&](const DrawnText& each) {
+      return each.text.find(text) != std::string::npos;
+    });
+  }
+};
+
+TEST_F(ProvedSweepWindow, TellsTheBoundUnderTheMouseAndWhatIsOpen) {
+  sweep();
+  ASSERT_TRUE(state().result && state().result->all_free);
+  const SweepProof& proof = *state().result->all_free;
+  ASSERT_FALSE(proof.open.empty()) << "the hook has a direction without undercut";
+  press(GLFW_KEY_M);
+  window_.settle();
+  EXPECT_TRUE(told("Proved outside of the rings: at least "));
+  const ScreenBox ball = window_.control("ball");
+  const float half = 0.5F * (ball.max.x - ball.min.x) - 3.0F;
+  const Camera& camera = window_.state().camera;
+  const auto told_at = [&](const glm::dvec2& disc) {
+    window_.move_mouse(ball.centre() + half * glm::vec2(disc.x, -disc.y));
+    window_.frames(2);
+    const auto bound = proof.bound_at(ball_direction(camera, {disc, true}));
+    EXPECT_TRUE(told(bound ? "proved: at least " : "open: not proved")) << disc.x << " " << disc.y;
+    return bound.has_value();
+  };
+  std::size_t bounded = 0;
+  for (double up = -0.9; up < 0.95; up += 0.1) bounded += told_at({0.3, up}) ? 1 : 0;
+  const glm::dvec3& middle = proof.open.front().cap.direction;
+  const BallPoint point = ball_point(camera, middle), opposite = ball_point(camera, -middle);
+  EXPECT_FALSE(told_at(point.front ? point.at : opposite.at)) << "within a ring";
+  EXPECT_GT(bounded, 10U);
 }
 
 TEST_F(SweepWindow, TurnsToTheRowThatIsClicked) {

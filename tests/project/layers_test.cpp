@@ -30,8 +30,8 @@ const std::map<std::string, Layers>& allowed_layers() {
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
                       k_sweep = with(with(k_parting, "parting"), "proof"), k_compare = with(k_sweep, "sweep"),
                       k_entry = with(with(k_compare, "compare"), "batch"),
-                      k_report = with(with(k_sweep, "sweep"), "page"),
-                      k_program = with(with(k_entry, "gui"), "report");
+                      k_report = with(with(k_compare, "compare"), "page"),
+                      k_program = with(with(k_entry, "gui"), "report"), k_python = with(k_sweep, "sweep");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -51,6 +51,8 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"step", {"io", "mesh"}},
       {"gui", k_entry},
       {"cli", k_program},
+      {"python", k_python},
+      {"freecad", {}},  // Python alone
       {"picture", {"base", "mold"}},
   };
   return k_allowed;
@@ -76,9 +78,11 @@ const std::vector<LibraryRule>& library_rules() {
       {"OpenSSL", std::regex("openssl/.*"), {"io"}},
       {"zlib", std::regex("zlib.h"), {"report"}},
       {"SQLite", std::regex("sqlite3.h"), {"batch"}},
+      {"pybind11", std::regex("pybind11/.*|Python.h"), {"python"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "compare", "page", "parting", "report", "sweep", "gui", "cli"}},
+       {"actions", "batch", "classify", "compare", "page", "parting", "report", "sweep", "gui", "cli",
+        "python"}},
   };
   return k_rules;
 }

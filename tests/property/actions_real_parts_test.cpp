@@ -136,11 +136,11 @@ TEST(RealParts, LidsHooksAreFreedOutwardsRatherThanAlongTheWall) {
     ASSERT_NE(action, nullptr);
     EXPECT_EQ(action->kind, ActionKind::lifter);
     EXPECT_NEAR(action->travel, 2.4, 0.01) << "how far the catch reaches out";
-    EXPECT_GT(release.cleared_area(samples, action->direction, {0, 0, 1}, action->travel * mm),
+    EXPECT_GT(release.cleared_area(samples, {action->direction, {0, 0, 1}, action->travel * mm}),
               0.85 * hook.area);
     for (double travel = 0.5; travel < 30.0; travel *= 1.05) {
       for (const double sense : {-1.0, 1.0})
-        EXPECT_LT(release.cleared_area(samples, {sense, 0, 0}, {0, 0, 1}, travel * mm), 0.8 * hook.area)
+        EXPECT_LT(release.cleared_area(samples, {{sense, 0, 0}, {0, 0, 1}, travel * mm}), 0.8 * hook.area)
             << travel;
     }
   }

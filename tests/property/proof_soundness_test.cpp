@@ -85,7 +85,8 @@ struct Compared {
   std::size_t directions = 0, below_area = 0, below_samples = 0;
   double closest = std::numeric_limits<double>::infinity();  // to the bound by area, share of the part
 
-  void compare(const test::ProofModel& model, const Proofs& proofs, const glm::dvec3& direction) {
+  /// The exact undercut, which it was compared by.
+  double compare(const test::ProofModel& model, const Proofs& proofs, const glm::dvec3& direction) {
     const double undercut = model.undercut(direction);
     const ProofCell &by_area = cell_of(proofs.area, direction),
                     &by_samples = cell_of(proofs.samples, direction);
@@ -94,6 +95,7 @@ struct Compared {
     if (undercut < by_samples.bound - proofs.sampling_error) ++below_samples;
     if (by_area.bound > 0.0)
       closest = std::min(closest, (undercut - by_area.bound) / model.part().geometry.total_area);
+    return undercut;
   }
 };
 
@@ -156,8 +158,7 @@ TEST(ProofSoundness, AnEvenGridIsNeverBelowTheBoundAndItsBestIsListed) {
     double best = std::numeric_limits<double>::infinity();
     std::size_t below_sweep = 0;
     for (const glm::dvec3& direction : fibonacci_half_sphere(k_grid_per_direction * directions_wanted())) {
-      compared.compare(model, proofs, direction);
-      const double undercut = model.undercut(direction);
+      const double undercut = compared.compare(model, proofs, direction);
       best = std::min(best, undercut);
       if (undercut < sweep.proof->bound_at(direction).value_or(0.0)) ++below_sweep;
     }

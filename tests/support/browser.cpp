@@ -1,7 +1,5 @@
 #include "support/browser.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -9,25 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "support/process.hpp"
+#include "support/program_path.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight::test {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string browser() {
-  std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
-      const fs::path path = fs::path(folder) / name;
-      std::error_code error;
-      if (fs::is_regular_file(path, error)) return path.string();
-    }
-  }
-  return {};
-}
+std::string browser() { return program_path({"chromium", "chromium-browser", "google-chrome"}); }
 
 ProcessResult run_browser(const std::string& page, std::vector<std::string> flags,
                           const ScratchFolder& folder) {

@@ -15,7 +15,10 @@ SphereCell random_cell(int generation, Random& random) {
   return cell;
 }
 
+/// Off the border by more than rounding to single precision moves a ray's start: one that begins on an edge
+/// may begin behind the wall that stands on it.
 glm::dvec3 random_point(const SurfaceElement& element, Random& random) {
+  constexpr double k_off = 1e-6;
   if (element.is_point) return element.corners[0];
   double u = random.between(0.0, 1.0), v = random.between(0.0, 1.0);
   if (u + v > 1.0) {
@@ -23,7 +26,14 @@ glm::dvec3 random_point(const SurfaceElement& element, Random& random) {
     v = 1.0 - v;
   }
   const auto& [a, b, c] = element.corners;
-  return a + u * (b - a) + v * (c - a);
+  // What each weight is at least: the share of k_off in the corner's height over the opposite side.
+  const double twice_area = glm::length(glm::cross(b - a, c - a));
+  const glm::dvec3 least =
+      k_off / twice_area * glm::dvec3(glm::distance(b, c), glm::distance(c, a), glm::distance(a, b));
+  const double rest = 1.0 - least.x - least.y - least.z;
+  if (!(rest > 0.0)) return (a + b + c) / 3.0;
+  const glm::dvec3 weights = least + rest * glm::dvec3(1.0 - u - v, u, v);
+  return weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// By single rays, of which only those count that meet what faces them.

@@ -153,6 +153,17 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
       pen.line({{0, 0.75F}, {0, -0.7F}});
       pen.line({{-0.5F, -0.2F}, {0, -0.7F}, {0.5F, -0.2F}});
       break;
+    case Icon::revisions:
+      pen.line({{-0.85F, -0.6F}, {-0.15F, -0.6F}, {-0.15F, 0.6F}, {-0.85F, 0.6F}}, true);
+      pen.line({{0.15F, -0.6F}, {0.85F, -0.6F}, {0.85F, 0.6F}, {0.15F, 0.6F}}, true);
+      pen.dot({0.5F, 0.0F}, 0.2F);
+      break;
+    case Icon::exchange:
+      pen.line({{-0.8F, -0.35F}, {0.75F, -0.35F}});
+      pen.line({{0.4F, -0.7F}, {0.75F, -0.35F}, {0.4F, 0.0F}});
+      pen.line({{0.8F, 0.4F}, {-0.75F, 0.4F}});
+      pen.line({{-0.4F, 0.05F}, {-0.75F, 0.4F}, {-0.4F, 0.75F}});
+      break;
     case Icon::sphere:
       pen.circle({0, 0}, 0.8F);
       pen.line({{-0.8F, 0}, {-0.55F, 0.19F}, {-0.2F, 0.27F}, {0.2F, 0.27F}, {0.55F, 0.19F}, {0.8F, 0}});

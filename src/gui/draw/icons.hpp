@@ -30,6 +30,8 @@ enum class Icon : std::uint8_t {
   file,
   up,
   sphere,
+  revisions,
+  exchange,
 };
 
 /// Draws the icon into a square of `size` pixels around `centre`.

@@ -123,6 +123,7 @@ glm::vec2 PanelLayout::corner_of(const Ui& ui, const Panel& each) const {
   const float width = ui.px(k_panel_width), gap = ui.px(8);
   glm::vec2 at = each.place.offset * scale_;
   if (each.place.from_right) at.x = static_cast<float>(size_.x) - width - at.x;
+  if (sides_folded_) at.y = std::min(at.y, ui.px(k_bar_height + 8));
   // A panel dragged off a window that has shrunk would be lost.
   const glm::vec2 farthest(static_cast<float>(size_.x) - width,
                            floor_at(ui, at.x, each.place.offset.y) - ui.px(k_title_height));
@@ -155,7 +156,8 @@ bool PanelLayout::begin(const Ui& ui, const char* name) {
   if (put_anew) ImGui::SetNextWindowPos(im(each.put = at));
   const float room = floor_at(ui, each.put.x, each.place.offset.y) - each.put.y;
   // A title that a click has opened stays open.
-  const bool squeezed = room < ui.px(k_least_room) && !each.toggle && (put_anew || each.squeezed);
+  const bool crowded = room < ui.px(k_least_room) && (put_anew || each.squeezed);
+  const bool squeezed = !each.toggle && (crowded || (sides_folded_ && (fresh || each.squeezed)));
   if (fresh || squeezed != each.squeezed) ImGui::SetNextWindowCollapsed(squeezed || each.place.collapsed);
   each.squeezed = squeezed;
   ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, std::max(room, ui.px(64))));
@@ -275,6 +277,11 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
     area.max.x = size_.x;
   }
   return area;
+}
+
+void PanelLayout::keep_sides_folded(bool folded) {
+  if (folded != sides_folded_) pending_ = true;
+  sides_folded_ = folded;
 }
 
 std::string PanelLayout::text() const {

@@ -71,6 +71,8 @@ class PanelLayout {
   /// Whether a panel that was drawn in this frame or the last is not folded up.
   [[nodiscard]] bool unfolded(std::string_view name) const;
 
+  /// Whether panels on the sides begin folded up to their titles, which is not remembered; a click opens one.
+  void keep_sides_folded(bool folded);
   /// What the panels left free when they were last drawn.
   [[nodiscard]] FreeArea free_area(bool panels_hidden) const;
   [[nodiscard]] std::string text() const;
@@ -100,6 +102,7 @@ class PanelLayout {
   glm::ivec2 size_{0};
   float scale_ = 0.0F;
   bool place_all_ = false, pending_ = true;  // this frame; the next one
+  bool sides_folded_ = false;
 };
 
 }  // namespace moldlight::gui

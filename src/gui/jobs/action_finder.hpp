@@ -1,5 +1,5 @@
 // Keeps the side actions up with the settings: once the split mesh of a direction is there, they are looked
-// for on a thread of their own.
+// for on a thread of their own, and after them what to change to do without.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,16 @@ namespace moldlight::gui {
 class ActionFinder {
  public:
   /// `wake` is called from the finder's thread when there is something new.
-  explicit ActionFinder(std::function<void()> wake) : job_(std::move(wake), true) {}
+  explicit ActionFinder(const std::function<void()>& wake) : job_(wake, true), changes_(wake) {}
 
   /// Call it every frame, after the figures were updated. `moving`: a hand is at settings, whose actions are
   /// not wanted yet.
   void update(const AppState& state, ActionsState& actions, bool moving);
   /// Gives up what runs.
-  void cancel() { job_.give_up(); }
+  void cancel() {
+    job_.give_up();
+    changes_.give_up();
+  }
 
  private:
   /// All that a plan depends on.
@@ -34,8 +37,11 @@ class ActionFinder {
     ActionBodies bodies;
   };
   static Found find(const Inputs& inputs, const Classification& result, const Progress& progress);
+  void take_plan(const Figures& figures, ActionsState& actions);
+  void take_changes(ActionsState& actions);
 
   Job<Found> job_;
+  Job<std::vector<ToBeFree>> changes_;
   std::optional<Inputs> asked_;  // for which the job runs or has ended
   std::shared_ptr<const SplitMesh> planned_;
 };

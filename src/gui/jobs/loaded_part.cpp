@@ -25,19 +25,22 @@ std::vector<FeatureDirection> feature_directions(const PartModel& model, const P
 
 }  // namespace
 
-LoadedPart load_for_window(const std::string& path, const ReadOptions& options, const Progress& progress) {
-  LoadedPart loaded{.path = path,
-                    .reading = options,
-                    .model = load_part(path, options, progress),
-                    .geometry = {},
-                    .faces = {},
-                    .features = {}};
+LoadedPart pictured_part(const std::string& path, const ReadOptions& options,
+                         std::shared_ptr<const PartModel> part, const Progress& progress) {
   progress.report("preparing the picture", 0.0);
-  const PartModel& model = *loaded.model;
-  loaded.geometry = std::make_shared<const ViewGeometry>(
-      view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame));
-  loaded.faces = std::make_shared<const Faces>(part_faces(model.part, model.geometry, model.adjacency));
-  loaded.features = feature_directions(model, progress);
+  const PartModel& model = *part;
+  return {.path = path,
+          .reading = options,
+          .model = part,
+          .geometry = std::make_shared<const ViewGeometry>(
+              view_geometry(model.part.mesh, model.geometry, model.adjacency, model.frame)),
+          .faces = std::make_shared<const Faces>(part_faces(model.part, model.geometry, model.adjacency)),
+          .features = {}};
+}
+
+LoadedPart load_for_window(const std::string& path, const ReadOptions& options, const Progress& progress) {
+  LoadedPart loaded = pictured_part(path, options, load_part(path, options, progress), progress);
+  loaded.features = feature_directions(*loaded.model, progress);
   progress.report("ready", 1.0);
   return loaded;
 }

@@ -34,6 +34,10 @@ struct LoadedPart {
 [[nodiscard]] LoadedPart load_for_window(const std::string& path, const ReadOptions& options,
                                          const Progress& progress);
 
+/// A part that is in memory, without the directions. Throws Cancelled.
+[[nodiscard]] LoadedPart pictured_part(const std::string& path, const ReadOptions& options,
+                                       std::shared_ptr<const PartModel> part, const Progress& progress);
+
 /// The nearest feature or its opposite, however far; the direction itself where there is no feature.
 [[nodiscard]] glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features,
                                     const glm::dvec3& direction);

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "actions/actions_files.hpp"
+#include "actions/actions_report.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
@@ -66,8 +67,11 @@ std::string detail_text(const SideAction& action, const std::string& unit) {
     case ActionKind::strip:
       return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
     case ActionKind::lifter:
-      return fmt::format("stroke {:.1f} {} · free {}", *action.stroke, unit,
-                         turn_text(action.interval.from_deg, action.interval.to_deg));
+      return fmt::format("stroke {:.1f} {} · free {}{}", *action.stroke, unit,
+                         turn_text(action.interval.from_deg, action.interval.to_deg),
+                         has_room(action)
+                             ? std::string()
+                             : fmt::format(" · room {:.2f} {}", action.clear_to - action.travel, unit));
     case ActionKind::insert:
       return "taken off by hand";
     default:
@@ -182,6 +186,11 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
         shared_text(*action, undercut) + others_text(plan, undercut, *action) + meetings_text(plan, *action));
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
+  if (const auto& changes = state.actions.changes) {
+    const ToBeFree& change = (*changes)[undercut];
+    if (change.depth || change.window)
+      tip += "\nWithout an action: " + change_text(change, unit, powered_unit(state.model->part, 2));
+  }
   return tip + "\nClick to look at it and see its action move.";
 }
 
@@ -191,7 +200,7 @@ void ActionsPanel::draw(const PanelContext& context) {
   const AppState& state = context.state;
   const auto& plan = state.actions.plan;
   const bool shown = plan ? !plan->patches.empty() : has_undercuts(state);
-  if (!shown) return;
+  if (!shown || state.revisions.on()) return;
   const bool open = context.layout.begin_bottom(context.ui, k_name);
   draw_header(context, open);
   if (open && settings_) draw_settings(context);

@@ -1,6 +1,8 @@
 // What is said at the cursor about the surface under it: region, draft, and for an undercut what blocks it,
 // whose distance stands at the way there, too.
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/draft_panel.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/view/revision_view.hpp"
 #include "parting/draft/draft_report.hpp"
 #include "render/view_colours.hpp"
 
@@ -63,6 +66,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
     lines.push_back(
         fmt::format("{} {}", span->material ? "thickness" : "gap", length_text(state, span->length)));
   }
+  for (std::string& line : revision_lines(state)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -76,8 +80,11 @@ void draw_cursor_readout(const PanelContext& context) {
     draw_length(context, {blocker.from, blocker.at}, blocker.distance);
   }
   if (state.span) draw_length(context, {state.span->start, state.span->end}, state.span->length);
-  const Colour colour =
-      state.hover ? region_colour(state.hover->point.region, state.settings.look.palette) : k_cut_surface;
+  const auto& other = state.revisions.hover;
+  const std::optional<Region> region = state.hover              ? std::optional(state.hover->point.region)
+                                       : other && other->second ? std::optional(other->point.region)
+                                                                : std::nullopt;
+  const Colour colour = region ? region_colour(*region, state.settings.look.palette) : k_cut_surface;
   const float padding = ui.px(k_padding), swatch = ui.px(10);
   glm::vec2 size(0.0F, 2.0F * padding + static_cast<float>(lines.size()) * ui.px(k_line));
   for (const std::string& line : lines) {

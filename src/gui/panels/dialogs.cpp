@@ -1,5 +1,6 @@
 // The help sheet and the window's settings.
 #include <cctype>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,33 @@ void HelpSheet::draw(const PanelContext& context) {
     ImGui::EndGroup();
   }
   if (end_dialog(ui)) context.edits.dialogs.help = false;
+}
+
+void draw_dropped(const PanelContext& context) {
+  const auto& dropped = context.state.dialogs.dropped;
+  if (!dropped) return;
+  const Ui& ui = context.ui;
+  Edits& edits = context.edits;
+  const auto name = [&](const std::string& path) {
+    return fitted(ui.fonts.body, std::filesystem::path(path).filename().string(), ui.px(240));
+  };
+  if (begin_dialog(ui, "Dropped", {ui.px(440), 0.0F})) {
+    heading(ui, name(*dropped));
+    hint(ui, fmt::format("Compared, it is the new revision of {}.", name(context.state.path)));
+    ImGui::Dummy(ImVec2(1, ui.px(4)));
+    if (button(ui, "Open", {.width = ui.px(112), .strong = true})) {
+      edits.ask(&Commands::open_part, *dropped);
+      edits.dialogs.dropped.reset();
+    }
+    ImGui::SameLine();
+    if (button(ui, "Compare", {.width = ui.px(112)})) {
+      edits.ask(&Commands::compare_with, *dropped);
+      edits.dialogs.dropped.reset();
+    }
+    ImGui::SameLine();
+    if (button(ui, "Cancel", {.width = ui.px(96)})) edits.dialogs.dropped.reset();
+  }
+  if (end_dialog(ui)) edits.dialogs.dropped.reset();
 }
 
 void draw_settings(const PanelContext& context) {

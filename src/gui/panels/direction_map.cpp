@@ -109,6 +109,14 @@ std::string proof_text(const AppState& state, const SweepProof& proof, const glm
       proof.grade == ProofGrade::samples ? fmt::format(" ± {}", area_text(state, proof.bound_error)) : "");
 }
 
+/// What the rings of the large ball leave proved.
+std::string proved_text(const AppState& state, const SweepProof& proof) {
+  if (proof.open.empty())
+    return fmt::format("Proved: at least {} everywhere.", area_text(state, proof.bound));
+  return fmt::format("Proved outside of the rings: at least {}. Open: {:.2g} % of the directions.",
+                     area_text(state, proof.bound), 100.0 * (1.0 - proof.proved_share));
+}
+
 void draw_open_caps(const Ui& ui, const Ball& ball, const SweepProof& proof) {
   constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 180), k_open = IM_COL32(255, 196, 64, 255);
   constexpr double k_least_deg = 4.0;  // a smaller ring would be hidden by the mark in it
@@ -228,6 +236,8 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
   const float height = draw_colour_bar(context, at + glm::vec2(0.0F, ui.px(4)), size);
   ImGui::Dummy(ImVec2(size, height + ui.px(6)));
+  if (const SweepProof* proof = shown_proof(context.state.sweep))
+    hint(ui, proved_text(context.state, *proof));
   ImGui::End();
 }
 

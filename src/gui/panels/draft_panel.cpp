@@ -35,7 +35,7 @@ constexpr std::array<ListColumn, 8> k_columns = {{
 
 bool has_draft_panel(const AppState& state) {
   return state.settings.look.colour_mode == ColourMode::draft_angle && !state.sweep_choices.compared &&
-         !state.sweep_choices.large_ball;
+         !state.sweep_choices.large_ball && !state.revisions.on();
 }
 
 /// How much a half's part of a bin's area there is.

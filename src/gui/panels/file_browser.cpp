@@ -79,7 +79,7 @@ void FileBrowser::enter(const fs::path& folder) {
 
 void FileBrowser::draw_head(const PanelContext& context) {
   const Ui& ui = context.ui;
-  heading(ui, "Open a part");
+  heading(ui, context.state.dialogs.browser_compares ? "Compare with the new revision" : "Open a part");
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   if (icon_button(ui, {"up", Icon::up, "The folder above (Backspace)"})) next_ = folder_.parent_path();
   ImGui::SameLine();
@@ -139,7 +139,8 @@ void FileBrowser::draw_list(const PanelContext& context) {
   ImGui::EndChild();
   if (chosen && chosen->folder) next_ = chosen->path;
   if (chosen && !chosen->folder) {
-    context.edits.ask(&Commands::open_part, chosen->path.string());
+    const bool compares = context.state.dialogs.browser_compares;
+    context.edits.ask(compares ? &Commands::compare_with : &Commands::open_part, chosen->path.string());
     context.edits.dialogs.browser = false;
   }
   if (next_) {

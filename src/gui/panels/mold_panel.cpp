@@ -94,7 +94,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
 }  // namespace
 
 bool has_mold_panel(const AppState& state) {
-  return !state.sweep_choices.compared && !state.sweep_choices.large_ball;
+  return !state.sweep_choices.compared && !state.sweep_choices.large_ball && !state.revisions.on();
 }
 
 std::string halves_refusal(const AppState& state) {

@@ -60,6 +60,8 @@ void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
 void draw_hints(const PanelContext& context);
 void draw_settings(const PanelContext& context);
+/// Asks what a part dropped beside another one is to be.
+void draw_dropped(const PanelContext& context);
 void draw_large_map(const PanelContext& context, const MapTextures& textures);
 /// The options of the sweep, straight from its table.
 void draw_sweep_options(const PanelContext& context);

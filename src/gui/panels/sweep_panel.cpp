@@ -174,6 +174,7 @@ glm::ivec2 candidate_picture_size(float scale) {
 
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {
   const SweepState& sweep = context.state.sweep;
+  if (context.state.revisions.on()) return;
   // What nobody asked for does not cover the part; its answer stands in the verdict.
   const bool unfolded = context.layout.begin_bottom(context.ui, "Sweep");
   const bool open = unfolded && (asked_for_ || !sweep.by_itself);

@@ -19,6 +19,8 @@ void draw_recent(const PanelContext& context) {
   const Ui& ui = context.ui;
   constexpr float k_width = 320.0F;  // layout units
   if (!begin_popup(ui, k_recent, ui.px(k_width))) return;
+  if (menu_item(ui, context.state.revisions.on() ? "Leave the comparison" : "Compare with…"))
+    context.edits.ask(&Commands::compare_or_leave);
   const auto offer = [&](const std::string& path) {
     const std::string name = fitted(ui.fonts.body, fs::path(path).filename().string(), ui.px(k_width - 48));
     if (menu_item(ui, fmt::format("{}##{}", name, path))) context.edits.ask(&Commands::open_part, path);
@@ -68,17 +70,24 @@ void draw_right(const PanelContext& context) {
   Edits& edits = context.edits;
   const bool part = context.state.model != nullptr;
   const float step = ui.px(4);
-  const int count = part ? 8 : 3;
+  const int count = part ? 9 : 3;
   ImGui::SameLine(0.0F, 0.0F);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
                        static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
-  if (icon_button(ui, {"open", Icon::open, "Open a part (Ctrl+O)"})) edits.dialogs.browser = true;
+  if (icon_button(ui, {"open", Icon::open, "Open a part (Ctrl+O)"})) {
+    edits.dialogs.browser = true;
+    edits.dialogs.browser_compares = false;
+  }
   float gap = step;
   const auto item = [&](const char* id, Icon icon, std::string_view tip, bool chosen = false) {
     ImGui::SameLine(0.0F, std::exchange(gap, step));
     return icon_button(ui, {id, icon, tip, chosen});
   };
   if (part) {
+    const bool compares = context.state.revisions.on();
+    if (item("compare", Icon::revisions,
+             compares ? "Leave the comparison (Ctrl+D)" : "Compare with another revision (Ctrl+D)", compares))
+      edits.ask(&Commands::compare_or_leave);
     if (item("export", Icon::export_file, "Export what was measured (Ctrl+E)"))
       edits.dialogs.exporting = true;
     if (item("picture", Icon::picture, "Save a picture with the legend (F12)"))

@@ -82,7 +82,11 @@ void draw_view_cube(const PanelContext& context) {
   const Ui& ui = context.ui;
   const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
   const float size = ui.px(84), half = ui.px(22);
-  const float below = context.state.sweep_choices.compared ? k_comparison_height : 0.0F;
+  // Below the titles of the panels that two revisions fold up.
+  const bool folded = context.state.revisions.seen() && area.max.x == area.window.x;
+  const float below = folded                                 ? 2.0F * (k_title_height + 8.0F)
+                      : context.state.sweep_choices.compared ? k_comparison_height
+                                                             : 0.0F;
   const glm::vec2 corner(static_cast<float>(area.max.x) - size - ui.px(8), ui.px(k_bar_height + 8 + below));
   ImGui::SetNextWindowPos(im(corner));
   ImGui::SetNextWindowSize(ImVec2(size, size));

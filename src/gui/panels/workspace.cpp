@@ -18,6 +18,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       actions_.draw(context);
       mold_.draw(context);
       draft_.draw(context);
+      revisions_.draw(context);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }
@@ -34,6 +35,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   draw_large_map(context, textures.maps);
   batch_.draw(context, textures.batch);
   browser_.draw(context);
+  draw_dropped(context);
   export_.draw(context);
   mold_export_.draw(context);
   picture_.draw(context);

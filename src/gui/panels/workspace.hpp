@@ -13,6 +13,7 @@
 #include "gui/panels/draft_panel.hpp"
 #include "gui/panels/mold_panel.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/revisions_panel.hpp"
 #include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
@@ -148,6 +149,7 @@ class Workspace {
   ActionsPanel actions_;
   MoldPanel mold_;
   DraftPanel draft_;
+  RevisionsPanel revisions_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

@@ -58,6 +58,24 @@ void set_settings(Query& query, Json json) {
   set_options(method_options(), query.method, json);
 }
 
+Json revision_json(const RevisionSettings& settings) {
+  Json json = options_json(compare_options(), static_cast<const CompareSettings&>(settings));
+  json.update(options_json(revision_options(), settings));
+  return json;
+}
+
+void set_revision(RevisionSettings& settings, Json json) {
+  Json own = Json::object();
+  for (const auto& option : revision_options()) {
+    const std::string key(option.key);
+    if (!json.is_object() || !json.contains(key)) continue;
+    own[key] = json[key];
+    json.erase(key);
+  }
+  set_options(compare_options(), static_cast<CompareSettings&>(settings), json);
+  set_options(revision_options(), settings, own);
+}
+
 /// Takes notes of former versions to the present one. Until 1, figures were sums over samples, and a kernel
 /// was always set; until 2, a look had the opacity of other surface, one way to lay a section, and
 /// contour edges.
@@ -91,6 +109,15 @@ void renew(Json& json) {
 
 }  // namespace
 
+std::span<const Option<RevisionSettings>> revision_options() {
+  static const std::vector<Option<RevisionSettings>> k_options = {
+      {"each_best", "", "Its own direction", "",
+       "The other revision is seen along the best direction that a sweep finds for it, else along this "
+       "part's direction.",
+       SwitchKind<RevisionSettings>{&RevisionSettings::each_best}}};
+  return k_options;
+}
+
 std::string part_notes_json(const PartNotes& notes, const std::string& part_path) {
   Json json;
   json["schema"] = k_schema;
@@ -100,6 +127,7 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
   json["look"] = options_json(look_options(), notes.settings.look);
   json["actions"] = options_json(action_options(), notes.settings.actions);
   json["mold"] = options_json(mold_options(), notes.settings.mold);
+  json["revision"] = revision_json(notes.settings.revision);
   json["bookmarks"] = Json::array();
   for (const Bookmark& bookmark : notes.bookmarks) {
     const glm::dvec3& d = bookmark.direction;
@@ -129,6 +157,7 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
   if (json.contains("actions")) set_options(action_options(), notes.settings.actions, json["actions"]);
   if (json.contains("mold")) set_options(mold_options(), notes.settings.mold, json["mold"]);
+  if (json.contains("revision")) set_revision(notes.settings.revision, json["revision"]);
   if (json.contains("bookmarks")) {
     notes.bookmarks.clear();
     for (const Json& bookmark : json["bookmarks"]) notes.bookmarks.push_back(parse_bookmark(bookmark));

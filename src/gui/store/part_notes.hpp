@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "actions/action_settings.hpp"
 #include "classify/settings.hpp"
+#include "compare/comparison.hpp"
 #include "gui/store/settings.hpp"
 #include "parting/mold_settings.hpp"
 
@@ -25,11 +27,21 @@ struct Bookmark {
   bool operator==(const Bookmark&) const = default;
 };
 
+/// How another revision is compared; its side actions are asked for as the part's own.
+struct RevisionSettings : CompareSettings {
+  bool each_best = false;  // B has its own best direction, else the part's
+
+  bool operator==(const RevisionSettings&) const = default;
+};
+/// What is not among compare_options().
+[[nodiscard]] std::span<const Option<RevisionSettings>> revision_options();
+
 /// What undo and redo go through.
 struct EditedSettings : Query {
   LookSettings look;
   ActionSettings actions = {};
   MoldSettings mold = {};
+  RevisionSettings revision = {};
 
   bool operator==(const EditedSettings&) const = default;
 };

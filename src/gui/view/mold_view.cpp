@@ -9,6 +9,7 @@
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
+#include "gui/view/points_around.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "parting/mold_frame.hpp"
 
@@ -55,15 +56,8 @@ std::optional<std::size_t> nearest_loop(const MoldLine& line, const MoldLine& fo
 std::vector<glm::vec3> surroundings(const MoldLine& line, std::size_t loop) {
   const Bounds box = box_of(line.loops[loop]);
   const double reach = std::max(0.15 * box.diagonal(), k_least_reach);
-  std::vector<glm::vec3> points;
+  std::vector<glm::vec3> points = points_around(glm::vec3(box.center()), reach);
   for (const ViewSegment& segment : line.loops[loop]) points.push_back(segment.start);
-  for (const double side : {-reach, reach}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 point = box.center();
-      point[axis] += side;
-      points.emplace_back(point);
-    }
-  }
   return points;
 }
 

@@ -101,10 +101,10 @@ void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<C
   span_ = span;
 }
 
-void Scene::take_bodies(const std::shared_ptr<const ActionBodies>& bodies) {
+void Scene::take_bodies(const Bodies& bodies) {
   if (bodies == bodies_) return;
   bodies_ = bodies;
-  view_.set_bodies(bodies ? std::span<const ViewBody>(bodies->bodies) : std::span<const ViewBody>());
+  view_.set_bodies(bodies ? std::span<const ViewBody>(*bodies) : std::span<const ViewBody>());
 }
 
 void Scene::take_mold(const ShownMold& mold) {

@@ -43,8 +43,9 @@ class Scene {
   void choose_face(const std::optional<std::uint32_t>& face);
   /// Marks what is in a point's way, and the way there; and the span in a section.
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
-  /// The solids that a view's marks may place.
-  void take_bodies(const std::shared_ptr<const ActionBodies>& bodies);
+  /// What settings may place, drawn over the picture.
+  using Bodies = std::shared_ptr<const std::vector<ViewBody>>;
+  void take_bodies(const Bodies& bodies);
   /// The parting line with the loop that is looked at, and the halves that settings may show; none of what is
   /// null.
   struct ShownMold {
@@ -97,7 +98,7 @@ class Scene {
   std::uint64_t compared_maps_ = 0;                   // revision
   std::shared_ptr<const SplitMesh> parting_line_of_;  // of which the line was found
   std::optional<gl::ColourTarget> plus_, minus_;
-  std::shared_ptr<const ActionBodies> bodies_;
+  Bodies bodies_;
   ShownMold mold_;
   std::uint64_t steel_ = 0;
   std::optional<Blocker> blocker_;  // that are shown

@@ -11,6 +11,7 @@
 #include "actions/action_body.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/ui.hpp"
+#include "gui/view/points_around.hpp"
 
 namespace moldlight::gui {
 
@@ -162,14 +163,7 @@ std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut)
   const UndercutReport& patch = plan.patches[undercut];
   const double size = std::max(patch.undercut.size_across, patch.undercut.size_along) / frame.diagonal;
   const glm::vec3 centre = frame.to_unit(patch.undercut.centre);
-  const auto reach = static_cast<float>(std::max(0.6 * size, k_least_reach));
-  std::vector<glm::vec3> points;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const float side : {-reach, reach}) {
-      points.push_back(centre);
-      points.back()[axis] += side;
-    }
-  }
+  std::vector<glm::vec3> points = points_around(centre, std::max(0.6 * size, k_least_reach));
   const SideAction* const action = action_of(plan, undercut);
   if (action == nullptr || !state.actions.bodies) return points;
   const ActionBodies& bodies = *state.actions.bodies;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/classifier.hpp"
+#include "gui/view/points_around.hpp"
 #include "mold/exact_rays.hpp"
 #include "mold/map_frame.hpp"
 
@@ -97,15 +98,7 @@ std::vector<glm::vec3> surroundings(const PartModel& model, std::span<const Face
       box.add(glm::dvec3(model.frame.to_unit(model.part.mesh.vertices[corner])));
   }
   const double reach = std::max(k_reach * box.diagonal(), k_least_reach);
-  std::vector<glm::vec3> points;
-  for (const double side : {-reach, reach}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 point = box.center();
-      point[axis] += side;
-      points.emplace_back(point);
-    }
-  }
-  return points;
+  return points_around(glm::vec3(box.center()), reach);
 }
 
 std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces, std::uint32_t number) {

@@ -14,6 +14,7 @@
 #include "gui/view/mold_view.hpp"
 #include "gui/view/scene.hpp"
 #include "gui/view/side_arrow.hpp"
+#include "gui/view/undercut_window.hpp"
 
 namespace moldlight::gui {
 
@@ -115,7 +116,10 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (press_ && ImGui::IsMouseDragging(0, k_click_reach)) press_.reset();
   if (press_ && !io.MouseDown[0]) {
     const auto& point = press_->point;
-    if (!edits.measuring && point && (edits.mold_choices.moves_faces || io.KeyCtrl)) {
+    if (!edits.measuring && press_->change) {
+      auto& chosen = edits.revision_choices.chosen;
+      chosen = chosen == press_->change ? std::nullopt : press_->change;
+    } else if (!edits.measuring && point && (edits.mold_choices.moves_faces || io.KeyCtrl)) {
       edits.ask(&Commands::move_face, point->facet);
     } else if (press_->loop) {
       auto& chosen = edits.mold_choices.loop;
@@ -131,7 +135,9 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (!dragging() && on_scene) {
     for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side, Arrow::height}) {
       const auto shown = arrow(state, frame, each);
-      if (shown && glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach)) near_tip_ = each;
+      if (shown && !frame.in_second(from_im(io.MousePos)) &&
+          glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach))
+        near_tip_ = each;
     }
     const bool chooses = frame.line_shown && state.mold.line && !near_tip_ && !edits.measuring &&
                          !edits.mold_choices.moves_faces && !io.KeyCtrl;
@@ -152,7 +158,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     }
     if (io.MouseWheel != 0.0F) {
       edits.camera = zoomed(edits.camera, std::pow(k_zoom_per_notch, io.MouseWheel),
-                            glm::dvec2(io.MousePos.x, io.MousePos.y), frame.size);
+                            glm::dvec2(frame.in_first(from_im(io.MousePos))), frame.size);
     }
     hovers_ = !dragging() && !near_tip_;
   }
@@ -184,11 +190,14 @@ void Viewport::start(const AppState& state, const SceneFrame& frame, int button)
     return;
   }
   if (button == ImGuiMouseButton_Left)
-    press_ = Press{state.hover ? std::optional(state.hover->point) : std::nullopt, near_loop_};
+    press_ = Press{.point = state.hover ? std::optional(state.hover->point) : std::nullopt,
+                   .change = state.revisions.hover ? state.revisions.hover->change : std::nullopt,
+                   .loop = near_loop_};
   gesture_ = gesture_of(state.window.navigation, button, ImGui::GetIO());
   button_ = button;
   // Turning about what is under the cursor keeps it there; beside the part, about the picture's middle.
   pivot_ = state.hover ? glm::dvec3(state.hover->point.position) : state.camera.target;
+  if (const auto& other = state.revisions.hover; other && other->second) pivot_ = other->place;
 }
 
 void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) const {
@@ -302,6 +311,7 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
   draw_loop(ui, state);
   draw_height_handle(ui, state, frame.size,
                      drag_ ? drag_->arrow == Arrow::height : near_tip_ == Arrow::height);
+  draw_undercut_window(ui, state, frame.size);
   draw_side_arrow(ui, state, frame.size, drag_ ? drag_->arrow == Arrow::side : near_tip_ == Arrow::side);
   for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section}) {
     const auto shown = arrow(state, frame, each);

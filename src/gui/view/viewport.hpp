@@ -19,6 +19,18 @@ struct SceneFrame {
   glm::ivec2 size{0};       // pixels
   double open_mold = 0.0;   // as it is shown, [0, 1]
   bool line_shown = false;  // the mold's parting line
+  // Of another revision's picture in the right half: where it begins, and how far it stands beside the left
+  // one's; pixels.
+  std::optional<int> second_from = {};
+  float second_shift = 0.0F;
+
+  [[nodiscard]] bool in_second(const glm::vec2& at) const {
+    return second_from && at.x >= static_cast<float>(*second_from);
+  }
+  /// The place in the left picture that shows what is seen there.
+  [[nodiscard]] glm::vec2 in_first(const glm::vec2& at) const {
+    return in_second(at) ? at - glm::vec2(second_shift, 0.0F) : at;
+  }
 };
 
 /// An arrow on the screen.
@@ -61,8 +73,9 @@ class Viewport {
   int button_ = 0;  // ImGui's, of the gesture
   glm::dvec3 pivot_{0.0};
   struct Press {
-    std::optional<PickedPoint> point;  // of the part
-    std::optional<std::size_t> loop;   // of the parting line
+    std::optional<PickedPoint> point;   // of the part
+    std::optional<std::size_t> change;  // from another revision
+    std::optional<std::size_t> loop;    // of the parting line
   };
   void draw_loop(const Ui& ui, const AppState& state) const;
   std::optional<Press> press_;  // of the left button on the scene, until the mouse drags

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "actions/actions_report.hpp"
 #include "base/progress.hpp"
 #include "classify/still_picture.hpp"
+#include "compare/comparison.hpp"
+#include "compare/criteria.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/mold_report.hpp"
 #include "report/report.hpp"
@@ -41,5 +44,14 @@ struct DraftShown {
 /// `warnings`: of part and assignment. Throws Cancelled.
 [[nodiscard]] Report mold_report(const ReportContext& context, const MoldReport& found,
                                  const std::vector<std::string>& warnings);
+
+/// What was asked of the figures of a comparison.
+struct CriteriaShown {
+  std::span<const Criterion> criteria;
+  std::span<const ComparedFigure> figures;  // of all that the criteria name
+};
+/// `context.model` is that of the new part, B, as it is compared. Throws Cancelled.
+[[nodiscard]] Report compare_report(const ReportContext& context, const Comparison& comparison,
+                                    const CriteriaShown& asked);
 
 }  // namespace moldlight::report

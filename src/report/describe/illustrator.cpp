@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/view_choice.hpp"
+#include "compare/compare_texts.hpp"
 #include "render/camera.hpp"
 #include "report/describe/parts.hpp"
 
@@ -80,7 +81,7 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
                      std::span<const Undercut* const> undercuts, const UndercutAside& aside) {
   const PartModel& model = *context.model;
   const std::string unit = length_unit(model.part);
-  const FigureColumn areas(model.geometry.total_area);
+  const FigureColumn areas(model.geometry.total_area), lengths(100.0 * model.frame.diagonal);
   Table table;
   table.columns = {{"#"},
                    {"area " + powered_unit(model.part, 2)},
@@ -95,7 +96,7 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
                  {areas.text(undercut.area)},
                  {figure(undercut.size_across)},
                  {figure(undercut.size_along)},
-                 {with_minus(figures(undercut.centre, model.frame.diagonal))}};
+                 {with_minus(point_text(lengths, undercut.centre))}};
     if (aside.cells) {
       for (Value& cell : aside.cells(k)) row.cells.push_back(std::move(cell));
     }

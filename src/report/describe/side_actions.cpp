@@ -50,8 +50,9 @@ Section plan_section(const ActionsReport& found) {
          Mark{action_colour(k)}});
   }
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
-  if (const std::string meetings = meetings_text(plan); !meetings.empty())
-    section.blocks.emplace_back(Text{meetings, TextLook::notice});
+  for (const std::string& notice : {meetings_text(plan), crowded_text(plan, unit)}) {
+    if (!notice.empty()) section.blocks.emplace_back(Text{notice, TextLook::notice});
+  }
   if (!plan.unreleased.empty()) {
     section.blocks.emplace_back(Text{
         fmt::format("Nothing that was tried releases {} {} in {}: {}.", areas.text(plan.unreleased_area),

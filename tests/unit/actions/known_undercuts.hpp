@@ -99,10 +99,15 @@ inline TriangleMesh block_with_cavity(const Loop2& profile, const glm::dvec2& si
   return solid.mesh();
 }
 
-/// A box open above, with a hook that sticks out by `length` from the middle of the wall at x = 2, 6 wide.
-inline TriangleMesh box_with_hook(double length) {
-  const glm::dvec3 low(0, 0, 0), high(40, 34, 20), in_low(2, 2, 2), in_high(38, 32, 20);
-  const glm::dvec3 hook_low(2, 14, 14), hook_high(2 + length, 20, 16);
+/// Width of the hook below.
+inline constexpr double k_hook_width = 6.0;
+
+/// A box open above, with a hook that sticks out by `length` from the wall at x = 2, `ahead` from the wall
+/// across, and `beside` from those to its sides.
+inline TriangleMesh box_with_hook(double length, double ahead, double beside) {
+  const glm::dvec3 in_low(2, 2, 2), in_high(2 + length + ahead, 2 + k_hook_width + 2.0 * beside, 20);
+  const glm::dvec3 low(0, 0, 0), high(in_high.x + 2.0, in_high.y + 2.0, 20);
+  const glm::dvec3 hook_low(2, 2 + beside, 14), hook_high(2 + length, 2 + beside + k_hook_width, 16);
   SolidBuilder solid;
   solid.box(low, high, {5});
   solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
@@ -115,6 +120,8 @@ inline TriangleMesh box_with_hook(double length) {
   solid.box(hook_low, hook_high, {0});
   return solid.mesh();
 }
+
+inline TriangleMesh box_with_hook(double length) { return box_with_hook(length, 36.0 - length, 12.0); }
 
 /// Two pockets in one side of a long block.
 inline TriangleMesh block_with_pockets(double apart) {

@@ -1,6 +1,9 @@
 // Slides whose ways cross would meet.
 #include "actions/meetings.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "actions/actions_report.hpp"
@@ -31,15 +34,88 @@ TriangleMesh angle_with_pockets(double a, double b) {
   return solid.mesh();
 }
 
+/// Pinned to slides, nothing else is left to choose.
 TEST(Meetings, AreOfSlidesWhoseWaysCross) {
-  const Planned planned = plan_of(angle_with_pockets(10, 10));
+  ActionSettings settings;
+  for (const UndercutReport& patch : plan_of(angle_with_pockets(10, 10)).plan.patches)
+    settings.pins.push_back({patch.point, patch.undercut.area, ActionKind::slide});
+  const Planned planned = plan_of(angle_with_pockets(10, 10), settings);
   ASSERT_EQ(actions_text(planned.plan), "2 slides");
   ASSERT_EQ(planned.plan.actions[0].meets, std::vector<std::size_t>{1});
   ASSERT_EQ(planned.plan.actions[1].meets, std::vector<std::size_t>{0});
-  const ActionSettings settings;
+  EXPECT_TRUE(planned.plan.optimal);
   const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
   EXPECT_EQ(actions_json(report)["actions"][0]["meets"], nlohmann::ordered_json::array({2}));
-  EXPECT_NE(actions_table(report).find("their ways cross: rows 1 and 2."), std::string::npos);
+  EXPECT_NE(
+      actions_table(report).find("their ways cross, and nothing that was tried avoids it: rows 1 and 2."),
+      std::string::npos);
+}
+
+/// A lifter within the angle does without the way of a slide.
+TEST(Meetings, AreAvoidedByAnotherKind) {
+  const Planned planned = plan_of(angle_with_pockets(10, 10));
+  ASSERT_EQ(actions_text(planned.plan), "1 slide, 1 lifter");
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_TRUE(action.meets.empty());
+    if (action.kind == ActionKind::lifter) {
+      EXPECT_NEAR(action.travel, 5.0, 0.01) << "as deep as the pocket";
+    }
+  }
+  EXPECT_TRUE(planned.plan.optimal);
+}
+
+/// A plate with two slanted holes, square in section, whose axes cross 43 beyond its +x side; each becomes
+/// wider to there by `draft_deg` on two sides. `which`: 1 has the first alone, 2 the second, 3 both.
+TriangleMesh plate_with_slanted_holes(double draft_deg, int which) {
+  constexpr double k_slant_deg = 35.0, k_thick = 20.0, k_half = 5.0, k_apart = 30.0;
+  const glm::dvec3 low(-k_thick, -60, 0), high(0, 60, 30);
+  const double slope = std::tan(glm::radians(k_slant_deg));
+  SolidBuilder solid;
+  std::vector<test::Loop> back, front;
+  for (const int hole : {1, 2}) {
+    if ((which & hole) == 0) continue;
+    const double side = hole == 1 ? 1.0 : -1.0;
+    const auto loop = [&](double x) {
+      const double grown = (x + k_thick) * std::tan(glm::radians(draft_deg));
+      const double y = side * (k_apart - x * slope), half = k_half + grown, rise = k_half + grown;
+      return test::Loop{{x, y - half, 15 - rise},
+                        {x, y + half, 15 - rise},
+                        {x, y + half, 15 + rise},
+                        {x, y - half, 15 + rise}};
+    };
+    back.push_back(loop(low.x));
+    front.push_back(loop(high.x));
+    test::Loop in_back = back.back(), in_front = front.back();
+    std::ranges::reverse(in_back);
+    std::ranges::reverse(in_front);
+    solid.walls(in_back, in_front);
+  }
+  solid.box(low, high, {0, 1});
+  solid.face(box_face(low, high, 0), back);
+  solid.face(box_face(low, high, 1), front);
+  return solid.mesh();
+}
+
+/// Each hole alone is pulled out of its wide end; both there would meet, so that one goes the dearer way.
+TEST(Meetings, AreAvoidedByADearerSetOfSlides) {
+  double careless = 0.0;
+  for (const int hole : {1, 2}) {
+    const Planned alone = plan_of(plate_with_slanted_holes(0.3, hole));
+    ASSERT_EQ(actions_text(alone.plan), "1 slide");
+    EXPECT_GT(alone.plan.actions[0].direction.x, 0.5) << "out of the wide end";
+    careless += alone.plan.actions[0].direction.x;
+  }
+  const Planned both = plan_of(plate_with_slanted_holes(0.3, 3));
+  ASSERT_EQ(actions_text(both.plan), "2 slides");
+  double sum = 0.0;
+  for (const SideAction& action : both.plan.actions) {
+    EXPECT_TRUE(action.meets.empty());
+    sum += action.direction.x;
+  }
+  EXPECT_NEAR(sum, 0.0, 0.02) << "one to either side";
+  EXPECT_GT(careless, 1.0);
+  EXPECT_TRUE(both.plan.optimal);
+  EXPECT_TRUE(both.plan.unreleased.empty());
 }
 
 TEST(Meetings, AreNoneAtDifferentHeights) {

@@ -9,8 +9,16 @@
 namespace moldlight {
 namespace {
 
-/// The least cost of columns that cover every atom that any column has.
-double brute_force(std::size_t atoms, const std::vector<CoverColumn>& columns) {
+double price_of(const std::vector<CoverClash>& clashes, std::uint32_t chosen) {
+  double price = 0.0;
+  for (const CoverClash& clash : clashes)
+    price += (chosen >> clash.a & chosen >> clash.b & 1U) != 0 ? clash.price : 0.0;
+  return price;
+}
+
+/// The least cost of columns that cover every atom that any column has, with the prices of their clashes.
+double brute_force(std::size_t atoms, const std::vector<CoverColumn>& columns,
+                   const std::vector<CoverClash>& clashes = {}) {
   std::vector<std::uint32_t> masks;
   std::uint32_t all = 0;
   for (const CoverColumn& column : columns) {
@@ -29,9 +37,21 @@ double brute_force(std::size_t atoms, const std::vector<CoverColumn>& columns) {
       covered |= masks[c];
       cost += columns[c].cost;
     }
-    if (covered == all) best = std::min(best, cost);
+    if (covered != all || cost >= best) continue;
+    best = std::min(best, cost + price_of(clashes, chosen));
   }
   return best;
+}
+
+std::vector<CoverColumn> random_columns(std::mt19937& random, std::size_t atoms, std::size_t count) {
+  std::vector<CoverColumn> columns(count);
+  for (CoverColumn& column : columns) {
+    for (std::size_t atom = 0; atom < atoms; ++atom) {
+      if (random() % 4 == 0) column.atoms.push_back(atom);
+    }
+    column.cost = 0.5 + 0.25 * static_cast<double>(random() % 8);
+  }
+  return columns;
 }
 
 TEST(SetCover, IsTheCheapestOfRandomTables) {
@@ -39,13 +59,7 @@ TEST(SetCover, IsTheCheapestOfRandomTables) {
   std::size_t with_uncovered = 0;
   for (int table = 0; table < 1000; ++table) {
     const std::size_t atoms = 1 + random() % 12, count = 1 + random() % (table % 50 == 0 ? 20 : 12);
-    std::vector<CoverColumn> columns(count);
-    for (CoverColumn& column : columns) {
-      for (std::size_t atom = 0; atom < atoms; ++atom) {
-        if (random() % 4 == 0) column.atoms.push_back(atom);
-      }
-      column.cost = 0.5 + 0.25 * static_cast<double>(random() % 8);
-    }
+    const std::vector<CoverColumn> columns = random_columns(random, atoms, count);
     const Cover cover = least_cover(atoms, columns);
     EXPECT_TRUE(cover.optimal);
     EXPECT_NEAR(cover.cost, brute_force(atoms, columns), 1e-12) << table;
@@ -66,6 +80,41 @@ TEST(SetCover, IsTheCheapestOfRandomTables) {
   EXPECT_GT(with_uncovered, 100U);
 }
 
+/// Prices that rule a clash out wherever it can be helped, and such as may be worth it.
+TEST(SetCover, IsTheCheapestOfRandomTablesWithClashes) {
+  constexpr double k_high = 100.0;
+  std::mt19937 random(17);
+  std::size_t dearer = 0, unavoidable = 0;
+  for (int table = 0; table < 1000; ++table) {
+    const std::size_t atoms = 1 + random() % 12, count = 2 + random() % (table % 50 == 0 ? 19 : 13);
+    const bool high = table % 3 != 0;
+    const std::vector<CoverColumn> columns = random_columns(random, atoms, count);
+    std::vector<CoverClash> clashes;
+    const std::size_t one_of = 2 + random() % 6;
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        if (random() % one_of == 0)
+          clashes.push_back({a, b, high ? k_high : 0.25 * static_cast<double>(random() % 8)});
+      }
+    }
+    const Cover cover = least_cover(atoms, columns, clashes), careless = least_cover(atoms, columns);
+    EXPECT_TRUE(cover.optimal);
+    EXPECT_NEAR(cover.cost, brute_force(atoms, columns, clashes), 1e-9) << table;
+    EXPECT_EQ(cover.uncovered, careless.uncovered) << table;
+    std::uint32_t chosen = 0;
+    double cost = 0.0;
+    for (const std::size_t c : cover.columns) {
+      chosen |= 1U << c;
+      cost += columns[c].cost;
+    }
+    EXPECT_NEAR(cost + price_of(clashes, chosen), cover.cost, 1e-9) << table;
+    dearer += high && cover.cost > careless.cost && cover.cost < k_high ? 1 : 0;
+    unavoidable += cover.cost >= k_high ? 1 : 0;
+  }
+  EXPECT_GT(dearer, 50U);
+  EXPECT_GT(unavoidable, 50U);
+}
+
 TEST(SetCover, GivenUpEarlySaysSo) {
   std::mt19937 random(3);
   std::vector<CoverColumn> columns(60);
@@ -75,7 +124,7 @@ TEST(SetCover, GivenUpEarlySaysSo) {
     }
     column.cost = 1.0 + 1e-3 * static_cast<double>(random() % 100);
   }
-  const Cover hasty = least_cover(40, columns, 50), thorough = least_cover(40, columns, 1'000'000);
+  const Cover hasty = least_cover(40, columns, {}, 50), thorough = least_cover(40, columns, {}, 1'000'000);
   EXPECT_FALSE(hasty.optimal);
   EXPECT_TRUE(hasty.uncovered.empty());
   EXPECT_GE(hasty.cost, thorough.cost);

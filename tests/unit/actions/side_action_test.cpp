@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
+#include "actions/actions_report.hpp"
 #include "mold/direction.hpp"
 #include "unit/actions/known_undercuts.hpp"
 
@@ -221,6 +222,48 @@ TEST(SideAction, ThatIsALifterTellsHowFarItMayTurn) {
   const double tenth_deg = glm::degrees(std::acos(1.0 / 1.1));
   EXPECT_NEAR(lifter.interval.to_deg, tenth_deg, 0.1);
   EXPECT_NEAR(lifter.interval.from_deg, -tenth_deg, 0.1);
+}
+
+/// Out from under the hook is the shortest way, but only if there is room for the lifter's own thickness
+/// before the wall across. A slanted way has more; to a side is farther; where there is no room there either
+/// it is told.
+TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
+  constexpr double k_hook = 3.0, k_room = 3.0;
+  struct Case {
+    double ahead, beside;
+    double slant_deg;  // of the shortest way with room, at least
+    bool has_room;
+  };
+  const double slant_deg = glm::degrees(std::acos(2.5 / k_room));
+  for (const auto& [ahead, beside, least_deg, has_room] :
+       {Case{k_hook + 20.0, 20.0, 0.0, true}, Case{k_hook + k_room + 0.5, 20.0, 0.0, true},
+        Case{k_hook + k_room - 0.5, 20.0, slant_deg, true},
+        Case{k_hook + 0.5, k_hook_width + k_room + 0.5, 90.0, true},
+        Case{k_hook + 0.5, k_hook_width + k_room - 0.5, 0.0, false}}) {
+    SCOPED_TRACE(::testing::Message() << ahead << " ahead, " << beside << " beside");
+    const Planned planned = plan_of(box_with_hook(k_hook, ahead, beside));
+    ASSERT_EQ(actions_text(planned.plan), "1 lifter");
+    const SideAction& lifter = planned.plan.actions[0];
+    const double its_deg = glm::degrees(std::atan2(std::abs(lifter.direction.y), lifter.direction.x));
+    EXPECT_GT(its_deg, least_deg - 0.01);
+    EXPECT_LT(its_deg, least_deg + (least_deg > 0.0 && least_deg < 90.0 ? 5.0 : 0.01)) << "one of a fan";
+    const double cosine = least_deg < 90.0 ? lifter.direction.x : 1.0;
+    EXPECT_NEAR(lifter.travel, (least_deg < 90.0 ? k_hook : k_hook_width) / cosine, 0.01);
+    EXPECT_NEAR(lifter.clear_to, (least_deg < 90.0 ? ahead : beside) / cosine, 0.3) << "from the hook's edge";
+    EXPECT_EQ(lifter.room_needed, k_room);
+    EXPECT_EQ(moldlight::has_room(lifter), has_room);
+    const ActionSettings settings;
+    const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
+    EXPECT_EQ(actions_json(report)["actions"][0]["has_room"], has_room);
+    EXPECT_EQ(
+        actions_table(report).find("less room beyond their travel than 3 mm: rows 1") == std::string::npos,
+        has_room);
+  }
+  ActionSettings thin;
+  thin.lifter_room_mm = 0.2;
+  const Planned planned = plan_of(box_with_hook(k_hook, k_hook + 0.5, 20.0), thin);
+  ASSERT_EQ(actions_text(planned.plan), "1 lifter");
+  EXPECT_NEAR(planned.plan.actions[0].travel, k_hook, 0.01) << "a lifter as thin as asked for fits";
 }
 
 /// The slot's two undercut wings lie across from each other: each is a lifter that moves in by its overhang,

@@ -27,11 +27,12 @@ Setting random_setting(test::Random& random) {
   return setting;
 }
 
-/// Without clearance, which is a length of its own, and with slides that reach as far as they would in
-/// size 1.
+/// Without clearance, which is a length of its own, and with slides that reach as far, and lifters that are
+/// as thick, as they would be in size 1.
 Planned plan_in(const Setting& setting, const TriangleMesh& mesh) {
   ActionSettings settings;
   settings.clearance_mm = 0.0;
+  settings.lifter_room_mm *= setting.scale;
   settings.bundle_across_mm *= setting.scale;
   settings.bundle_along_mm *= setting.scale;
   TriangleMesh put = test::scaled(test::translated(mesh, setting.offset), setting.scale);
@@ -110,7 +111,6 @@ TEST(Variety, OfTSlotsIsALifterForEachWing) {
 
 /// Out from under the hook, or to either side of it where that is shorter.
 TEST(Variety, OfHooksInABoxIsALifter) {
-  constexpr double k_wide = 6.0;
   test::Random random(74);
   for (int k = 0; k < 16; ++k) {
     const double hook = random.between(0.5, 10.0);
@@ -118,8 +118,9 @@ TEST(Variety, OfHooksInABoxIsALifter) {
     const Planned planned = plan_in(setting, box_with_hook(hook));
     ASSERT_EQ(actions_text(planned.plan), "1 lifter") << k << " " << hook;
     const SideAction& lifter = planned.plan.actions[0];
-    EXPECT_GT(hook < k_wide ? lifter.direction.x : std::abs(lifter.direction.y), 1.0 - 1e-6) << k;
-    EXPECT_NEAR(lifter.travel, std::min(hook, k_wide) * setting.scale, 1e-3 * planned.model->frame.diagonal)
+    EXPECT_GT(hook < k_hook_width ? lifter.direction.x : std::abs(lifter.direction.y), 1.0 - 1e-6) << k;
+    EXPECT_NEAR(lifter.travel, std::min(hook, k_hook_width) * setting.scale,
+                1e-3 * planned.model->frame.diagonal)
         << k;
   }
 }

@@ -40,7 +40,7 @@ TEST(Html, Base64OfTheTextsOfTheStandard) {
 TEST(Html, APathIsPartOfAnAddress) { EXPECT_EQ(url_of("a b/\"ü?.png"), "a%20b/%22%C3%BC%3F.png"); }
 
 TEST(Page, AllowsItsOwnStyleAndScriptAlone) {
-  const PageFrame frame{"<title>", "batch.css", "batch.js"};
+  const PageFrame frame{"<title>", "batch.css", {"batch.js"}};
   const std::string head = page_begin(frame), end = page_end(frame);
   EXPECT_NE(head.find("<title>&lt;title&gt;</title>"), std::string::npos);
   const auto between = [](const std::string& text, const std::string& from, const std::string& to) {

@@ -1,0 +1,230 @@
+#include "actions/least_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "actions/meetings.hpp"
+#include "actions/piece_actions.hpp"
+#include "actions/set_cover.hpp"
+#include "base/error.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_meeting_cost = 100.0;  // of two slides that meet: more than what can be done instead
+constexpr int k_most_rounds = 40;
+/// Of slides that are asked whether they meet before they are chosen.
+constexpr std::size_t k_pairs_ahead = 1000;
+constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
+constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
+
+/// A set of columns as a plan, and the column of each of its actions.
+struct Draft {
+  ActionPlan plan;
+  std::vector<std::size_t> columns;
+};
+
+class LeastSet {
+ public:
+  LeastSet(const ChosenContext& context, const std::vector<Atom>& atoms, const WaysRound& ways_round,
+           const Progress& progress)
+      : context_(context), atoms_(atoms), ways_round_(ways_round), progress_(progress) {}
+
+  ActionPlan run(std::vector<Column> columns) {
+    add(std::move(columns));
+    std::optional<ActionPlan> best;
+    double best_cost = std::numeric_limits<double>::infinity();
+    int unproved = 0;
+    for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
+      progress_.report("choosing the least set", 0.8);
+      const Cover cover =
+          least_cover(atoms_.size(), priced_, clashes_, clashes_.empty() ? k_nodes : k_nodes_with_clashes);
+      unproved += cover.optimal ? 0 : 1;
+      // Clashes that are not known yet would only make it dearer.
+      if (best && cover.cost >= best_cost) {
+        best->optimal = cover.optimal;
+        break;
+      }
+      Draft draft = draft_of(cover);
+      const std::size_t found = learn(draft);
+      const double its_cost = cover.cost + k_meeting_cost * static_cast<double>(found);
+      if (its_cost < best_cost) {
+        best_cost = its_cost;
+        best = std::move(draft.plan);
+        best->optimal = false;
+      }
+      if (found > 0) continue;
+      best->optimal = cover.optimal;
+      break;
+    }
+    return std::move(*best);
+  }
+
+ private:
+  void add(std::vector<Column> columns) {
+    for (Column& column : columns) {
+      priced_.push_back({column.atoms, pull_cost(column.pull)});
+      columns_.push_back(std::move(column));
+    }
+  }
+
+  /// A column and those of its atoms that are left to it.
+  using Left = std::pair<std::size_t, std::vector<std::size_t>>;
+
+  /// Finds the actions that are not known yet, several at a time.
+  void find_actions_of(const std::vector<Left>& wanted) {
+    std::vector<std::pair<const Left*, SideAction*>> missing;
+    for (const Left& left : wanted) {
+      const auto [place, is_new] = known_.try_emplace(left);
+      if (is_new) missing.emplace_back(&place->first, &place->second);
+    }
+    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t k) {
+      const auto& [left, action] = missing[k];
+      Column column = columns_[left->first];
+      column.atoms = left->second;
+      *action = chosen_action(context_, atoms_, column);
+    });
+  }
+
+  [[nodiscard]] Draft draft_of(const Cover& cover) {
+    Draft draft;
+    for (const std::size_t atom : cover.uncovered) {
+      draft.plan.unreleased.push_back(atoms_[atom].patch);
+      draft.plan.unreleased_area += atoms_[atom].area();
+    }
+    std::ranges::sort(draft.plan.unreleased);
+    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
+    std::vector<Left> chosen;
+    for (const std::size_t c : cover.columns) {
+      std::vector<std::size_t> left = columns_[c].atoms;
+      std::erase_if(left, [&](std::size_t atom) { return of_atom[atom] >= 0; });
+      for (const std::size_t atom : left) of_atom[atom] = static_cast<std::int32_t>(chosen.size());
+      chosen.emplace_back(c, std::move(left));
+    }
+    find_actions_of(chosen);
+    std::vector<SideAction> actions;
+    for (const Left& left : chosen) actions.push_back(known_.at(left));
+    std::vector<std::size_t> order(actions.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return actions[k].area; });
+    std::vector<std::int32_t> place(actions.size());
+    for (const std::size_t k : order) {
+      place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
+      draft.plan.actions.push_back(std::move(actions[k]));
+      draft.columns.push_back(cover.columns[k]);
+    }
+    for (std::int32_t& action : of_atom)
+      action = action < 0 ? action : place[static_cast<std::size_t>(action)];
+    draft.plan.action_of_piece = actions_of_pieces(context_, atoms_, of_atom, draft.plan.actions);
+    find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
+    return draft;
+  }
+
+  /// Takes down which of its columns meet, and looks for ways round. How many pairs were not known.
+  std::size_t learn(const Draft& draft) {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    std::vector<std::size_t> atoms;
+    for (std::size_t k = 0; k < draft.plan.actions.size(); ++k) {
+      for (const std::size_t other : draft.plan.actions[k].meets) {
+        if (other > k || !take_down(draft.columns[k], draft.columns[other])) continue;
+        found.emplace_back(k, other);
+        for (const std::size_t one : {k, other}) {
+          const std::vector<std::size_t>& its = columns_[draft.columns[one]].atoms;
+          atoms.insert(atoms.end(), its.begin(), its.end());
+        }
+      }
+    }
+    go_round(std::move(atoms));
+    for (const auto& [k, other] : found) look_ahead(draft, k, other);
+    return found.size();
+  }
+
+  /// False where it is known.
+  bool take_down(std::size_t a, std::size_t b) {
+    if (!met_.insert(std::minmax(a, b)).second) return false;
+    clashes_.push_back({a, b, k_meeting_cost});
+    return true;
+  }
+
+  /// Which other slides for the same atoms as the two that meet would meet, too: so that not each pair of
+  /// them has to be chosen first.
+  void look_ahead(const Draft& draft, std::size_t one, std::size_t other) {
+    const std::array<std::vector<std::size_t>, 2> alike = {slides_like(draft.columns[one]),
+                                                           slides_like(draft.columns[other])};
+    const std::size_t pairs = alike[0].size() * alike[1].size();
+    if (pairs > pairs_ahead_ ||
+        !looked_ahead_.insert({columns_[draft.columns[one]].atoms, columns_[draft.columns[other]].atoms})
+             .second)
+      return;
+    pairs_ahead_ -= pairs;
+    progress_.report("looking for ways round slides that meet", 0.9);
+    std::array<MovedSlide, 2> moved = {MovedSlide{.action = one}, MovedSlide{.action = other}};
+    std::vector<Left> wanted;
+    for (const std::vector<std::size_t>& columns : alike) {
+      for (const std::size_t c : columns) wanted.emplace_back(c, columns_[c].atoms);
+    }
+    find_actions_of(wanted);
+    for (const std::size_t side : {0, 1}) {
+      for (const std::size_t c : alike[side]) {
+        const SideAction& action = known_.at({c, columns_[c].atoms});
+        moved[side].moves.push_back({action.direction, action.travel});
+      }
+    }
+    for (const auto& [a, b] : crossing_moves(context_.model, context_.split, context_.pulls.release(),
+                                             draft.plan, moved[0], moved[1]))
+      take_down(alike[0][a], alike[1][b]);
+  }
+
+  [[nodiscard]] std::vector<std::size_t> slides_like(std::size_t column) const {
+    std::vector<std::size_t> alike;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      if (is_slide(columns_[c].pull.kind) && columns_[c].atoms == columns_[column].atoms) alike.push_back(c);
+    }
+    return alike;
+  }
+
+  /// For each of the atoms once, several at a time.
+  void go_round(std::vector<std::size_t> atoms) {
+    std::erase_if(atoms, [&](std::size_t atom) { return !gone_round_.insert(atom).second; });
+    if (atoms.empty()) return;
+    progress_.report("looking for ways round slides that meet", 0.85);
+    std::vector<std::vector<Column>> ways(atoms.size());
+    tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
+      if (!progress_.cancelled()) ways[k] = ways_round_(atoms[k]);
+    });
+    if (progress_.cancelled()) throw Cancelled();
+    for (std::vector<Column>& columns : ways) add(std::move(columns));
+  }
+
+  const ChosenContext& context_;
+  const std::vector<Atom>& atoms_;
+  const WaysRound& ways_round_;
+  const Progress& progress_;
+  std::vector<Column> columns_;
+  std::vector<CoverColumn> priced_;
+  std::vector<CoverClash> clashes_;
+  std::set<std::pair<std::size_t, std::size_t>> met_;
+  std::set<std::size_t> gone_round_;                                                      // atoms
+  std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>> looked_ahead_;  // atoms of pairs
+  std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
+  std::map<Left, SideAction> known_;
+};
+
+}  // namespace
+
+ActionPlan least_set(const ChosenContext& context, const std::vector<Atom>& atoms,
+                     std::vector<Column> columns, const WaysRound& ways_round, const Progress& progress) {
+  return LeastSet(context, atoms, ways_round, progress).run(std::move(columns));
+}
+
+}  // namespace moldlight

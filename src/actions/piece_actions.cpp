@@ -1,0 +1,104 @@
+#include "actions/piece_actions.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+namespace moldlight {
+
+namespace {
+
+class PieceActions {
+ public:
+  PieceActions(const ChosenContext& context, const std::vector<Atom>& atoms,
+               std::span<const std::int32_t> of_atom, const std::vector<SideAction>& actions)
+      : model_(context.model),
+        split_(context.split),
+        pulls_(context.pulls),
+        atoms_(atoms),
+        of_atom_(of_atom),
+        actions_(actions) {}
+
+  std::vector<std::int32_t> of(const std::vector<Undercut>& patches) const {
+    std::vector<std::vector<std::size_t>> atoms(patches.size());
+    for (std::size_t k = 0; k < atoms_.size(); ++k) atoms[atoms_[k].patch].push_back(k);
+    std::vector<std::int32_t> of_piece(split_.pieces.size(), k_no_action_of_piece);
+    for (std::size_t patch = 0; patch < atoms.size(); ++patch) {
+      const bool alike = std::ranges::all_of(
+          atoms[patch], [&](std::size_t k) { return of_atom_[k] == of_atom_[atoms[patch].front()]; });
+      const std::vector<std::uint32_t>& pieces = patches[patch].pieces;
+      tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
+        of_piece[pieces[k]] = alike ? of_atom_[atoms[patch].front()] : action_for(pieces[k], atoms[patch]);
+      });
+    }
+    return of_piece;
+  }
+
+ private:
+  [[nodiscard]] std::int32_t action_for(std::uint32_t piece, const std::vector<std::size_t>& atoms) const {
+    constexpr double k_inward = 0.1;
+    const auto& corners = split_.pieces[piece].corners;
+    glm::dvec3 middle(0.0);
+    for (const VertexIndex corner : corners) middle += split_.vertices[corner] / 3.0;
+    const glm::dvec3& normal = model_.geometry.normals[split_.pieces[piece].facet];
+    const auto frees = [&](std::int32_t number) {
+      if (number < 0) return false;
+      const SideAction& action = actions_[static_cast<std::size_t>(number)];
+      return is_freed({model_.frame.to_unit(middle), normal, 0.0}, action) &&
+             std::ranges::all_of(corners, [&](VertexIndex corner) {
+               const glm::dvec3 at = glm::mix(split_.vertices[corner], middle, k_inward);
+               return is_freed({model_.frame.to_unit(at), normal, 0.0}, action);
+             });
+    };
+    const std::int32_t nearest = of_atom_[nearest_atom(atoms, model_.frame.to_unit(middle))];
+    // Facets without area have no normal.
+    if (nearest < 0 || normal == glm::dvec3(0.0) || frees(nearest)) return nearest;
+    const auto other = std::ranges::find_if(atoms, [&](std::size_t k) { return frees(of_atom_[k]); });
+    return other != atoms.end() ? of_atom_[*other] : nearest;
+  }
+
+  [[nodiscard]] bool is_freed(const UndercutSample& sample, const SideAction& action) const {
+    const Release& release = pulls_.release();
+    if (action.about) return true;
+    if (action.kind == ActionKind::lifter)
+      return release.clears(sample,
+                            {action.direction, action.core_side ? pulls_.direction() : -pulls_.direction(),
+                             action.travel / model_.frame.diagonal});
+    if (action.kind == ActionKind::insert && release.covered(sample, action.direction)) return false;
+    return release.free_length(sample, action.direction) == std::numeric_limits<double>::infinity();
+  }
+
+  [[nodiscard]] std::size_t nearest_atom(const std::vector<std::size_t>& atoms, const glm::vec3& at) const {
+    std::size_t nearest = atoms.front();
+    float least = std::numeric_limits<float>::infinity();
+    for (const std::size_t k : atoms) {
+      for (const UndercutSample& sample : atoms_[k].samples) {
+        const float distance = glm::distance(sample.position, at);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = k;
+      }
+    }
+    return nearest;
+  }
+
+  const PartModel& model_;
+  const SplitMesh& split_;
+  const PullFinder& pulls_;
+  const std::vector<Atom>& atoms_;
+  std::span<const std::int32_t> of_atom_;
+  const std::vector<SideAction>& actions_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context, const std::vector<Atom>& atoms,
+                                            std::span<const std::int32_t> of_atom,
+                                            const std::vector<SideAction>& actions) {
+  return PieceActions(context, atoms, of_atom, actions).of(context.undercuts.patches);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,134 @@
+#include "gui/jobs/revision_state.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace moldlight::gui {
+
+namespace {
+
+using Of = RevisionChange::Of;
+
+FacetIndex facet_of(const ComparedPart& part, const LitPolygon& lit) {
+  return part.result.split->pieces[lit.piece].facet;
+}
+
+void add_pieces(Bounds& bounds, const ComparedPart& part, std::span<const PieceIndex> pieces) {
+  const SplitMesh& split = *part.result.split;
+  for (const PieceIndex piece : pieces)
+    for (const auto corner : split.pieces[piece].corners) bounds.add(split.vertices[corner]);
+}
+
+/// How far a point of its plane is beyond the rim of a polygon; not above 0 inside.
+double beyond(const ConvexPolygon& polygon, const glm::dvec3& normal, const glm::dvec3& point) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3& from = polygon[k];
+    const glm::dvec3 outward = glm::cross(polygon[(k + 1) % polygon.size()] - from, normal);
+    const double length = glm::length(outward);
+    if (length > 0.0) farthest = std::max(farthest, glm::dot(point - from, outward) / length);
+  }
+  return farthest;
+}
+
+ChangeKind kind_of(const ChangedPlace& place) {
+  return place.gone.area <= 0.0    ? ChangeKind::fresh
+         : place.fresh.area <= 0.0 ? ChangeKind::gone
+                                   : ChangeKind::changed;
+}
+
+}  // namespace
+
+Revisions::Revisions(Comparison compared) : comparison(std::move(compared)) {
+  const SurfaceChange& surface = comparison.surface;
+  const auto add_matched = [&](bool same) {
+    for (const Of of : {Of::undercut, Of::action}) {
+      const auto& matched = of == Of::undercut ? comparison.undercuts : comparison.actions;
+      for (std::size_t k = 0; k < matched.size(); ++k)
+        if ((matched[k].kind == ChangeKind::same) == same) changes.push_back({of, matched[k].kind, k, {}});
+    }
+  };
+  add_matched(false);
+  for (std::size_t k = 0; k < surface.places.size(); ++k)
+    changes.push_back({Of::place, kind_of(surface.places[k]), k, surface.places[k].bounds});
+  for (std::size_t k = 0; k < surface.regions.size(); ++k)
+    changes.push_back({Of::region, ChangeKind::changed, k, surface.regions[k].bounds});
+  add_matched(true);
+  for (const bool second : {false, true}) {
+    const ComparedPart& side = part(second);
+    lit[second ? 1 : 0] = lit_surface(comparison, !second);
+    std::ranges::stable_sort(lit[second ? 1 : 0], {},
+                             [&](const LitPolygon& one) { return facet_of(side, one); });
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      add_pieces(changes[k].bounds, side, pieces_of(second, k));
+  }
+}
+
+std::optional<std::size_t> Revisions::change_at(bool second, const PickedPoint& point) const {
+  const ComparedPart& side = part(second);
+  const UnitFrame& frame = side.model->frame;
+  const glm::dvec3 at = frame.center + frame.diagonal * glm::dvec3(point.position);
+  const std::vector<LitPolygon>& its = lit[second ? 1 : 0];
+  const auto facet = [&](const LitPolygon& one) { return facet_of(side, one); };
+  constexpr double k_rounding = 1e-5;  // of the diagonal: pixels are in single precision
+  const LitPolygon* nearest = nullptr;
+  double least = k_rounding * frame.diagonal;
+  for (auto one = std::ranges::lower_bound(its, point.facet, {}, facet);
+       one != its.end() && facet(*one) == point.facet; ++one) {
+    const double away = beyond(*one->polygon, side.model->geometry.normals[point.facet], at);
+    if (away > least) continue;
+    least = away;
+    nearest = &*one;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  const auto is_surface = [](const RevisionChange& change) {
+    return change.of == Of::place || change.of == Of::region;
+  };
+  const auto first = std::ranges::find_if(changes, is_surface) - changes.begin();
+  return static_cast<std::size_t>(first) + nearest->number +
+         (nearest->what == Lit::other_region ? comparison.surface.places.size() : 0);
+}
+
+std::vector<LitPolygon> Revisions::lit_of(bool second, std::size_t change) const {
+  const RevisionChange& asked = changes[change];
+  std::vector<LitPolygon> found;
+  if (asked.of != Of::place && asked.of != Of::region) return found;
+  for (const LitPolygon& one : lit[second ? 1 : 0])
+    if ((one.what == Lit::other_region) == (asked.of == Of::region) && one.number == asked.number)
+      found.push_back(one);
+  return found;
+}
+
+std::vector<PieceIndex> Revisions::pieces_of(bool second, std::size_t change) const {
+  const RevisionChange& asked = changes[change];
+  const auto& plan = part(second).plan;
+  if (!plan || asked.of == Of::place || asked.of == Of::region) return {};
+  const MatchedChange& matched =
+      (asked.of == Of::undercut ? comparison.undercuts : comparison.actions)[asked.number];
+  const auto& number = second ? matched.fresh : matched.former;
+  if (!number) return {};
+  if (asked.of == Of::undercut) return plan->patches[*number].undercut.pieces;
+  std::vector<PieceIndex> pieces;
+  for (const std::size_t patch : plan->actions[*number].patches) {
+    const auto& more = plan->patches[patch].undercut.pieces;
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  return pieces;
+}
+
+std::optional<std::size_t> nearest_change(const Revisions& revisions, const RevisionChange& change) {
+  std::optional<std::size_t> found;
+  double nearest = 0.5 * change.bounds.diagonal();
+  for (std::size_t k = 0; k < revisions.changes.size(); ++k) {
+    const RevisionChange& other = revisions.changes[k];
+    const double away = glm::distance(other.bounds.center(), change.bounds.center());
+    if (other.of != change.of || away > nearest) continue;
+    nearest = away;
+    found = k;
+  }
+  return found;
+}
+
+}  // namespace moldlight::gui

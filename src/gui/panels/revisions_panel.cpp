@@ -1,0 +1,272 @@
+#include "gui/panels/revisions_panel.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "classify/figures.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/option_row.hpp"
+#include "gui/view/revision_view.hpp"
+#include "sweep/direction_figures.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+using Of = RevisionChange::Of;
+
+constexpr float k_row = 24.0F, k_line = 18.0F, k_bar_width = 96.0F;  // layout units
+constexpr float k_share = 0.2F;  // of the window's height, that the table takes at most
+constexpr const char* k_name = "Revisions";
+
+constexpr std::array<ListColumn, 6> k_columns = {{
+    {"#", "Undercuts and side actions, then surface, the largest area first; what is the same last.", 8.0F,
+     false},
+    {"change", "", 58.0F, false},
+    {"A", "Before: area, in the part's unit squared. Of changed surface what is gone.", 296.0F, true},
+    {"B", "Now: area. Of changed surface what is new.", 372.0F, true},
+    {"volume", "That came, or went, in the part's unit cubed; where both parts are closed.", 456.0F, true},
+    {"", "", 476.0F, false},
+}};
+
+std::string with_sign(const FigureColumn& column, double value) {
+  const std::string text = column.text(std::abs(value));
+  const bool none = text.find_first_not_of("0.") == std::string::npos;
+  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
+}
+
+/// A row's texts, without its number.
+struct RowTexts {
+  std::string before = "–", now = "–", volume, more;
+};
+
+class Texts {
+ public:
+  explicit Texts(const Comparison& comparison)
+      : comparison_(comparison),
+        areas_(std::max(comparison.a.result.total_area, comparison.b.result.total_area)),
+        lengths_(10.0 * comparison.a.model->frame.diagonal) {}
+
+  [[nodiscard]] RowTexts of(const RevisionChange& change) const {
+    switch (change.of) {
+      case Of::place:
+        return of_place(comparison_.surface.places[change.number]);
+      case Of::region: {
+        const std::string area = grouped(areas_.text(comparison_.surface.regions[change.number].area));
+        return {.before = area, .now = area, .volume = {}, .more = "same surface, other region"};
+      }
+      case Of::undercut:
+        return of_undercut(comparison_.undercuts[change.number]);
+      case Of::action:
+        return of_action(comparison_.actions[change.number]);
+    }
+    return {};
+  }
+
+  /// "undercut 556.0, was 540.1 · core …"
+  [[nodiscard]] std::string regions() const {
+    std::string text;
+    const Classification &a = comparison_.a.result, &b = comparison_.b.result;
+    for (const Region region : {Region::undercut, Region::core, Region::cavity, Region::both}) {
+      text += fmt::format("{}{} {}, was {}", text.empty() ? "" : "  ·  ", region_name(region),
+                          grouped(areas_.text(b.areas[region])), grouped(areas_.text(a.areas[region])));
+    }
+    return fmt::format("{}  {}", text, powered_unit(comparison_.a.model->part, 2));
+  }
+
+ private:
+  [[nodiscard]] RowTexts of_place(const ChangedPlace& place) const {
+    RowTexts texts;
+    if (place.gone.area > 0.0) texts.before = grouped(areas_.text(place.gone.area));
+    if (place.fresh.area > 0.0) texts.now = grouped(areas_.text(place.fresh.area));
+    if (comparison_.a.model->health.closed && comparison_.b.model->health.closed)
+      texts.volume = with_sign(areas_, place.volume);
+    texts.more = fmt::format("{} {} across", grouped(lengths_.text(place.bounds.diagonal())),
+                             length_unit(comparison_.a.model->part));
+    return texts;
+  }
+
+  [[nodiscard]] RowTexts of_undercut(const MatchedChange& change) const {
+    RowTexts texts;
+    const auto depth = [&](const UndercutReport& patch) {
+      return patch.depth > 0.0 && std::isfinite(patch.depth) ? grouped(lengths_.text(patch.depth)) : "–";
+    };
+    if (change.former) {
+      const UndercutReport& patch = comparison_.a.plan->patches[*change.former];
+      texts.before = grouped(areas_.text(patch.undercut.area));
+      texts.more = fmt::format("deep {}", depth(patch));
+    }
+    if (change.fresh) {
+      const UndercutReport& patch = comparison_.b.plan->patches[*change.fresh];
+      texts.now = grouped(areas_.text(patch.undercut.area));
+      texts.more = change.former ? fmt::format("{}, now {}", texts.more, depth(patch))
+                                 : fmt::format("deep {}", depth(patch));
+    }
+    return texts;
+  }
+
+  [[nodiscard]] RowTexts of_action(const MatchedChange& change) const {
+    RowTexts texts;
+    const auto action = [&](const ActionPlan& plan, std::size_t number, std::string& area) {
+      const SideAction& one = plan.actions[number];
+      area = grouped(areas_.text(one.area));
+      return with_minus(fmt::format("{} {} travel {}", facts(one.kind).singular,
+                                    short_direction_text(one.direction), lengths_.text(one.travel)));
+    };
+    std::string was, now;
+    if (change.former) was = action(*comparison_.a.plan, *change.former, texts.before);
+    if (change.fresh) now = action(*comparison_.b.plan, *change.fresh, texts.now);
+    const bool both = change.former && change.fresh;
+    texts.more = !both                             ? was + now
+                 : change.kind == ChangeKind::same ? now
+                                                   : fmt::format("{}, was {}", now, was);
+    return texts;
+  }
+
+  const Comparison& comparison_;
+  FigureColumn areas_, lengths_;
+};
+
+/// The colours that a change is lit in, that of A and that of B beside each other.
+void draw_swatch(const PanelContext& context, const RevisionChange& change, const glm::vec2& middle) {
+  const Ui& ui = context.ui;
+  Colour left = lit_colour(Lit::other_region), right = left;
+  if (change.of == Of::place) {
+    left = lit_colour(change.kind == ChangeKind::fresh ? Lit::fresh : Lit::gone);
+    right = lit_colour(change.kind == ChangeKind::gone ? Lit::gone : Lit::fresh);
+  } else if (change.of != Of::region) {
+    left = right = region_colour(Region::undercut, context.state.settings.look.palette);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float half = ui.px(5);
+  list.AddRectFilled(ImVec2(middle.x - half, middle.y - half), ImVec2(middle.x, middle.y + half),
+                     packed(left));
+  list.AddRectFilled(ImVec2(middle.x, middle.y - half), ImVec2(middle.x + half, middle.y + half),
+                     packed(right));
+}
+
+}  // namespace
+
+void RevisionsPanel::draw(const PanelContext& context) {
+  const RevisionState& revisions = context.state.revisions;
+  if (!revisions.on()) return;
+  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  draw_header(context, open);
+  if (open && settings_) {
+    draw_settings(context);
+  } else if (open && revisions.result) {
+    draw_table(context);
+  }
+  context.layout.end();
+}
+
+void RevisionsPanel::draw_header(const PanelContext& context, bool open) {
+  const Ui& ui = context.ui;
+  const RevisionState& revisions = context.state.revisions;
+  BottomHeader header(ui, k_name);
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
+  if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
+    context.edits.ask(&Commands::leave_revisions);
+  if (header.button(
+          {"fold revisions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+    unfold(!open);
+  if (header.button({"revision options", Icon::settings, "How they are compared", open && settings_})) {
+    settings_ = !(open && settings_);
+    unfold(true);
+  }
+  if (header.button({"exchange revisions", Icon::exchange, "Take B for the former one"}))
+    context.edits.ask(&Commands::exchange_revisions);
+  std::string text;
+  ImU32 colour = ui.colours->muted;
+  if (revisions.awaited) {
+    const auto& running = revisions.running;
+    text = running && !running->stage.empty() ? running->stage + " …" : "comparing …";
+    constexpr float k_cancel_width = 64.0F;
+    header.place(ui.px(k_cancel_width));
+    if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
+      context.edits.ask(&Commands::cancel_revisions);
+    ui.memory->controls["cancel revisions"] = {from_im(ImGui::GetItemRectMin()),
+                                               from_im(ImGui::GetItemRectMax())};
+    header.progress(running ? running->fraction : 0.0, k_bar_width);
+  } else if (!revisions.error.empty()) {
+    text = revisions.error;
+    colour = ui.colours->warning;
+  } else if (revisions.result) {
+    text = comparison_verdict(revisions.result->comparison);
+    if (revisions.stale) text = "Given up; what is told is of other settings. " + text;
+  }
+  header.end(text, colour, revisions.awaited ? std::string() : text);
+}
+
+void RevisionsPanel::draw_settings(const PanelContext& context) const {
+  const Ui& ui = context.ui;
+  const PartLengths lengths(context.state);
+  RevisionSettings& settings = context.edits.settings.revision;
+  const RowOptions numbers{
+      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); },
+      .lengths = &lengths,
+      .unset = fmt::format("{:.3g}", usual_tolerance(lengths.diagonal).apart)};
+  option_table<CompareSettings>(ui, compare_options(), settings, numbers,
+                                [&] { option_row(ui, revision_options().front(), settings, numbers); });
+  const auto& result = context.state.revisions.result;
+  if (result && result->comparison.alignment) {
+    const Alignment& alignment = *result->comparison.alignment;
+    hint(ui, fmt::format("B was laid on A: off by {} {} rms, {} at most.", error_text(alignment.rms),
+                         lengths.unit, error_text(alignment.largest)));
+  }
+}
+
+void RevisionsPanel::draw_table(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Revisions& result = *context.state.revisions.result;
+  if (!result.changes.empty()) draw_headings(ui, k_columns);
+  const RowList changes{
+      .id = "changes", .count = result.changes.size(), .row_height = k_row, .share = k_share};
+  if (const auto pressed = draw_list(ui, changes, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
+    context.edits.revision_choices.chosen = *pressed;
+    context.edits.ask(&Commands::look_at_change, *pressed);
+  }
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string regions = Texts(result.comparison).regions();
+  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  ImGui::Dummy(ImVec2(width, ui.px(k_line)));
+  tooltip(ui, {}, regions);
+  draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->text},
+            {at.x + ui.px(8), at.y + 0.5F * (ui.px(k_line) - ui.fonts.small.size)},
+            fitted(ui.fonts.small, regions, width - ui.px(16)));
+}
+
+void RevisionsPanel::draw_row(const PanelContext& context, std::size_t number) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const RevisionState& revisions = state.revisions;
+  const Revisions& result = *revisions.result;
+  const RevisionChange& change = result.changes[number];
+  auto& chosen = context.edits.revision_choices.chosen;
+  const bool here = state.revision_choices.chosen == number;
+  const bool pointed = revisions.hover && revisions.hover->change == number;
+  const std::string id = fmt::format("change {}", number + 1);
+  const Row row = list_row(
+      ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number) || pointed});
+  const float alpha = revisions.stale ? 0.6F : 1.0F;
+  const ImU32 colour = faded(change.changed() ? ui.colours->text : ui.colours->muted, alpha);
+  const RowTexts texts = Texts(result.comparison).of(change);
+  const float end = row.box.max.x - row.box.min.x;
+  draw_cell(ui, row.box, k_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
+  if (change.changed()) draw_swatch(context, change, {row.box.min.x + ui.px(44), row.box.centre().y});
+  draw_cell(ui, row.box, k_columns[1], {ui.fonts.body, colour}, change_title(result, number), ui.px(180));
+  draw_cell(ui, row.box, k_columns[2], {ui.fonts.body, colour}, texts.before);
+  draw_cell(ui, row.box, k_columns[3], {ui.fonts.body, colour}, texts.now);
+  draw_cell(ui, row.box, k_columns[4], {ui.fonts.body, colour}, texts.volume);
+  draw_cell(ui, row.box, k_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
+            std::max(end - ui.px(k_columns[5].at + 8), ui.px(24)));
+  tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", texts.more));
+  if (!row.clicked) return;
+  chosen = here ? std::nullopt : std::optional(number);
+  if (!here) context.edits.ask(&Commands::look_at_change, number);
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,298 @@
+#include "gui/view/revision_view.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "classify/figures.hpp"
+#include "classify/view_choice.hpp"
+#include "compare/convex_polygon.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/view/points_around.hpp"
+#include "mold/draft.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+using Of = RevisionChange::Of;
+
+constexpr Colour k_chosen = {255, 246, 214};
+/// Of what the picture's height spans, by which lit surface is drawn nearer to the eye: more than the depth
+/// of some pixels, by which refining moves the part's.
+constexpr double k_nearer = 0.003;
+constexpr double k_least_reach = 0.04;  // of a picture of a change, unit frame
+
+/// What of a convex polygon lies below the plane, in the unit frame.
+std::vector<glm::dvec3> kept(const std::vector<glm::dvec3>& polygon, const CutPlane& cut) {
+  std::vector<glm::dvec3> rest;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3 &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const double a = glm::dot(from, cut.normal) - cut.offset, b = glm::dot(to, cut.normal) - cut.offset;
+    if (a <= 0.0) rest.push_back(from);
+    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) rest.push_back(from + a / (a - b) * (to - from));
+  }
+  return rest;
+}
+
+/// Sheets on the surface, flat.
+class Sheets {
+ public:
+  Sheets(const UnitFrame& frame, Colour colour, const std::optional<CutPlane>& cut)
+      : frame_(frame), cut_(cut) {
+    body.colour = colour;
+  }
+
+  void add(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
+    std::vector<glm::dvec3> polygon;
+    for (const glm::dvec3& corner : corners) polygon.push_back((corner - frame_.center) / frame_.diagonal);
+    if (cut_) polygon = kept(polygon, *cut_);
+    const auto first = static_cast<VertexIndex>(body.vertices.size());
+    for (const glm::dvec3& corner : polygon)
+      body.vertices.push_back({glm::vec3(corner), octahedral(glm::vec3(normal))});
+    for (VertexIndex k = 2; k < polygon.size(); ++k) body.facets.push_back({first, first + k - 1, first + k});
+  }
+
+  ViewBody body;
+
+ private:
+  const UnitFrame& frame_;
+  const std::optional<CutPlane>& cut_;
+};
+
+/// Drawn nearer to the eye in a way that moves nothing on the screen.
+glm::dmat4 nearer(const Camera& camera) {
+  const double by = k_nearer * camera.height;
+  if (camera.projection == Projection::orthographic)
+    return glm::translate(glm::dmat4(1.0), by * camera.toward_viewer());
+  const glm::dmat4 to_eye = glm::translate(glm::dmat4(1.0), camera.eye());
+  return glm::translate(glm::scale(to_eye, glm::dvec3(1.0 - by / camera.eye_distance())), -camera.eye());
+}
+
+/// Of each body; out of sight that of other regions, where they are those of another direction.
+std::vector<glm::dmat4> places_for(const AppState& state, const Camera& camera) {
+  if (!is_lit(state)) return {};
+  const bool regions =
+      state.revisions.result->comparison.a.result.direction == state.settings.direction.unit();
+  const glm::dmat4 seen = nearer(camera);
+  const glm::dmat4 away = glm::translate(glm::dmat4(1.0), 100.0 * k_scene_radius * camera.toward_viewer());
+  return {seen, regions ? seen : away, seen};
+}
+
+std::string area_text(const AppState& state, double area) {
+  return fmt::format("{} {}", figure(area), powered_unit(state.model->part, 2));
+}
+
+std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+}  // namespace
+
+Camera FrameTie::camera(Camera camera) const {
+  camera.target = point(camera.target);
+  camera.height *= from.diagonal / to.diagonal;
+  return camera;
+}
+
+CutPlane FrameTie::plane(CutPlane plane) const {
+  plane.foot = point(plane.foot);
+  plane.offset = glm::dot(plane.normal, point(plane.offset * plane.normal));
+  plane.extent *= from.diagonal / to.diagonal;
+  return plane;
+}
+
+FrameTie tie_of(const AppState& state, const PreparedRevision& revision) {
+  return {state.model->frame, revision.part.model->frame};
+}
+
+float picture_shift(const SplitView& split, const glm::ivec2& window, int side) {
+  return static_cast<float>(window.x - split.left - side);
+}
+
+bool is_lit(const AppState& state) {
+  const RevisionState& revisions = state.revisions;
+  return revisions.result && revisions.prepared && revisions.result->comparison.a.model == state.model &&
+         revisions.result->comparison.b.model == revisions.prepared->part.model;
+}
+
+std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
+                                 const std::optional<std::size_t>& chosen,
+                                 const std::optional<CutPlane>& cut) {
+  const ComparedPart& part = revisions.part(second);
+  const SplitMesh& split = *part.result.split;
+  const UnitFrame& frame = part.model->frame;
+  const auto normal_of = [&](PieceIndex piece) {
+    return part.model->geometry.normals[split.pieces[piece].facet];
+  };
+  Sheets changed(frame, lit_colour(second ? Lit::fresh : Lit::gone), cut), choice(frame, k_chosen, cut),
+      other(frame, lit_colour(Lit::other_region), cut);
+  for (const LitPolygon& one : revisions.lit[second ? 1 : 0]) {
+    const bool region = one.what == Lit::other_region;
+    const bool here = chosen && revisions.changes[*chosen].number == one.number &&
+                      revisions.changes[*chosen].of == (region ? Of::region : Of::place);
+    (here ? choice : region ? other : changed).add(*one.polygon, normal_of(one.piece));
+  }
+  if (chosen) {
+    for (const PieceIndex piece : revisions.pieces_of(second, *chosen)) {
+      const auto& [a, b, c] = split.pieces[piece].corners;
+      choice.add(std::array{split.vertices[a], split.vertices[b], split.vertices[c]}, normal_of(piece));
+    }
+  }
+  std::vector<ViewBody> bodies;
+  for (Sheets* sheets : {&changed, &other, &choice}) bodies.push_back(std::move(sheets->body));
+  return bodies;
+}
+
+const std::shared_ptr<const std::vector<ViewBody>>& LitBodies::of(const AppState& state, bool second,
+                                                                  const std::optional<CutPlane>& cut) {
+  const auto result = is_lit(state) ? state.revisions.result : nullptr;
+  const auto& chosen = state.revision_choices.chosen;
+  if (result != result_ || chosen != chosen_ || cut != cut_) {
+    result_ = result;
+    chosen_ = chosen;
+    cut_ = cut;
+    bodies_ = result ? std::make_shared<const std::vector<ViewBody>>(lit_bodies(*result, second, chosen, cut))
+                     : nullptr;
+  }
+  return bodies_;
+}
+
+std::vector<glm::dmat4> lit_places(const AppState& state) { return places_for(state, state.camera); }
+
+RevisionHover revision_hover(const AppState& state, bool second, const PickedPoint& point) {
+  const RevisionState& revisions = state.revisions;
+  RevisionHover hover;
+  hover.second = second;
+  hover.point = point;
+  hover.place = glm::dvec3(point.position);
+  if (second) {
+    const FrameTie tie = tie_of(state, *revisions.prepared);
+    hover.place = FrameTie{tie.to, tie.from}.point(hover.place);
+  }
+  if (point.facet == k_no_facet) return hover;
+  const PartModel& model = second ? *revisions.prepared->part.model : *state.model;
+  const bool own = second && is_lit(state) && !revisions.stale;
+  const glm::dvec3 direction =
+      own ? revisions.result->comparison.b.result.direction : state.settings.direction.unit();
+  hover.draft_deg = draft_angle_deg(model.geometry.normals[point.facet], direction);
+  if (is_lit(state)) hover.change = revisions.result->change_at(second, point);
+  return hover;
+}
+
+std::string change_title(const Revisions& revisions, std::size_t number) {
+  const RevisionChange& change = revisions.changes[number];
+  switch (change.of) {
+    case Of::place:
+      return change.kind == ChangeKind::changed ? "surface changed"
+                                                : fmt::format("surface {}", change_name(change.kind));
+    case Of::region: {
+      const ChangedRegion& region = revisions.comparison.surface.regions[change.number];
+      return fmt::format("{}, now {}", region_name(region.from), region_name(region.to));
+    }
+    case Of::undercut:
+      return fmt::format("undercut {}", change_name(change.kind));
+    case Of::action:
+      return fmt::format("side action {}", change_name(change.kind));
+  }
+  return {};
+}
+
+std::vector<std::string> revision_lines(const AppState& state) {
+  const auto& hover = state.revisions.hover;
+  if (!hover || hover->point.facet == k_no_facet) return {};
+  std::vector<std::string> lines;
+  if (hover->second)
+    lines.push_back(fmt::format("{}  ·  draft {:.1f}°", region_name(hover->point.region), hover->draft_deg));
+  if (!hover->change) return lines;
+  const Revisions& result = *state.revisions.result;
+  const RevisionChange& change = result.changes[*hover->change];
+  const SurfaceChange& surface = result.comparison.surface;
+  lines.push_back(fmt::format("{}  ·  number {}", change_title(result, *hover->change), *hover->change + 1));
+  if (change.of == Of::region) {
+    lines.push_back(fmt::format("{} on both", area_text(state, surface.regions[change.number].area)));
+    return lines;
+  }
+  const ChangedPlace& place = surface.places[change.number];
+  lines.push_back(fmt::format("gone {}  ·  new {}", area_text(state, place.gone.area),
+                              area_text(state, place.fresh.area)));
+  return lines;
+}
+
+std::vector<glm::vec3> surroundings(const AppState& state, const RevisionChange& change) {
+  const UnitFrame& frame = state.model->frame;
+  const Bounds& box = change.bounds;
+  const double reach = std::max(0.6 * box.diagonal() / frame.diagonal, k_least_reach);
+  std::vector<glm::vec3> points = points_around(frame.to_unit(box.center()), reach);
+  points.push_back(frame.to_unit(box.min));
+  points.push_back(frame.to_unit(box.max));
+  return points;
+}
+
+glm::dquat seen_from(const AppState& state, std::size_t change) {
+  const Revisions& result = *state.revisions.result;
+  // On the part that has more of it.
+  std::array<double, 2> areas{};
+  std::array<std::shared_ptr<const SplitMesh>, 2> marked;
+  for (const bool second : {false, true}) {
+    const std::size_t k = second ? 1 : 0;
+    const std::vector<LitPolygon> lit = result.lit_of(second, change);
+    for (const LitPolygon& one : lit) areas[k] += polygon_area(*one.polygon);
+    const std::vector<PieceIndex> pieces = result.pieces_of(second, change);
+    areas[k] += static_cast<double>(pieces.size());
+    auto split = std::make_shared<SplitMesh>(*marked_split(result.part(second), lit));
+    for (const PieceIndex piece : pieces) split->pieces[piece].region = Region::undercut;
+    marked[k] = std::move(split);
+  }
+  const std::size_t more = areas[0] > areas[1] ? 0 : 1;
+  const ComparedPart& part = result.part(more == 1);
+  return revealing_orientation(*part.model, std::span(&marked[more], 1), part.result.direction);
+}
+
+void draw_revision_names(const Ui& ui, const AppState& state, const SplitView& split, int side) {
+  const float window = ImGui::GetIO().DisplaySize.x, left = static_cast<float>(split.left);
+  const auto draw = [&](float from, float to, std::string_view what, const std::string& path) {
+    const float room = to - from - ui.px(24);
+    const std::string text =
+        fitted(ui.fonts.body, fmt::format("{}  ·  {}", what, name_of(path)), std::max(room, ui.px(40)));
+    const glm::vec2 size = tag_size(ui, text);
+    draw_tag(ui, {0.5F * (from + to), ui.px(k_bar_height + 6) + 0.5F * size.y}, text, ui.colours->text);
+  };
+  // Beside the titles of folded panels, where there is room.
+  const float beside = std::max(static_cast<float>(side), ui.px(k_panel_width + 16));
+  if (left - beside < ui.px(96)) return;
+  draw(beside, left, "A, before", state.path);
+  draw(left, window - beside, "B, now", state.revisions.path);
+}
+
+RevisionPicture::RevisionPicture(const gl::Context& context, std::shared_ptr<const PreparedRevision> revision)
+    : context_(&context), revision_(std::move(revision)), scene_(context, revision_->part) {}
+
+unsigned RevisionPicture::beside(const glm::ivec2& size) {
+  if (!target_ || target_->size() != size) target_.emplace(context_->functions(), size);
+  return target_->texture();
+}
+
+bool RevisionPicture::draw(const AppState& state, const SplitView& split, SceneSettings settings) {
+  static_cast<void>(beside(split.size));
+  const FrameTie tie = tie_of(state, *revision_);
+  const RevisionState& revisions = state.revisions;
+  settings.view.camera = tie.camera(split.camera);
+  if (settings.view.settings.cut) settings.view.settings.cut = tie.plane(*settings.view.settings.cut);
+  settings.view.marks = {};
+  settings.bodies = places_for(state, settings.view.camera);
+  settings.samples = nullptr;
+  settings.split = nullptr;
+  if (is_lit(state) && !revisions.stale) {
+    const Classification& result = revisions.result->comparison.b.result;
+    settings.query.direction = result.direction;
+    settings.split = result.split;
+  }
+  // Until exact regions are known, maps that rest are all there is.
+  settings.maps_looked_at = settings.maps_looked_at || !settings.split;
+  scene_.take_bodies(lit_.of(state, true, settings.view.settings.cut));
+  return scene_.draw({.framebuffer = target_->framebuffer(), .size = split.size}, settings);
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,316 @@
+// The report of a comparison: what a revision changes.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "actions/actions_report.hpp"
+#include "compare/compare_picture.hpp"
+#include "compare/compare_report.hpp"
+#include "compare/compare_texts.hpp"
+#include "report/describe/comparison_view.hpp"
+#include "report/describe/parts.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr glm::ivec2 k_both_px(1600, 800);
+constexpr std::size_t k_most_rows = 40, k_most_pictures = 8;
+
+class Describer {
+ public:
+  explicit Describer(const ReportContext& context, const Comparison& comparison)
+      : context_(context),
+        comparison_(comparison),
+        length_unit_(length_unit(comparison.a.model->part)),
+        area_unit_(powered_unit(comparison.a.model->part, 2)),
+        volume_unit_(powered_unit(comparison.a.model->part, 3)),
+        areas_(std::max(comparison.a.result.total_area, comparison.b.result.total_area)),
+        lengths_(100.0 * comparison.a.model->frame.diagonal) {}
+
+  [[nodiscard]] Section criteria(const CriteriaShown& asked) const;
+  [[nodiscard]] Section places() const;
+  [[nodiscard]] Section regions() const;
+  [[nodiscard]] Section undercuts() const;
+  [[nodiscard]] Section actions() const;
+  [[nodiscard]] Section parts() const;
+
+ private:
+  [[nodiscard]] bool closed() const {
+    return comparison_.a.model->health.closed && comparison_.b.model->health.closed;
+  }
+  [[nodiscard]] Value area(double value, std::string key) const {
+    return number(areas_.text(value), std::move(key), value);
+  }
+  [[nodiscard]] Value change(double value, std::string key) const {
+    return number(with_minus(change_text(areas_, value)), std::move(key), value);
+  }
+  [[nodiscard]] Value point(const glm::dvec3& at) const { return {with_minus(point_text(lengths_, at))}; }
+  [[nodiscard]] Table region_table() const;
+  [[nodiscard]] Table changed_regions() const;
+
+  const ReportContext& context_;
+  const Comparison& comparison_;
+  std::string length_unit_, area_unit_, volume_unit_;
+  FigureColumn areas_, lengths_;
+};
+
+std::string rest_text(std::size_t count) {
+  return count > k_most_rows ? fmt::format("… {} in all; --json has them.", count) : std::string();
+}
+
+Section Describer::criteria(const CriteriaShown& asked) const {
+  Section section{"Criteria", {}};
+  Table table{{{"fails if", true}, {"A"}, {"B"}, {"change"}, {"", true}}, {}};
+  for (const Criterion& criterion : asked.criteria) {
+    const auto found =
+        std::ranges::find(asked.figures, std::string_view(criterion.name), &ComparedFigure::name);
+    if (found == asked.figures.end()) continue;
+    const double difference = found->after - found->before;
+    table.rows.push_back({{{criterion.text},
+                           {figure(found->before)},
+                           {figure(found->after)},
+                           {with_minus((difference > 0.0 ? "+" : "") + figure(difference))},
+                           {criterion.is_met_by(*found) ? "fails" : "holds"}}});
+  }
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+Section Describer::places() const {
+  const SurfaceChange& surface = comparison_.surface;
+  Section section{"Surface that is new or gone", {}};
+  FigureGrid grid;
+  grid.figures = {
+      {"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, error_text(surface.gone.error),
+       "of A alone"},
+      {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_, error_text(surface.fresh.error),
+       "of B alone"},
+      {"The same within", number(figure(surface.tolerance.apart), "/same_within", surface.tolerance.apart),
+       length_unit_}};
+  if (surface.chords > 0.0)
+    grid.figures.push_back({"Tessellation",
+                            number(figure(surface.chords), "/tessellation", surface.chords),
+                            length_unit_,
+                            {},
+                            "the most that facets of both are taken to be off"});
+  if (const auto& alignment = comparison_.alignment)
+    grid.figures.push_back({"B was laid on A",
+                            number(error_text(alignment->rms), "/alignment/residual/rms", alignment->rms),
+                            length_unit_,
+                            {},
+                            fmt::format("off, rms; {} at most", error_text(alignment->largest))});
+  section.blocks.emplace_back(std::move(grid));
+  Table table{
+      {{"place"}, {"gone " + area_unit_}, {"new " + area_unit_}}, {}, rest_text(surface.places.size())};
+  if (closed()) table.columns.push_back({"volume " + volume_unit_});
+  table.columns.insert(table.columns.end(), {{"centre " + length_unit_}, {"across " + length_unit_}});
+  for (std::size_t k = 0; k < std::min(surface.places.size(), k_most_rows); ++k) {
+    const ChangedPlace& place = surface.places[k];
+    const std::string key = fmt::format("/places/{}/", k);
+    Row row{{{fmt::format("{}", k + 1)},
+             area(place.gone.area, key + "gone/area"),
+             area(place.fresh.area, key + "new/area")}};
+    if (closed()) row.cells.push_back(change(place.volume, key + "volume"));
+    row.cells.insert(row.cells.end(), {point(place.centre), {lengths_.text(place.bounds.diagonal())}});
+    table.rows.push_back(std::move(row));
+  }
+  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+Table Describer::region_table() const {
+  const Classification &a = comparison_.a.result, &b = comparison_.b.result;
+  Table table{{{"", true}, {"A " + area_unit_}, {"B " + area_unit_}, {"change " + area_unit_}, {"of A"}}, {}};
+  const auto row = [&](std::string title, const std::string& key, double before, double after) {
+    table.rows.push_back(
+        {{{std::move(title)},
+          area(before, "/regions/a/" + key),
+          area(after, "/regions/b/" + key),
+          change(after - before, "/regions/difference/" + key),
+          {before > 0.0 ? with_minus(fmt::format("{:+.2f} %", 100.0 * (after - before) / before)) : ""}}});
+  };
+  for (const Region region : k_regions) {
+    row(std::string(facts(region).title), std::string(region_name(region)), a.areas[region], b.areas[region]);
+    table.rows.back().mark = region_mark(region, context_.palette);
+  }
+  row("Surface", "total", a.total_area, b.total_area);
+  row("Near-vertical", "near_vertical", a.near_vertical_area, b.near_vertical_area);
+  row("Reverse draft", "reverse_draft", a.reverse_draft.area, b.reverse_draft.area);
+  return table;
+}
+
+Table Describer::changed_regions() const {
+  const auto& regions = comparison_.surface.regions;
+  Table table{{{"surface that is in both", true},
+               {"area " + area_unit_},
+               {"centre " + length_unit_},
+               {"across " + length_unit_}},
+              {},
+              rest_text(regions.size())};
+  for (std::size_t k = 0; k < std::min(regions.size(), k_most_rows); ++k) {
+    const ChangedRegion& region = regions[k];
+    table.rows.push_back({{{fmt::format("{}, now {}", region_name(region.from), region_name(region.to))},
+                           area(region.area, fmt::format("/regions/changed/{}/area", k)),
+                           point(region.centre),
+                           {lengths_.text(region.bounds.diagonal())}},
+                          region_mark(region.to, context_.palette)});
+  }
+  return table;
+}
+
+Section Describer::regions() const {
+  Section section{"Who forms what", {}};
+  section.blocks.emplace_back(region_table());
+  if (!comparison_.surface.regions.empty()) section.blocks.emplace_back(changed_regions());
+  return section;
+}
+
+Section Describer::undercuts() const {
+  Section section{"Undercuts", {}};
+  Table table{{{"", true},
+               {"A " + area_unit_},
+               {"B " + area_unit_},
+               {"A deep " + length_unit_},
+               {"B deep " + length_unit_},
+               {"centre " + length_unit_}},
+              {}};
+  ReportContext of_former = context_;
+  of_former.model = comparison_.a.model;
+  Illustrator former(of_former, comparison_.a.result), fresh(context_, comparison_.b.result);
+  std::size_t same = 0;
+  for (std::size_t k = 0; k < comparison_.undercuts.size(); ++k) {
+    const MatchedChange& one = comparison_.undercuts[k];
+    if (one.kind == ChangeKind::same) ++same;
+    if (one.kind == ChangeKind::same || table.rows.size() == k_most_rows) continue;
+    const UndercutReport* was = one.former ? &comparison_.a.plan->patches[*one.former] : nullptr;
+    const UndercutReport* now = one.fresh ? &comparison_.b.plan->patches[*one.fresh] : nullptr;
+    const auto size = [&](const UndercutReport* side, const char* name) {
+      return side != nullptr ? area(side->undercut.area, fmt::format("/undercuts/{}/{}/area", k, name))
+                             : Value{"–"};
+    };
+    const auto depth = [&](const UndercutReport* side, const char* name) {
+      if (side == nullptr || !std::isfinite(side->depth)) return Value{"–"};
+      return number(lengths_.text(side->depth), fmt::format("/undercuts/{}/{}/depth", k, name), side->depth);
+    };
+    Row row{{{std::string(change_name(one.kind))},
+             size(was, "a"),
+             size(now, "b"),
+             depth(was, "a"),
+             depth(now, "b"),
+             point((now != nullptr ? now : was)->undercut.centre)}};
+    if (table.rows.size() < k_most_pictures) {
+      row.picture = now != nullptr ? fresh.undercut(now->undercut) : former.undercut(was->undercut);
+      row.picture_text = fmt::format("Undercut of {}, {}", now != nullptr ? "B" : "A", change_name(one.kind));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  section.blocks.emplace_back(Text{fmt::format("{} of A, {} of B, {} of them the same.",
+                                               counted(comparison_.a.plan->patches.size(), "undercut"),
+                                               comparison_.b.plan->patches.size(), same)});
+  table.rest = rest_text(comparison_.undercuts.size() - same);
+  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+Section Describer::actions() const {
+  Section section{"Side actions", {}};
+  Table table{
+      {{"", true}, {"of A", true}, {"travel " + length_unit_}, {"of B", true}, {"travel " + length_unit_}},
+      {},
+      rest_text(comparison_.actions.size())};
+  for (std::size_t k = 0; k < std::min(comparison_.actions.size(), k_most_rows); ++k) {
+    const MatchedChange& one = comparison_.actions[k];
+    Row row{{{std::string(change_name(one.kind))}}};
+    const auto add = [&](const ActionPlan& plan, const std::optional<std::size_t>& place, const char* name) {
+      if (!place) {
+        row.cells.insert(row.cells.end(), {{"–"}, {}});
+        return;
+      }
+      const SideAction& action = plan.actions[*place];
+      row.cells.push_back({fmt::format("{} {}, {}", facts(action.kind).singular, *place + 1,
+                                       with_minus(short_direction_text(action.direction)))});
+      row.cells.push_back(
+          number(lengths_.text(action.travel), fmt::format("/actions/{}/{}/travel", k, name), action.travel));
+    };
+    add(*comparison_.a.plan, one.former, "a");
+    add(*comparison_.b.plan, one.fresh, "b");
+    table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) {
+    section.blocks.emplace_back(Text{"Neither part needs one."});
+  } else {
+    section.blocks.emplace_back(std::move(table));
+  }
+  return section;
+}
+
+Section Describer::parts() const {
+  Section section{"The parts", {}};
+  Table table{{{"", true}, {"A"}, {"B"}}, {}};
+  const PartModel &a = *comparison_.a.model, &b = *comparison_.b.model;
+  table.rows.push_back({{{"File"}, {part_name(a.part)}, {part_name(b.part)}}});
+  table.rows.push_back({{{"Parting direction"},
+                         {with_minus(short_direction_text(comparison_.a.result.direction))},
+                         {with_minus(short_direction_text(comparison_.b.result.direction))}}});
+  const auto box = [](const PartModel& model) {
+    return Value{figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal)};
+  };
+  table.rows.push_back({{{"Box " + length_unit_}, box(a), box(b)}});
+  const auto row = [&](std::string name, const std::string& key, double former, double fresh) {
+    table.rows.push_back({{{std::move(name)},
+                           number(figure(former), "/a/" + key, former),
+                           number(figure(fresh), "/b/" + key, fresh)}});
+  };
+  if (closed()) row("Volume " + volume_unit_, "volume", a.health.volume, b.health.volume);
+  row("Facets", "facets", static_cast<double>(a.health.facets), static_cast<double>(b.health.facets));
+  row("Bodies", "components", static_cast<double>(a.health.components),
+      static_cast<double>(b.health.components));
+  section.blocks.emplace_back(std::move(table));
+  for (const std::string& remark : comparison_.remarks)
+    section.blocks.emplace_back(Text{remark + ".", TextLook::notice});
+  for (const auto& [name, part] : {std::pair("A", &comparison_.a), std::pair("B", &comparison_.b)})
+    for (const std::string& warning : part->result.warnings)
+      section.blocks.emplace_back(Text{fmt::format("{}: {}", name, warning), TextLook::notice});
+  return section;
+}
+
+}  // namespace
+
+Report compare_report(const ReportContext& context, const Comparison& comparison,
+                      const CriteriaShown& asked) {
+  const Describer describer(context, comparison);
+  Report report = begin_report(context, "Comparison", comparison.a.result.direction);
+  report.part =
+      fmt::format("{} → {}", part_name(comparison.a.model->part), part_name(comparison.b.model->part));
+  report.sentence = comparison_verdict(comparison);
+  const std::vector<std::string> failed = met_criteria(asked.criteria, asked.figures);
+  report.tone = !failed.empty() ? Tone::bad : comparison.surface.any() ? Tone::attention : Tone::good;
+  for (const std::string& sentence : failed)
+    report.lead += (report.lead.empty() ? "Fails: " : "; ") + with_minus(sentence);
+  if (failed.empty() && !asked.criteria.empty()) report.lead = "No criterion fails.";
+  StillSettings still;
+  still.size = k_both_px;
+  still.legend = false;
+  still.backdrop = Backdrop::none;
+  still.look.palette = context.palette;
+  still.seen_from = lit_seen_from(comparison);
+  report.still = {comparison_picture(context.gl, comparison, still, context.progress),
+                  {},
+                  "A on the left with what is gone, B on the right with what is new",
+                  "A is on the left, B on the right. " + view_caption()};
+  report.view = comparison_view(context, comparison, *still.seen_from * glm::dvec3(0, 0, 1));
+  if (!asked.criteria.empty()) report.sections.push_back(describer.criteria(asked));
+  report.sections.push_back(describer.places());
+  report.sections.push_back(describer.regions());
+  if (comparison.a.plan && comparison.b.plan) {
+    report.sections.push_back(describer.undercuts());
+    report.sections.push_back(describer.actions());
+  }
+  report.sections.push_back(describer.parts());
+  report.sections.push_back(repeat_section(context, compare_json(comparison)["settings"]));
+  return report;
+}
+
+}  // namespace moldlight::report

@@ -1,0 +1,98 @@
+#include "report/describe/comparison_view.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "compare/compare_picture.hpp"
+#include "report/describe/parts.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+FigureColumn area_column(const Comparison& comparison) {
+  return FigureColumn(std::max(comparison.a.result.total_area, comparison.b.result.total_area));
+}
+
+/// Half of what the part takes along an axis, about the centre of the view.
+double half_extent(const PartModel& model, const glm::dvec3& centre, const glm::dvec3& axis) {
+  double most = 0.0;
+  const Bounds& box = model.health.bounds;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 point;
+    for (int k = 0; k < 3; ++k) point[k] = (corner >> k & 1) != 0 ? box.max[k] : box.min[k];
+    most = std::max(most, std::abs(glm::dot(point - centre, axis)));
+  }
+  return most;
+}
+
+void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& shift, ModelView& view) {
+  const FigureColumn areas = area_column(comparison);
+  double other = 0.0;
+  for (const ChangedRegion& region : comparison.surface.regions) other += region.area;
+  for (StillBody& body : lit_bodies(comparison, revision)) {
+    const auto group = static_cast<std::uint16_t>(view.groups.size());
+    // What is of another region is lit on both parts, and is one line of the legend.
+    const std::string name = body.label == "gone"  ? "Gone"
+                             : body.label == "new" ? "New"
+                                                   : "Of another region";
+    const auto before = std::ranges::find(view.groups, name, &ViewGroup::name);
+    const double lit = body.label == "gone"  ? comparison.surface.gone.area
+                       : body.label == "new" ? comparison.surface.fresh.area
+                                             : other;
+    ViewGroup added{.colour = body.colour, .stays_opaque = true, .shift = shift, .without_edges = true};
+    if (before == view.groups.end()) {
+      added.name = name;
+      added.aside = fmt::format("{} {}", areas.text(lit), powered_unit(comparison.a.model->part, 2));
+    } else {
+      added.shown_with = static_cast<std::size_t>(before - view.groups.begin());
+    }
+    view.groups.push_back(std::move(added));
+    std::vector<std::uint16_t> groups(body.mesh.facets.size(), group);
+    view.surfaces.push_back({std::move(body.mesh), std::move(groups)});
+  }
+}
+
+}  // namespace
+
+ModelView comparison_view(const ReportContext& context, const Comparison& comparison,
+                          const glm::dvec3& to_viewer) {
+  ModelView view = region_view(context, comparison.b.result, to_viewer);
+  ReportContext of_former = context;
+  of_former.model = comparison.a.model;
+  ModelView former = region_view(of_former, comparison.a.result, to_viewer);
+  const glm::dvec3 right = glm::normalize(glm::cross(view.direction, to_viewer));
+  constexpr double k_room = 1.08;  // between the parts
+  const glm::dvec3 aside = k_room * right *
+                           std::max(half_extent(*comparison.a.model, view.centre, right),
+                                    half_extent(*comparison.b.model, view.centre, right));
+  const FigureColumn areas = area_column(comparison);
+  view.opens = "Move the parts apart";
+  view.opened = 1.0;
+  for (const Region region : k_regions) {
+    ViewGroup& group = view.groups[static_cast<std::size_t>(region)];
+    group.aside =
+        fmt::format("{} → {} {}", areas.text(comparison.a.result.areas[region]),
+                    areas.text(comparison.b.result.areas[region]), powered_unit(comparison.a.model->part, 2));
+    group.shift = aside;
+  }
+  const std::size_t own = view.groups.size();
+  for (std::size_t k = 0; k < former.groups.size(); ++k) {
+    ViewGroup group = former.groups[k];
+    group.name.clear();
+    group.aside.clear();
+    group.shift = -aside;
+    group.shown_with = k;
+    view.groups.push_back(std::move(group));
+  }
+  for (std::uint16_t& group : former.surfaces.front().group_of_facet)
+    group = static_cast<std::uint16_t>(group + own);
+  view.surfaces.push_back(std::move(former.surfaces.front()));
+  add_lit(comparison, Revision::former, -aside, view);
+  add_lit(comparison, Revision::fresh, aside, view);
+  return view;
+}
+
+}  // namespace moldlight::report

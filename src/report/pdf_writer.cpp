@@ -1,0 +1,188 @@
+#include "report/pdf_writer.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "picture/pdf_pages.hpp"
+#include "report/pdf/blocks.hpp"
+#include "report/pdf/mark.hpp"
+#include "report/pdf/text.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+constexpr double k_margin_pt = 42.5, k_footer_pt = 22.0;  // 15 mm
+constexpr double k_still_pt = 270.0;
+constexpr std::array<glm::dvec2, 2> k_paper_pt = {glm::dvec2(595.276, 841.89), glm::dvec2(612.0, 792.0)};
+
+class Pieces {
+ public:
+  explicit Pieces(const Setting& setting) : setting_(&setting) {}
+
+  void add(Piece piece) { pieces_.push_back(std::move(piece)); }
+  void add(std::vector<Piece> pieces) {
+    for (Piece& piece : pieces) pieces_.push_back(std::move(piece));
+  }
+  void add_text(std::string_view text, const TextStyle& style, double gap, double inset = 0.0) {
+    add(line_pieces(lines_of(setting_->canvas, text, style, setting_->room.x - inset), style, gap));
+  }
+  Piece& last() { return pieces_.back(); }
+  [[nodiscard]] std::vector<Piece>& all() { return pieces_; }
+
+ private:
+  const Setting* setting_;
+  std::vector<Piece> pieces_;
+};
+
+Ink tone_ink(Tone tone) { return tone == Tone::good ? k_good : tone == Tone::bad ? k_bad : k_attention; }
+
+/// A sign beside the verdict that tells its tone without colour, too.
+void draw_tone(Canvas& canvas, Tone tone, const glm::dvec2& centre, double radius) {
+  const Ink ink = tone_ink(tone);
+  if (tone == Tone::good) canvas.disc(centre, radius, ink);
+  if (tone == Tone::attention)
+    canvas.fill_box({centre - radius, glm::dvec2(2.0 * radius)}, ink, 0.4 * radius);
+  if (tone != Tone::bad) return;
+  canvas.line(centre - 0.6 * radius, centre + 0.6 * radius, ink, radius);
+  canvas.line(centre + glm::dvec2(-0.6, 0.6) * radius, centre + glm::dvec2(0.6, -0.6) * radius, ink, radius);
+}
+
+void add_head(const Setting& setting, const Report& report, Pieces& pieces) {
+  pieces.add_text(report.kind, {.size_px = k_small_pt, .weight = FontWeight::medium, .ink = k_faint}, 0.0);
+  pieces.add_text(report.part, {.size_px = 19.0, .weight = FontWeight::semibold, .ink = k_ink}, 1.0);
+  if (!report.subject.empty()) pieces.add_text(report.subject, {.size_px = 12.0, .ink = k_faint}, 0.0);
+  const TextStyle verdict{.size_px = 12.0, .weight = FontWeight::medium, .ink = k_ink};
+  constexpr double k_inset_pt = 17.0;
+  std::vector<Piece> lines = line_pieces(
+      lines_of(setting.canvas, report.sentence, verdict, setting.room.x - k_inset_pt), verdict, 7.0);
+  for (Piece& piece : lines) {
+    piece.draw = [line = piece.draw, tone = report.tone, first = &piece == &lines.front()](
+                     Canvas& canvas, const glm::dvec2& corner) {
+      if (first) draw_tone(canvas, tone, corner + glm::dvec2(5.5, 8.2), 4.6);
+      line(canvas, corner + glm::dvec2(k_inset_pt, 0.0));
+    };
+  }
+  pieces.add(std::move(lines));
+  if (!report.lead.empty()) pieces.add_text(report.lead, {.size_px = k_body_pt, .ink = k_soft}, 3.0);
+}
+
+/// One line of the legend: marks with their names and what stands beside them.
+struct LegendItem {
+  Mark mark;
+  std::string name, aside;
+  double left = 0.0;
+};
+
+std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) {
+  constexpr double k_gap_pt = 14.0, k_mark_pt = 11.0, k_height_pt = 12.5;
+  const TextStyle name{.size_px = k_small_pt, .ink = k_ink}, aside{.size_px = k_small_pt, .ink = k_faint};
+  std::vector<std::vector<LegendItem>> rows(1);
+  double at = 0.0;
+  for (const ViewGroup& group : view.groups) {
+    if (group.name.empty() || group.hidden) continue;
+    LegendItem item{{group.colour, group.hatched}, {}, {}};
+    item.aside = setting.canvas.elided(one_line_text(group.aside), aside, 0.5 * setting.room.x);
+    const double beside = item.aside.empty() ? 0.0 : setting.canvas.text_width(item.aside, aside) + 4.0;
+    item.name = setting.canvas.elided(one_line_text(group.name), name, setting.room.x - k_mark_pt - beside);
+    const double width = k_mark_pt + setting.canvas.text_width(item.name, name) + beside;
+    if (at > 0.0 && at + width > setting.room.x) {
+      rows.emplace_back();
+      at = 0.0;
+    }
+    item.left = at;
+    at += width + k_gap_pt;
+    rows.back().push_back(std::move(item));
+  }
+  std::vector<Piece> pieces;
+  for (const std::vector<LegendItem>& row : rows) {
+    if (row.empty()) continue;
+    pieces.push_back(
+        {.height = k_height_pt, .draw = [row, name, aside](Canvas& canvas, const glm::dvec2& corner) {
+           for (const LegendItem& item : row) {
+             glm::dvec2 base = corner + glm::dvec2(item.left, k_baseline * k_small_pt);
+             draw_mark(canvas, item.mark, base - glm::dvec2(0.0, 6.4), 7.0);
+             base.x += k_mark_pt;
+             canvas.text(base, item.name, name);
+             base.x += canvas.text_width(item.name, name) + 4.0;
+             canvas.text(base, item.aside, aside);
+           }
+         }});
+  }
+  return pieces;
+}
+
+void add_view(const Setting& setting, const Report& report, Pieces& pieces) {
+  if (report.still.light.rgba.empty()) return;
+  // The caption tells how the view is used that paper does not have.
+  pieces.add(picture_piece(setting, report.still, report.still.text, k_still_pt));
+  if (!report.view) return;
+  std::vector<Piece> legend = legend_pieces(setting, *report.view);
+  if (legend.empty()) return;
+  pieces.last().with_next = true;
+  legend.front().gap = 3.0;
+  pieces.add(std::move(legend));
+}
+
+void add_section(const Setting& setting, const Section& section, Pieces& pieces) {
+  const TextStyle style{.size_px = 12.5, .weight = FontWeight::semibold, .ink = k_ink};
+  constexpr double k_above_pt = 9.0;
+  std::vector<Piece> heading =
+      line_pieces(lines_of(setting.canvas, section.title, style, setting.room.x), style, 14.0);
+  Piece& first = heading.front();
+  first.height += k_above_pt;
+  first.draw = [line = first.draw, width = setting.room.x](Canvas& canvas, const glm::dvec2& corner) {
+    canvas.line(corner, corner + glm::dvec2(width, 0.0), k_line, 0.6);
+    line(canvas, corner + glm::dvec2(0.0, k_above_pt));
+  };
+  first.outline = section.title;
+  for (Piece& piece : heading) piece.with_next = true;
+  pieces.add(std::move(heading));
+  for (const Block& block : section.blocks) pieces.add(block_pieces(setting, block));
+}
+
+std::vector<Piece> report_pieces(const Setting& setting, const Report& report) {
+  Pieces pieces(setting);
+  add_head(setting, report, pieces);
+  add_view(setting, report, pieces);
+  for (const Section& section : report.sections) add_section(setting, section, pieces);
+  return std::move(pieces.all());
+}
+
+void draw_footer(Canvas& canvas, const glm::dvec2& size, const Report& report, const std::string& number) {
+  const TextStyle style{.size_px = 7.5, .ink = k_faint},
+      right{.size_px = 7.5, .ink = k_faint, .align = Align::right};
+  const double base = size.y - k_margin_pt - 2.0, width = size.x - 2.0 * k_margin_pt;
+  const std::string name =
+      one_line_text(report.part + " · " + report.kind + (report.subject.empty() ? "" : " ") + report.subject);
+  const double room = width - canvas.text_width(number, right) - 12.0;
+  canvas.text({k_margin_pt, base}, canvas.elided(name, style, room), style);
+  canvas.text({size.x - k_margin_pt, base}, number, right);
+}
+
+}  // namespace
+
+std::string pdf_document(const Report& report, Paper paper) {
+  const glm::dvec2 size = k_paper_pt[static_cast<std::size_t>(paper)];
+  PdfPages document(size, report.part + " · " + report.kind);
+  const Setting setting{document.page(), size - 2.0 * k_margin_pt - glm::dvec2(0.0, k_footer_pt)};
+  const std::vector<Piece> pieces = report_pieces(setting, report);
+  const std::vector<PlacedPage> pages = paginated(pieces, setting.room.y);
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    if (k > 0) document.next_page();
+    for (const auto& [piece, top] : pages[k]) {
+      if (!piece->outline.empty()) document.outline(piece->outline, k_margin_pt + top);
+      piece->draw(document.page(), glm::dvec2(k_margin_pt, k_margin_pt + top));
+    }
+    draw_footer(document.page(), size, report, fmt::format("Page {} of {}", k + 1, pages.size()));
+  }
+  return document.finish();
+}
+
+void write_pdf(const std::string& path, const Report& report, Paper paper) {
+  write_file(path, pdf_document(report, paper));
+}
+
+}  // namespace moldlight::report
