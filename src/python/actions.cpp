@@ -1,0 +1,139 @@
+// Part.actions(): the side actions that release the undercuts of one direction.
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "actions/action_body.hpp"
+#include "actions/actions_files.hpp"
+#include "classify/headless.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/work.hpp"
+
+namespace moldlight::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// moldlight.Actions.
+struct PythonActions {
+  std::shared_ptr<const PartModel> model;
+  Classification result;
+  ActionSettings settings;
+  ActionPlan plan;
+  std::vector<ToBeFree> changes;
+
+  [[nodiscard]] ActionsReport report() const { return {*model, result, settings, plan, changes}; }
+  [[nodiscard]] Json json() const { return actions_json(report()); }
+};
+using SharedActions = std::shared_ptr<PythonActions>;
+
+SharedActions find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
+  const AskedDirection asked(direction);
+  Given given("actions", keywords);
+  Query query;
+  auto found = std::make_shared<PythonActions>();
+  given.take(action_options(), found->settings);
+  given.take(query.method);
+  const py::object progress_given = given.take("progress");
+  given.end();
+  validate(query.method, self.model->frame.diagonal);
+  watch(progress_given, [&](const Progress& progress) {
+    found->model = self.model;
+    query.direction = asked.find(self.model, query.method, progress);
+    found->result = classify_exact(*self.model, query, progress, true);
+    found->plan = find_actions(*self.model, found->result, found->settings, progress);
+    found->changes = find_changes(*self.model, found->result, found->settings, found->plan, progress);
+  });
+  return found;
+}
+
+py::list bodies(const PythonActions& self, const py::object& progress_given) {
+  std::vector<std::optional<TriangleMesh>> meshes;
+  watch(progress_given, [&](const Progress& progress) {
+    const std::size_t count = self.plan.actions.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      progress.report("making bodies", static_cast<double>(k) / static_cast<double>(count));
+      meshes.push_back(action_body(*self.model, self.result, self.plan, k));
+    }
+  });
+  py::list list;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    if (!meshes[k]) continue;
+    const py::tuple mesh = mesh_arrays(*meshes[k]);
+    py::dict entry;
+    entry["name"] = action_name(self.plan, k);
+    entry["action"] = k;
+    entry["vertices"] = mesh[0];
+    entry["faces"] = mesh[1];
+    list.append(entry);
+  }
+  return list;
+}
+
+py::array picture(const PythonActions& self, const py::kwargs& keywords) {
+  py::object progress_given;
+  const StillSettings still = picture_settings(keywords, progress_given);
+  return image_array(watched(progress_given, [&](const Progress& progress) {
+    const auto context = create_context(self.result.settings.backend);
+    const auto pulled = pulled_bodies(self.report());
+    return StillPainter(*context, self.model).draw(self.result, still, progress, pulled);
+  }));
+}
+
+auto member(const char* key) {
+  return [key](const PythonActions& self) { return to_python(self.json()[key]); };
+}
+
+constexpr std::string_view k_actions_text =
+    "The slides, lifters and other side actions that release the undercuts. Returns an Actions.\n\n"
+    "direction, progress: as for classify().";
+
+}  // namespace
+
+void add_actions(py::module_& module, PartClass& part) {
+  py::class_<PythonActions, SharedActions> found(
+      module, "Actions", "What part.actions() finds. Lengths and areas are in the part's unit.");
+  found
+      .def_property_readonly(
+          "actions", member("actions"),
+          "A dict each, the largest area first: kind, direction, travel, the undercuts that "
+          "it releases, and the rest of the report.")
+      .def_property_readonly(
+          "undercuts", member("patches"),
+          "A dict each, the largest first: area, depth, where it is, and what to change to do "
+          "without an action.")
+      .def_property_readonly("unreleased", member("unreleased"), "What nothing releases.")
+      .def_property_readonly(
+          "direction", [](const PythonActions& self) { return to_python(self.result.direction); },
+          "Of length one.")
+      .def_property_readonly(
+          "optimal", [](const PythonActions& self) { return self.plan.optimal; },
+          "No cheaper set of the actions that were tried releases as much.")
+      .def_property_readonly("warnings",
+                             [](const PythonActions& self) { return to_python(Json(self.result.warnings)); })
+      .def("bodies", &bodies, py::arg("progress") = py::none(),
+           "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
+           "closed: "
+           "a dict each with name, action\n(its place in actions), vertices and faces. Some actions have "
+           "none.")
+      .def("picture", &picture,
+           picture_doc("Draws the part with the bodies of its actions, pulled out: height x width x 4 uint8. "
+                       "Needs\nOpenGL, no display."))
+      .def("__repr__", [](const PythonActions& self) {
+        return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan)));
+      });
+  add_report(found, "The report", "actions", [](const PythonActions& self) { return self.json(); });
+  part.def("actions", &find, py::arg("direction"),
+           call_doc({.name = "actions",
+                     .arguments = "self, direction",
+                     .more = "progress=None",
+                     .text = k_actions_text,
+                     .settings = "actions"}));
+}
+
+}  // namespace moldlight::python

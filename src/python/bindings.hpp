@@ -1,0 +1,67 @@
+// The classes of the Python module, one file each, and what they share.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <pybind11/pybind11.h>
+
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
+#include "classify/still_picture.hpp"
+#include "python/keywords.hpp"
+#include "python/values.hpp"
+
+namespace moldlight::python {
+
+/// moldlight.Part.
+struct PythonPart {
+  std::shared_ptr<const PartModel> model;
+};
+using PartClass = pybind11::class_<PythonPart>;
+
+/// Part with how it is made and what it is; the others add its methods that ask for work, and the classes of
+/// what these return.
+PartClass add_part(pybind11::module_& module);
+void add_classify(pybind11::module_& module, PartClass& part);
+void add_sweep(pybind11::module_& module, PartClass& part);
+void add_actions(pybind11::module_& module, PartClass& part);
+void add_mold(pybind11::module_& module, PartClass& part);
+
+/// The report's text as the program writes it.
+[[nodiscard]] pybind11::str report_text(const nlohmann::ordered_json& json);
+
+/// to_json() and to_dict(): `what` the command writes with --json, which `json` makes of an object.
+template <typename Bound, typename Json>
+void add_report(Bound& bound, const std::string& what, const std::string& command, const Json& json) {
+  using Type = typename Bound::type;
+  bound.def(
+      "to_json", [json](const Type& self) { return report_text(json(self)); },
+      fmt::format("to_json(self)\n--\n\n{}, as `moldlight {} --json` writes it.", what, command).c_str());
+  bound.def(
+      "to_dict", [json](const Type& self) { return to_python(json(self)); },
+      fmt::format("to_dict(self)\n--\n\n{} as a dict.", what).c_str());
+}
+
+/// A direction, or that it is to be found. Throws UsageError.
+struct AskedDirection {
+  explicit AskedDirection(const pybind11::handle& given);
+  /// The direction; for the best one of all, runs a sweep.
+  [[nodiscard]] Direction find(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
+                               const Progress& progress) const;
+  bool best = false;
+  Direction given;
+};
+
+/// What a call for a picture asks for: size and settings.
+[[nodiscard]] StillSettings picture_settings(const pybind11::kwargs& keywords, pybind11::object& progress);
+/// The first lines of such a call's docstring.
+[[nodiscard]] const char* picture_doc(std::string_view text);
+
+/// {"core": …, "cavity": …, "both": …, "undercut": …}.
+[[nodiscard]] pybind11::dict region_dict(const RegionValues& values);
+
+}  // namespace moldlight::python

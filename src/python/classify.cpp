@@ -1,0 +1,302 @@
+// Part.classify(): the regions of one direction, their areas, the split mesh, pictures.
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "base/error.hpp"
+#include "classify/classifier.hpp"
+#include "classify/classify_report.hpp"
+#include "classify/figures.hpp"
+#include "classify/headless.hpp"
+#include "parting/draft/draft_report.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/work.hpp"
+
+namespace moldlight::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// moldlight.Classification. What is shown of it does not change; the split mesh is made at the first use.
+class PythonClassification {
+ public:
+  PythonClassification(std::shared_ptr<const PartModel> model, Classification result,
+                       std::optional<DraftCheck> draft)
+      : model_(std::move(model)), result_(std::move(result)), draft_(std::move(draft)) {}
+
+  [[nodiscard]] const PartModel& model() const { return *model_; }
+  [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return model_; }
+  [[nodiscard]] const Classification& result() const { return result_; }
+
+  [[nodiscard]] Json json() const {
+    Json json = classify_json(*model_, result_);
+    if (draft_) json["draft"] = draft_json(*model_, *draft_);
+    return json;
+  }
+  /// The result with its split mesh, from any thread.
+  [[nodiscard]] Classification with_split(const Progress& progress) const {
+    Classification whole = result_;
+    const std::lock_guard lock(mutex_);
+    if (!split_) split_ = result_.split;
+    if (!split_) split_ = classify_exact(*model_, result_.query(), progress, true).split;
+    whole.split = split_;
+    return whole;
+  }
+
+ private:
+  std::shared_ptr<const PartModel> model_;
+  Classification result_;
+  std::optional<DraftCheck> draft_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const SplitMesh> split_;
+};
+using SharedClassification = std::shared_ptr<PythonClassification>;
+
+/// moldlight.Border.
+struct Border {
+  std::string left, right;
+  py::array vertices, points;
+  bool closed = false;
+};
+
+/// moldlight.SplitMesh.
+struct PythonSplit {
+  std::shared_ptr<const SplitMesh> mesh;
+  py::array vertices;
+  py::list borders;
+};
+
+SharedClassification classify(const PythonPart& self, const py::object& direction,
+                              const py::kwargs& keywords) {
+  const AskedDirection asked(direction);
+  Given given("classify", keywords);
+  Query query;
+  DraftSettings draft_settings;
+  given.take(query.method);
+  given.take(draft_options(), draft_settings);
+  const bool compares = given.take_switch("compare_maps"), splits = given.take_switch("split");
+  const py::object progress_given = given.take("progress");
+  given.end();
+  validate(query.method, self.model->frame.diagonal);
+  return watched(progress_given, [&](const Progress& progress) {
+    query.direction = asked.find(self.model, query.method, progress);
+    const bool looks_at_maps = query.method.readout != Readout::exact || compares;
+    const bool with_split = splits || compares || draft_settings.required_deg > 0.0;
+    Classification result;
+    if (looks_at_maps) {
+      const auto context = create_context(query.method.backend);
+      Classifier classifier(*context, self.model);
+      result = classifier.classify(query, progress, with_split);
+      if (compares) classifier.compare_maps(result, progress);
+    } else {
+      result = classify_exact(*self.model, query, progress, with_split);
+    }
+    std::optional<DraftCheck> draft;
+    if (draft_settings.required_deg > 0.0)
+      draft = check_draft(*self.model, assign_sides(*self.model, result.query(), {}, progress),
+                          result.reverse_draft, draft_settings.required_deg);
+    return std::make_shared<PythonClassification>(self.model, std::move(result), std::move(draft));
+  });
+}
+
+/// m x 4: shares, or shares of the facets' areas.
+py::array facet_areas(const PythonClassification& self) {
+  const FacetFractions& fractions = self.result().facet_fractions;
+  py::array_t<double> areas({static_cast<py::ssize_t>(fractions.size()), py::ssize_t{k_region_count}});
+  double* area = areas.mutable_data();
+  for (std::size_t facet = 0; facet < fractions.size(); ++facet)
+    for (const double fraction : fractions[facet]) *area++ = fraction * self.model().geometry.areas[facet];
+  return areas;
+}
+
+py::object face_table(const PythonClassification& self) {
+  const std::vector<SourceAreas> faces = face_areas(self.model(), self.result());
+  if (faces.empty()) return py::none();
+  py::array_t<std::uint32_t> numbers(static_cast<py::ssize_t>(faces.size()));
+  py::array_t<double> areas({static_cast<py::ssize_t>(faces.size()), py::ssize_t{k_region_count}});
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    numbers.mutable_data()[i] = faces[i].source;
+    for (const Region region : k_regions)
+      *areas.mutable_data(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(region)) =
+          faces[i].areas[region];
+  }
+  return py::make_tuple(numbers, areas);
+}
+
+Border border_of(const SplitMesh& mesh, const RegionBorder& line) {
+  std::vector<glm::dvec3> points;
+  for (const VertexIndex vertex : line.vertices) points.push_back(mesh.vertices[vertex]);
+  return {.left = std::string(region_name(line.left)),
+          .right = std::string(region_name(line.right)),
+          .vertices =
+              py::array_t<VertexIndex>(static_cast<py::ssize_t>(line.vertices.size()), line.vertices.data()),
+          .points = copy_of(points),
+          .closed = line.closed()};
+}
+
+std::shared_ptr<PythonSplit> split_mesh(const PythonClassification& self, const py::object& progress_given) {
+  std::vector<RegionBorder> borders;
+  auto split = std::make_shared<PythonSplit>();
+  watch(progress_given, [&](const Progress& progress) {
+    split->mesh = self.with_split(progress).split;
+    borders = region_borders(*split->mesh);
+  });
+  for (const RegionBorder& border : borders) split->borders.append(border_of(*split->mesh, border));
+  return split;
+}
+
+py::array picture(const PythonClassification& self, const py::kwargs& keywords) {
+  py::object progress_given;
+  const StillSettings still = picture_settings(keywords, progress_given);
+  return image_array(watched(progress_given, [&](const Progress& progress) {
+    const Classification whole = self.with_split(progress);
+    const auto context = create_context(whole.settings.backend);
+    return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
+  }));
+}
+
+/// A member of the report as a dict.
+auto member(const char* key) {
+  return [key](const PythonClassification& self) { return to_python(self.json()[key]); };
+}
+
+/// An array over the pieces, whose numbers lie in the pieces themselves.
+template <typename T>
+py::array piece_view(const py::object& self, const T& (*first)(const SplitPiece&), std::size_t columns) {
+  const std::vector<SplitPiece>& pieces = self.cast<const PythonSplit&>().mesh->pieces;
+  return view(Rows<T>{.data = pieces.empty() ? nullptr : &first(pieces.front()),
+                      .rows = pieces.size(),
+                      .columns = columns,
+                      .stride = sizeof(SplitPiece)},
+              self);
+}
+
+const VertexIndex& first_corner(const SplitPiece& piece) { return piece.corners.front(); }
+const FacetIndex& source_facet(const SplitPiece& piece) { return piece.facet; }
+const std::uint8_t& region_code(const SplitPiece& piece) {
+  return reinterpret_cast<const std::uint8_t&>(piece.region);
+}
+
+void add_split(py::module_& module) {
+  py::class_<Border>(module, "Border", "A line between two regions of a split mesh.")
+      .def_readonly("left", &Border::left, "The region left of the walk, seen from outside.")
+      .def_readonly("right", &Border::right)
+      .def_readonly("vertices", &Border::vertices,
+                    "k uint32: vertices of the split mesh; the last is the first if closed.")
+      .def_readonly("points", &Border::points, "k x 3 float64: where they are.")
+      .def_readonly("closed", &Border::closed)
+      .def("__repr__", [](const Border& border) {
+        return fmt::format("<moldlight.Border of {} and {}: {} points>", border.left, border.right,
+                           border.vertices.size());
+      });
+  py::class_<PythonSplit, std::shared_ptr<PythonSplit>>(
+      module, "SplitMesh",
+      "The part's mesh, split at the borders of its regions. Neighbours share whole edges, so it is closed "
+      "if "
+      "the part is. The part's own vertices come first.")
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& self) { return view(self.cast<const PythonSplit&>().mesh->vertices, self); },
+          "n x 3 float64, read only.")
+      .def_property_readonly(
+          "faces", [](const py::object& self) { return piece_view<VertexIndex>(self, first_corner, 3); },
+          "p x 3 uint32, read only, in the order of the part's facets.")
+      .def_property_readonly(
+          "facets", [](const py::object& self) { return piece_view<FacetIndex>(self, source_facet, 1); },
+          "p uint32, read only: the part's facet that each comes from.")
+      .def_property_readonly(
+          "regions", [](const py::object& self) { return piece_view<std::uint8_t>(self, region_code, 1); },
+          "p uint8, read only: places in moldlight.REGIONS.")
+      .def_readonly("borders", &PythonSplit::borders, "The lines between regions, a Border each.")
+      .def("__repr__", [](const PythonSplit& split) {
+        return fmt::format("<moldlight.SplitMesh: {} facets, {} borders>", split.mesh->pieces.size(),
+                           split.borders.size());
+      });
+}
+
+void add_figures(py::class_<PythonClassification, SharedClassification>& result) {
+  using C = PythonClassification;
+  result
+      .def_property_readonly(
+          "areas", [](const C& self) { return region_dict(self.result().areas); },
+          "The area of each region, in the part's unit squared.")
+      .def_property_readonly("fractions", member("fractions"), "Shares of each region in the surface.")
+      .def_property_readonly("total_area", [](const C& self) { return self.result().total_area; })
+      .def_property_readonly("near_vertical_area",
+                             [](const C& self) { return self.result().near_vertical_area; })
+      .def_property_readonly(
+          "undercut_uncertainty", [](const C& self) { return self.result().uncertainty.total(); },
+          "How far the undercut's area may be off.")
+      .def_property_readonly("uncertainty_parts", member("uncertainty_parts"),
+                             "Of what that is made: rounding, mesh, readout.")
+      .def_property_readonly("identity", member("identity"),
+                             "The part's shadow found in two ways, and whether they agree.")
+      .def_property_readonly("projected_area", [](const C& self) { return self.result().shadow_area; })
+      .def_property_readonly("projected_undercut",
+                             [](const C& self) { return self.result().projected_undercut; })
+      .def_property_readonly("lateral_tolerance",
+                             [](const C& self) { return self.result().lateral_tolerance; })
+      .def_property_readonly(
+          "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
+      .def_property_readonly("settings", member("settings"), "Every setting with its value.")
+      .def_property_readonly(
+          "warnings", [](const C& self) { return to_python(Json(self.result().warnings)); },
+          "What puts figures in doubt, a sentence each.")
+      .def_property_readonly(
+          "facet_fractions",
+          [](const py::object& self) { return view(self.cast<const C&>().result().facet_fractions, self); },
+          "m x 4 float64, read only: the share of each region (moldlight.REGIONS) in a facet's area; 0 for a "
+          "facet without area.")
+      .def_property_readonly("facet_areas", facet_areas, "m x 4 float64: the area of each region in a facet.")
+      .def_property_readonly("face_areas", face_table,
+                             "(numbers, areas): of each CAD face or polygon of the file its number and the "
+                             "area of each region, f and f x 4; None where each facet is its own.");
+}
+
+constexpr std::string_view k_classify_text =
+    "The regions of the part for a mold that opens along a direction.\n\n"
+    "direction: three numbers of any length, an axis such as 'z' or '-y', or 'best', what a sweep finds.\n"
+    "split: make the split mesh at once, in place of when it is first asked for.\n"
+    "compare_maps: measure how far the shadow maps are from exact regions; needs OpenGL.\n"
+    "progress: as for Part(). Returns a Classification.";
+
+}  // namespace
+
+void add_classify(py::module_& module, PartClass& part) {
+  add_split(module);
+  py::class_<PythonClassification, SharedClassification> result(
+      module, "Classification",
+      "What part.classify() finds. Lengths and areas are in the part's unit; regions are in the order of "
+      "moldlight.REGIONS.");
+  add_figures(result);
+  result
+      .def("split_mesh", &split_mesh, py::arg("progress") = py::none(),
+           "split_mesh(self, progress=None)\n--\n\nThe part's mesh, split at the borders of the exact "
+           "regions: "
+           "a SplitMesh.")
+      .def("picture", &picture,
+           picture_doc("Draws the part in the colours of its regions: height x width x 4 uint8, red, green, "
+                       "blue,\nalpha, rows from above. Needs OpenGL, no display."))
+      .def("__repr__", [](const PythonClassification& self) {
+        const Classification& found = self.result();
+        return py::str(fmt::format("<moldlight.Classification along {}: undercut {} of {}>",
+                                   figures(found.direction, 1.0), figure(found.areas[Region::undercut]),
+                                   figure(found.total_area)));
+      });
+  add_report(result, "The report", "classify", [](const PythonClassification& self) { return self.json(); });
+  part.def("classify", &classify, py::arg("direction"),
+           call_doc({.name = "classify",
+                     .arguments = "self, direction",
+                     .more = "split=False, compare_maps=False, progress=None",
+                     .text = k_classify_text,
+                     .settings = "classify"}));
+}
+
+}  // namespace moldlight::python

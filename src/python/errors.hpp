@@ -1,0 +1,19 @@
+// The program's failures as Python's exceptions.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <pybind11/pybind11.h>
+
+namespace moldlight::python {
+
+/// Makes moldlight.Error with its subclasses, and every failure of the program one of them, with the
+/// program's text, in which keywords stand for the flags of the command line. Memory that is not there is a
+/// MemoryError.
+void add_errors(pybind11::module_& module);
+
+/// A text of the program with the keyword for every flag that is a setting's.
+[[nodiscard]] std::string with_keywords(std::string_view text);
+
+}  // namespace moldlight::python

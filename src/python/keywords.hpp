@@ -1,0 +1,107 @@
+// The settings as keyword arguments: made from the option tables, with their help, ranges and defaults.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <pybind11/pybind11.h>
+
+#include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
+#include "classify/settings.hpp"
+#include "python/values.hpp"
+
+namespace moldlight::python {
+
+/// A setting as it is told of: in docstrings, in the stubs, to programs that make a control of it.
+struct Keyword {
+  std::string_view key, label, unit;
+  std::string help;
+  std::string type;                 // as an annotation, without None
+  nlohmann::ordered_json standard;  // null: unset
+  std::vector<std::string> words;   // that it may be; empty: anything of its type
+  std::optional<double> least, greatest;
+};
+
+/// Reads the settings of a call from its keyword arguments.
+class Given {
+ public:
+  /// `call` names the call in messages.
+  Given(std::string_view call, const pybind11::kwargs& keywords) : call_(call), keywords_(keywords) {}
+
+  /// Sets every option that is given; None leaves the default. Throws UsageError as the option does.
+  template <typename S>
+  void take(std::span<const Option<S>> options, S& settings) {
+    for (const Option<S>& option : options) take(option, settings);
+  }
+  template <typename S>
+  void take(const Option<S>& option, S& settings) {
+    const pybind11::object value = take(option.key);
+    if (value.is_none()) return;
+    set_option(option, settings, value);
+  }
+  /// The options of the method; kernel width and lateral tolerance replace each other.
+  void take(MethodSettings& method);
+  /// The argument of this name, once; None where it is not given.
+  [[nodiscard]] pybind11::object take(std::string_view key);
+  [[nodiscard]] bool take_switch(std::string_view key);
+  /// Throws a TypeError for an argument that nothing took.
+  void end() const;
+
+ private:
+  template <typename S>
+  static void set_option(const Option<S>& option, S& settings, const pybind11::object& value) {
+    std::string text;
+    const std::string_view key = option.key;
+    if (std::holds_alternative<DirectionsKind<S>>(option.kind)) {
+      text = directions_text(value, key);
+    } else if (std::holds_alternative<SetKind<S>>(option.kind)) {
+      text = words_text(value, key);
+    } else {
+      text = value_text(value, key);
+      const auto* words = std::get_if<TextKind<S>>(&option.kind);
+      if (words != nullptr && !words->bare.empty() && text == "on") text = words->bare;
+      if (text.empty()) throw UsageError(fmt::format("{}: the value is empty", key));
+    }
+    std::visit([&](const auto& kind) { kind.parse(settings, {text, key}); }, option.kind);
+  }
+
+  std::string call_;
+  const pybind11::kwargs& keywords_;
+  std::vector<std::string> taken_;
+};
+
+/// The options that a part of arrays has, out of reading_options().
+[[nodiscard]] std::span<const Option<ReadOptions>> array_options();
+/// What a picture takes of look_options().
+[[nodiscard]] std::span<const std::string_view> picture_looks();
+
+/// The settings of a call, "Part", "read", "classify", "sweep", "actions", "mold", "picture", in order.
+/// Throws UsageError for another name.
+[[nodiscard]] const std::vector<Keyword>& keywords_of(std::string_view call);
+
+/// The keyword that stands for a flag of the command line; empty where none does.
+[[nodiscard]] std::string_view keyword_of_flag(std::string_view flag);
+
+/// A docstring that begins with the signature as Python reads it from there: `name(arguments, *, keywords)`;
+/// `more` are keyword arguments that are no settings, with their defaults; `text` comes before the settings'
+/// own help. It lives as long as the program.
+struct CallText {
+  std::string_view name, arguments, more, text;
+  std::string_view settings = {};  // as keywords_of() calls them; empty: none
+};
+[[nodiscard]] const char* call_doc(const CallText& call);
+
+/// Of moldlight.settings(): a list with a dict a setting.
+[[nodiscard]] pybind11::list settings_list(std::string_view call);
+
+}  // namespace moldlight::python

@@ -1,0 +1,228 @@
+// Part.mold(): the parting line of one direction, and the two halves.
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "classify/headless.hpp"
+#include "parting/line_files.hpp"
+#include "parting/mold_picture.hpp"
+#include "parting/mold_report.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/errors.hpp"
+#include "python/work.hpp"
+
+namespace moldlight::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// moldlight.Mold.
+struct PythonMold {
+  std::shared_ptr<const PartModel> model;
+  Query query;
+  MoldSettings settings;
+  Assignment assignment;
+  PartingLine line;
+  MoldHalves halves;
+  WrittenMold written;
+  std::optional<ActionPlan> plan;
+  std::vector<InsertActions> by_action;
+
+  [[nodiscard]] MoldReport report() const {
+    return {*model, query, settings, assignment, line, halves, written, plan ? &*plan : nullptr, by_action};
+  }
+  [[nodiscard]] Json json() const { return mold_json(report()); }
+  /// Why there are no halves to write; empty where there are.
+  [[nodiscard]] std::string refusal() const {
+    const std::string loop = halves.refused_at ? loop_near(line, *halves.refused_at) : std::string();
+    if (!written.refusal.empty()) return refusal_text(*model, halves, written, loop);
+    const std::string unfilled = unfilled_text(*model, settings, halves);
+    return unfilled.empty() ? "" : unfilled + "; fill_undercut leaves them to inserts";
+  }
+};
+using SharedMold = std::shared_ptr<PythonMold>;
+
+void make_mold(PythonMold& mold, bool with_actions, const Progress& progress) {
+  const PartModel& model = *mold.model;
+  mold.assignment = assign_sides(model, mold.query, mold.settings, progress);
+  mold.line = parting_line(mold.assignment);
+  mold.halves = make_halves(model, mold.assignment.direction, {mold.assignment.height, &mold.line},
+                            mold.settings, progress);
+  mold.written = written_mold(mold.halves);
+  if (!with_actions || mold.halves.inserts.empty()) return;
+  const Classification result = classify_exact(model, mold.query, progress, true);
+  mold.plan = find_actions(model, result, {}, progress);
+  mold.by_action = actions_of_inserts(mold.halves, *result.split, *mold.plan);
+}
+
+SharedMold find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
+  const AskedDirection asked(direction);
+  Given given("mold", keywords);
+  auto mold = std::make_shared<PythonMold>();
+  given.take(mold_options(), mold->settings);
+  given.take(mold->query.method);
+  const bool with_actions = given.take_switch("actions");
+  const py::object progress_given = given.take("progress");
+  given.end();
+  mold->model = self.model;
+  validate(mold->query.method, self.model->frame.diagonal);
+  watch(progress_given, [&](const Progress& progress) {
+    mold->query.direction = asked.find(self.model, mold->query.method, progress);
+    make_mold(*mold, with_actions, progress);
+  });
+  return mold;
+}
+
+py::list loops(const PythonMold& self) {
+  py::list list;
+  for (const PartingLoop& loop : self.line.loops) {
+    py::dict entry;
+    entry["kind"] = std::string(loop_name(loop.kind));
+    entry["points"] = copy_of(loop.points);
+    entry["length"] = loop.length;
+    list.append(entry);
+  }
+  return list;
+}
+
+py::list bodies(const PythonMold& self) {
+  py::list list;
+  for (const WrittenBody& body : self.written.bodies) {
+    const py::tuple mesh = mesh_arrays(body.mesh);
+    py::dict entry;
+    entry["name"] = body.name;
+    entry["vertices"] = mesh[0];
+    entry["faces"] = mesh[1];
+    entry["volume"] = body.volume;
+    entry["closed"] = body.closed;
+    list.append(entry);
+  }
+  return list;
+}
+
+py::list write(const PythonMold& self, const py::object& folder_given, bool as_3mf) {
+  const std::string folder = path_of(folder_given, "folder");
+  if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
+  WrittenMold written = self.written;
+  watch(py::none(), [&](const Progress&) { write_mold(folder, as_3mf, self.model->part.unit, written); });
+  py::list files;
+  for (const WrittenBody& body : written.bodies)
+    if (!body.file.empty()) files.append(to_python(Json(body.file)));
+  return files;
+}
+
+void write_line(const PythonMold& self, const py::object& path_given) {
+  const std::string path = path_of(path_given, "path");
+  check_line_extension(path);
+  watch(py::none(),
+        [&](const Progress&) { write_lines(path, lines_to_write(*self.model, self.assignment, self.line)); });
+}
+
+py::array picture(const PythonMold& self, const py::kwargs& keywords) {
+  py::object progress_given;
+  const StillSettings still = picture_settings(keywords, progress_given);
+  return image_array(watched(progress_given, [&](const Progress& progress) {
+    const auto context = create_context(self.query.method.backend);
+    return mold_picture(*context, {*self.model, self.assignment, self.line, self.halves}, still, progress);
+  }));
+}
+
+auto member(const char* key) {
+  return [key](const PythonMold& self) { return to_python(self.json()[key]); };
+}
+
+/// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
+py::array frame_of(const PythonMold& self) {
+  const MoldHalves& halves = self.halves;
+  const bool as_part = self.written.part_frame;
+  const glm::dvec3 zero(0.0), origin = as_part ? zero : halves.scale * halves.centre;
+  py::array_t<double> frame({py::ssize_t{4}, py::ssize_t{4}});
+  for (int column = 0; column < 4; ++column) {
+    glm::dvec3 axis(0.0);
+    if (column < 3) axis[column] = 1.0;
+    const glm::dvec3 numbers = column == 3 ? origin : as_part ? axis : halves.frame.to_part(axis);
+    for (int row = 0; row < 3; ++row) *frame.mutable_data(row, column) = numbers[row];
+    *frame.mutable_data(3, column) = column == 3 ? 1.0 : 0.0;
+  }
+  return frame;
+}
+
+py::object area_of(const PythonMold& self) {
+  py::dict areas;
+  for (const MoldSide side : k_mold_sides)
+    areas[py::str(std::string(side_name(side)))] = self.assignment.area(side);
+  return areas;
+}
+
+void add_line(py::class_<PythonMold, SharedMold>& mold) {
+  mold.def_property_readonly("verdict", member("verdict"), "The parting line in a sentence.")
+      .def_property_readonly("areas", area_of,
+                             "What core, cavity and side actions form, in the part's unit squared.")
+      .def_property_readonly("loops", loops,
+                             "The loops of the parting line: a dict each with kind ('outer', 'shut-off', "
+                             "'action'), points (k x 3, closed, the first is not repeated) and length.")
+      .def_property_readonly(
+          "direction", [](const PythonMold& self) { return to_python(self.assignment.direction); },
+          "Of length one.")
+      .def_property_readonly(
+          "warnings", [](const PythonMold& self) { return to_python(self.json()["part"]["warnings"]); },
+          "What puts figures in doubt, a sentence each.")
+      .def("write_line", &write_line, py::arg("path"),
+           "write_line(self, path)\n--\n\nWrites the parting line, by the ending of the file's name: .dxf, "
+           ".step, .svg, .obj or .csv.");
+}
+
+constexpr std::string_view k_mold_text =
+    "The parting line of a direction and the two halves of a mold. Returns a Mold.\n\n"
+    "direction, progress: as for classify().\n"
+    "actions: find the side actions, too, and which inserts go with them.";
+
+}  // namespace
+
+void add_mold(py::module_& module, PartClass& part) {
+  py::class_<PythonMold, SharedMold> mold(
+      module, "Mold", "What part.mold() finds. Lengths, areas and volumes are in the part's unit.");
+  add_line(mold);
+  mold.def_property_readonly(
+          "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
+          "Why there are no halves to write; empty where there are.")
+      .def_property_readonly(
+          "bodies", bodies,
+          "Core, cavity and inserts, as they are written: a dict each with name, vertices, "
+          "faces, volume and closed. Empty where there are none.")
+      .def_property_readonly(
+          "in_part_frame", [](const PythonMold& self) { return self.written.part_frame; },
+          "The bodies are in the part's own coordinates; else the direction is upward, about the part's "
+          "centre.")
+      .def_property_readonly(
+          "frame", frame_of,
+          "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is where it is enlarged "
+          "from for shrinkage.")
+      .def("write", &write, py::arg("folder"), py::arg("as_3mf") = false,
+           "write(self, folder, as_3mf=False)\n--\n\nWrites the bodies to a folder, an STL each, and all of "
+           "them "
+           "to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
+      .def(
+          "picture", &picture,
+          picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
+                      "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
+      .def("__repr__", [](const PythonMold& self) {
+        return py::str(fmt::format("<moldlight.Mold: {}>",
+                                   parting_verdict(self.assignment, self.line, self.model->frame.diagonal)));
+      });
+  add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
+  part.def("mold", &find, py::arg("direction"),
+           call_doc({.name = "mold",
+                     .arguments = "self, direction",
+                     .more = "actions=False, progress=None",
+                     .text = k_mold_text,
+                     .settings = "mold"}));
+}
+
+}  // namespace moldlight::python

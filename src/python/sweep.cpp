@@ -1,0 +1,151 @@
+// Part.sweep(): the best directions, their figures, what is proved.
+#include "sweep/sweep.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "classify/figures.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/work.hpp"
+#include "sweep/direction_figures.hpp"
+#include "sweep/sweep_pictures.hpp"
+#include "sweep/sweep_report.hpp"
+
+namespace moldlight::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// moldlight.Sweep.
+struct PythonSweep {
+  std::shared_ptr<const PartModel> model;
+  SweepResult result;
+
+  [[nodiscard]] Json json() const { return sweep_json(*model, result); }
+};
+using SharedSweep = std::shared_ptr<PythonSweep>;
+
+SweepSettings sweep_settings(Given& given) {
+  SweepSettings settings;
+  given.take(sweep_options(), settings);
+  const ActionSettings usual = settings.action_settings;
+  given.take(action_options(), settings.action_settings);
+  given.take(settings.method);
+  if (settings.kinds.empty() && settings.user_directions.empty())
+    throw UsageError("candidates: none; give user_directions");
+  if (!(settings.action_settings == usual) && !seeks_actions(settings))
+    throw UsageError("settings of side actions: give actions=True, too, or an objective of side actions");
+  return settings;
+}
+
+SharedSweep sweep(const PythonPart& self, const py::kwargs& keywords) {
+  Given given("sweep", keywords);
+  const SweepSettings settings = sweep_settings(given);
+  const py::object progress_given = given.take("progress");
+  given.end();
+  validate(settings.method, self.model->frame.diagonal);
+  return watched(progress_given, [&](const Progress& progress) {
+    return std::make_shared<PythonSweep>(
+        PythonSweep{self.model, run_sweep(self.model, settings, progress, {})});
+  });
+}
+
+/// A row a direction that was scored.
+py::array scored(const PythonSweep& self, double EvaluatedDirection::*member) {
+  py::array_t<double> numbers(static_cast<py::ssize_t>(self.result.evaluated.size()));
+  double* number = numbers.mutable_data();
+  for (const EvaluatedDirection& direction : self.result.evaluated) *number++ = direction.*member;
+  return numbers;
+}
+
+py::array scored_directions(const PythonSweep& self) {
+  std::vector<glm::dvec3> directions;
+  for (const EvaluatedDirection& direction : self.result.evaluated) directions.push_back(direction.direction);
+  return copy_of(directions);
+}
+
+py::array picture(const PythonSweep& self, const py::kwargs& keywords) {
+  py::object progress_given;
+  const StillSettings still = picture_settings(keywords, progress_given);
+  validate(still);
+  return image_array(watched(progress_given, [&](const Progress&) {
+    return sweep_sphere_picture(*self.model, self.result, still);
+  }));
+}
+
+py::object best(const PythonSweep& self) {
+  if (self.result.candidates.empty()) return py::none();
+  return to_python(self.result.candidates.front().classification.direction);
+}
+
+auto member(const char* key) {
+  return [key](const PythonSweep& self) {
+    const Json json = self.json();
+    return json.contains(key) ? to_python(json[key]) : py::object(py::none());
+  };
+}
+
+std::string text(const PythonSweep& self) {
+  const std::string scored = fmt::format("{} directions scored", self.result.evaluated.size());
+  if (self.result.candidates.empty()) return fmt::format("<moldlight.Sweep: {}>", scored);
+  const Classification& found = self.result.candidates.front().classification;
+  return fmt::format("<moldlight.Sweep: {}, best {} with undercut {}>", scored, figures(found.direction, 1.0),
+                     figure(found.areas[Region::undercut]));
+}
+
+constexpr std::string_view k_sweep_text =
+    "Looks for the best parting directions. Returns a Sweep.\n\n"
+    "progress: as for Part(), but where it returns False, the sweep ends with what is done by then.";
+
+}  // namespace
+
+void add_sweep(py::module_& module, PartClass& part) {
+  py::class_<PythonSweep, SharedSweep> found(
+      module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
+  found
+      .def_property_readonly("best_direction", best,
+                             "The first of those listed, of length one; None of none.")
+      .def_property_readonly(
+          "candidates", member("candidates"),
+          "The directions listed, best first: a dict each, with direction, areas, tilt and "
+          "the other figures of the report.")
+      .def_property_readonly("proof", member("proof"), "What prove asked for, as a dict; else None.")
+      .def_property_readonly("all_free", member("all_free"), "What all_free asked for, as a dict; else None.")
+      .def_property_readonly(
+          "remarks", [](const PythonSweep& self) { return to_python(Json(self.result.remarks)); },
+          "What there is to say of the directions, a sentence each.")
+      .def_property_readonly(
+          "complete", [](const PythonSweep& self) { return self.result.complete; },
+          "Neither the callback nor a time limit ended it.")
+      .def_property_readonly("scored_directions", scored_directions,
+                             "k x 3 float64: every direction that was scored.")
+      .def_property_readonly(
+          "scored_undercut",
+          [](const PythonSweep& self) { return scored(self, &EvaluatedDirection::undercut); },
+          "k float64: the undercut by which each was scored, by samples.")
+      .def_property_readonly(
+          "scored_error",
+          [](const PythonSweep& self) { return scored(self, &EvaluatedDirection::undercut_error); },
+          "k float64: how far that may be off (95 %).")
+      .def(
+          "picture", &picture,
+          picture_doc("Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only "
+                      "size\nand theme count. With sweep(thorough=True) every figure of it is scored to the "
+                      "end."))
+      .def("__repr__", [](const PythonSweep& self) { return py::str(text(self)); });
+  add_report(found, "The report", "sweep", [](const PythonSweep& self) { return self.json(); });
+  part.def("sweep", &sweep,
+           call_doc({.name = "sweep",
+                     .arguments = "self",
+                     .more = "progress=None",
+                     .text = k_sweep_text,
+                     .settings = "sweep"}));
+}
+
+}  // namespace moldlight::python

@@ -1,0 +1,157 @@
+"""Threads side by side, progress, cancelling, Ctrl-C, child processes."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import moldlight
+import support
+
+LID = support.ASSETS / "enclosure_lid.stl"
+CLIP = support.ASSETS / "cable_clip.stl"
+LONG = {"thorough": True, "directions": 100000, "scoring_samples": 1000000}
+
+
+class Threads(unittest.TestCase):
+    def test_four_threads_find_what_one_finds(self):
+        directions = [(i % 7 - 3, i % 5 - 2, 1 + i % 3) for i in range(100)]
+        alone = moldlight.Part.read(CLIP)
+        told = [support.untimed(alone.classify(direction).to_dict()) for direction in directions]
+        # A part that nothing was asked of yet: what it makes once, four threads ask for.
+        shared = moldlight.Part.read(CLIP)
+        with ThreadPoolExecutor(4) as threads:
+            found = list(threads.map(lambda d: support.untimed(shared.classify(d).to_dict()), directions))
+        self.assertEqual(found, told)
+
+    def test_maps_and_pictures_in_threads(self):
+        part = moldlight.Part.read(CLIP)
+        looks = {"readout": "samples", "samples": 5000, "resolution": 256}
+        told = support.untimed(part.classify("z", **looks).to_dict())
+        picture = part.classify("z").picture(size=(120, 80))
+        with ThreadPoolExecutor(4) as threads:
+            found = [threads.submit(lambda: support.untimed(part.classify("z", **looks).to_dict()))
+                     for _ in range(4)]
+            drawn = [threads.submit(lambda: part.classify("z").picture(size=(120, 80))) for _ in range(4)]
+        for each in found:
+            self.assertEqual(each.result(), told)
+        for each in drawn:
+            self.assertEqual(each.result().tolist(), picture.tolist())
+
+    def test_other_threads_run_meanwhile(self):
+        part = moldlight.Part.read(LID)
+        count, end = 0, threading.Event()
+        work = threading.Thread(target=lambda: (part.sweep(directions=100, top=1), end.set()))
+        work.start()
+        while not end.is_set():
+            count += 1
+            time.sleep(0.001)
+        work.join()
+        self.assertGreater(count, 10)
+
+    def test_split_mesh_is_one_for_all(self):
+        found = moldlight.Part.read(CLIP).classify("z")
+        with ThreadPoolExecutor(4) as threads:
+            sizes = set(threads.map(lambda _: len(found.split_mesh().faces), range(8)))
+        self.assertEqual(len(sizes), 1)
+
+    @unittest.skipUnless(hasattr(os, "fork"), "needs fork")
+    def test_a_forked_child_can_ask_too(self):
+        part = moldlight.Part.read(CLIP)
+        told = part.classify("z").areas
+        child = os.fork()
+        if child == 0:
+            code = 1
+            try:
+                code = 0 if part.classify("z").areas == told else 2
+            finally:
+                os._exit(code)
+        deadline = time.monotonic() + 60
+        ended, status = 0, 0
+        while ended == 0 and time.monotonic() < deadline:
+            ended, status = os.waitpid(child, os.WNOHANG)
+            time.sleep(0.01)
+        if ended == 0:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+        self.assertEqual((ended != 0, status), (True, 0))
+
+
+class Progress(unittest.TestCase):
+    def setUp(self):
+        self.part = moldlight.Part.read(LID)
+
+    def test_stages_are_told_in_the_callers_thread(self):
+        told = []
+        self.part.sweep(**LONG, progress=lambda stage, share: told.append(
+            (stage, share, threading.current_thread())) or len(told) < 5)
+        self.assertGreater(len(told), 3)
+        for stage, share, thread in told:
+            self.assertTrue(stage and 0 <= share <= 1 and thread is threading.main_thread(), told)
+
+    def test_false_ends_the_work(self):
+        began = time.monotonic()
+        with self.assertRaisesRegex(moldlight.Cancelled, "callback"):
+            self.part.classify("best", progress=lambda stage, share: False)
+        self.assertLess(time.monotonic() - began, 5)
+        self.assertEqual(self.part.classify("z").areas, moldlight.Part.read(LID).classify("z").areas)
+
+    def test_false_ends_a_sweep_with_what_is_done(self):
+        calls = []
+        found = self.part.sweep(**LONG, progress=lambda stage, share: calls.append(stage) or len(calls) < 10)
+        self.assertFalse(found.complete)
+
+    def test_what_it_raises_comes_out(self):
+        def fail(stage, share):
+            raise KeyError(stage)
+
+        with self.assertRaises(KeyError):
+            self.part.sweep(**LONG, progress=fail)
+
+    def test_what_cannot_be_called_is_refused(self):
+        with self.assertRaisesRegex(moldlight.UsageError, "progress"):
+            self.part.classify("z", progress="no")
+
+
+class Interrupt(unittest.TestCase):
+    SCRIPT = """
+import sys, time
+import moldlight
+part = moldlight.Part.read(sys.argv[1])
+print("ready", flush=True)
+try:
+    getattr(part, sys.argv[2])(**eval(sys.argv[3]))
+except KeyboardInterrupt:
+    print("interrupted", time.monotonic(), flush=True)
+    print(part.classify("z").areas["core"] > 0)
+"""
+
+    def interrupt(self, call, arguments):
+        work = subprocess.Popen([sys.executable, "-c", self.SCRIPT, str(LID), call, repr(arguments)],
+                                stdout=subprocess.PIPE, text=True)
+        with work.stdout:
+            self.assertEqual(work.stdout.readline(), "ready\n")
+            time.sleep(1.5)
+            pressed = time.monotonic()
+            work.send_signal(signal.SIGINT)
+            word, ended = work.stdout.readline().split()
+            self.assertEqual(word, "interrupted")
+            self.assertEqual(work.stdout.readline(), "True\n")
+        self.assertEqual(work.wait(), 0)
+        return float(ended) - pressed
+
+    def test_ends_a_sweep_within_a_second(self):
+        # The best of three: a machine that does other work besides may stop a process for a while.
+        self.assertLess(min(self.interrupt("sweep", LONG) for _ in range(3)), 1.0)
+
+    def test_ends_a_proof_within_a_second(self):
+        proof = {"prove": 0.0, "proof": "area", "directions": 10, "top": 1, "candidates": "axis", "refine": 0}
+        self.assertLess(min(self.interrupt("sweep", {**proof, **LONG}) for _ in range(3)), 1.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
