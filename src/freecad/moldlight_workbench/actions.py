@@ -1,0 +1,99 @@
+"""The document objects of side actions: the bodies of slides, lifters and others, and arrows that say where they move."""
+
+import FreeCAD
+import Part
+
+from . import meshes, properties, regions
+from .analysis import Analysis, report
+from .engine import translate
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+COLOURS = {
+    "slide": (0.93, 0.55, 0.13),
+    "inclined": (0.80, 0.40, 0.10),
+    "lifter": (0.60, 0.35, 0.75),
+    "unscrew": (0.85, 0.75, 0.20),
+    "strip": (0.45, 0.70, 0.75),
+    "insert": (0.55, 0.45, 0.40),
+}
+OTHER_COLOUR = (0.5, 0.5, 0.5)
+# An arrow's sizes as shares of the part's diagonal; it is as long as the travel, but not shorter than the first.
+ARROW_LENGTH, ARROW_RADIUS = 0.25, 0.008
+# Of its length and its radius the tip has so much.
+TIP_LENGTH, TIP_RADIUS = 0.3, 2.5
+
+
+class SideActions(Analysis):
+    """Of a Mesh::FeaturePython: the closed solids that the actions move, where the mold is closed."""
+
+    call = "actions"
+    keys = ("slide_angle_deg", "incline_deg", "lifter_angle_deg", "clearance_mm", "bundle_across_mm", "bundle_along_mm")
+    title = QT_TRANSLATE_NOOP("Moldlight", "Undercuts and actions")
+
+    def add_properties(self, obj):
+        super().add_properties(obj)
+        properties.add_result(obj, "App::PropertyArea", "Unreleased",
+                              translate("Moldlight", "Undercut that no action releases"))
+        properties.add_result(obj, "App::PropertyIntegerList", "Counts", "", hidden=True)
+        properties.add_result(obj, "App::PropertyColorList", "Colours", "", hidden=True)
+
+    def show(self, obj, part, answer, listener):
+        bodies = answer.bodies(progress=listener)
+        kinds = [action["kind"] for action in answer.actions]
+        obj.Unreleased = answer.unreleased["area"]
+        mesh, counts = meshes.joined([(body["vertices"], body["faces"]) for body in bodies])
+        obj.Counts = counts
+        obj.Colours = [COLOURS.get(kinds[body["action"]], OTHER_COLOUR) for body in bodies]
+        obj.Mesh = mesh
+
+
+class ActionArrows(properties.Proxy):
+    """Of a Part::FeaturePython: a solid arrow an action that moves straight, from the undercut along its way."""
+
+    def add_properties(self, obj):
+        properties.add(obj, "App::PropertyLinkGlobal", "Actions", "Mold", translate("Moldlight", "The side actions"))
+        properties.add(obj, "App::PropertyLinkGlobal", "Regions", "Mold",
+                       translate("Moldlight", "The mold regions that it belongs to"))
+        obj.setEditorMode("Actions", 1)
+        obj.setEditorMode("Regions", 1)
+        properties.add_result(obj, "App::PropertyColorList", "Colours", "", hidden=True)
+
+    def execute(self, obj):
+        found = report(obj.Actions) if obj.Actions is not None else {}
+        diagonal = regions.of_result(obj).Shape.BoundBox.DiagonalLength
+        centres = {patch["id"]: patch["centre"] for patch in found.get("patches", ())}
+        arrows, colours = [], []
+        for action in found.get("actions", ()):
+            if action["direction"] is None or not action["patches"]:
+                continue
+            start = FreeCAD.Vector(*centres[action["patches"][0]])
+            length = max(action["travel"] or 0.0, ARROW_LENGTH * diagonal)
+            shape = arrow(start, FreeCAD.Vector(*action["direction"]), length, ARROW_RADIUS * diagonal)
+            arrows.append(shape)
+            colours += [COLOURS.get(action["kind"], OTHER_COLOUR)] * len(shape.Faces)
+        obj.Colours = colours
+        obj.Shape = Part.makeCompound(arrows)
+
+
+def arrow(start, direction, length, radius):
+    """A solid arrow; lengths in mm."""
+    shaft = length * (1.0 - TIP_LENGTH)
+    tip = Part.makeCone(TIP_RADIUS * radius, 0.0, length * TIP_LENGTH, start + direction * shaft, direction)
+    return Part.makeCylinder(radius, shaft, start, direction).fuse(tip)
+
+
+def action_table(obj):
+    """A row an action, as the report has it: kind, direction or None, travel and stroke in mm or None, area in mm², the
+    undercuts that it releases."""
+    return [
+        (
+            action["kind"],
+            FreeCAD.Vector(*action["direction"]) if action["direction"] else None,
+            action["travel"],
+            action["stroke"],
+            action["area"],
+            action["patches"],
+        )
+        for action in report(obj).get("actions", ())
+    ]

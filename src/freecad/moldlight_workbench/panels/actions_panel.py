@@ -1,0 +1,47 @@
+"""The panel of side actions: undercuts, and what releases them."""
+
+from .. import actions, directions, results
+from ..engine import translate
+from ..properties import quantity
+from . import task
+
+
+class ActionsPanel(task.Panel):
+    picture = "actions"
+
+    def __init__(self, regions, begun=False):
+        self.title = translate("Moldlight", "Undercuts and actions")
+        super().__init__(regions)
+        if not begun:
+            task.begin(self.document, self.title)
+        self.found = results.actions_of(regions)
+        self.text(translate("Moldlight", "Side actions"))
+        self.rows = self.table([translate("Moldlight", "Kind"), translate("Moldlight", "Direction"),
+                                translate("Moldlight", "Travel"), translate("Moldlight", "Stroke"),
+                                translate("Moldlight", "Area"), translate("Moldlight", "Undercuts")])
+        self.summary = self.text()
+        self.text(translate("Moldlight", "Undercuts"))
+        self.undercuts = self.table([translate("Moldlight", "No."), translate("Moldlight", "Area"),
+                                     translate("Moldlight", "Depth"), translate("Moldlight", "Side")])
+        self.refresh()
+
+    def shown(self):
+        """The results that it shows."""
+        return (self.found,)
+
+    def refresh(self):
+        def length(value):
+            return "–" if value is None else quantity(value, "length")
+
+        table = actions.action_table(self.found)
+        rows = [(kind, "–" if direction is None else directions.text_of(direction, 3), length(travel), length(stroke),
+                 quantity(area, "area"), ", ".join(str(number) for number in undercuts))
+                for kind, direction, travel, stroke, area, undercuts in table]
+        task.fill(self.rows, rows, [actions.COLOURS.get(row[0], actions.OTHER_COLOUR) for row in table])
+        found = actions.report(self.found)
+        task.fill(self.undercuts, [(str(patch["id"]), quantity(patch["area"], "area"), length(patch["depth"]),
+                                    patch["side"] or "–") for patch in found.get("patches", ())])
+        left = self.found.Unreleased.Value
+        self.summary.setText(
+            translate("Moldlight", "Nothing that was tried releases {}.").format(quantity(left, "area")) if left
+            else translate("Moldlight", "Nothing of the undercuts is left unreleased."))

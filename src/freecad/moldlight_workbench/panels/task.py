@@ -1,0 +1,201 @@
+"""What all task panels have in common: one transaction from opening to OK, messages, tables, a look at the result."""
+
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .. import progress
+from ..engine import Refusal, translate
+
+# Of a table, at least.
+ROWS_SHOWN = 8
+# In pixels; a user may make it narrower again.
+PANEL_WIDTH = 440
+
+
+def tell(text):
+    """One message to the user."""
+    QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "moldlight", text)
+
+
+@contextmanager
+def told():
+    """What is refused, or fails in the module, becomes one message; what was cancelled none. The value is a list that
+    holds the failure."""
+    failures = []
+    try:
+        yield failures
+    except Refusal as refusal:
+        failures.append(refusal)
+        tell(str(refusal))
+    except Exception as failure:
+        import moldlight
+
+        if not isinstance(failure, moldlight.Error):
+            raise
+        failures.append(failure)
+        if not isinstance(failure, moldlight.Cancelled):
+            tell(str(failure))
+
+
+def show(make):
+    """Opens the panel that `make` returns, unless another one is open."""
+    if FreeCADGui.Control.activeDialog():
+        tell(translate("Moldlight", "Another task is open; close it first."))
+        return
+    with told():
+        panel = make()
+        if panel is not None:
+            # What is selected hides the colours.
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Control.showDialog(panel)
+            _widen(panel.form)
+
+
+def _widen(form):
+    """Makes the dock that the form is in wide enough for its tables."""
+    dock = form.parent()
+    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
+        dock = dock.parent()
+    if dock is not None and dock.width() < PANEL_WIDTH:
+        FreeCADGui.getMainWindow().resizeDocks([dock], [PANEL_WIDTH], QtCore.Qt.Horizontal)
+
+
+class Panel:
+    """A task panel about mold regions. Everything from `begin()` on is one step to undo; Cancel takes it back."""
+
+    title = ""
+    picture = "moldlight"
+
+    def __init__(self, regions):
+        from ..views import icon
+
+        self.regions = regions
+        self.document = regions.Document
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(self.title)
+        self.form.setWindowIcon(QtGui.QIcon(icon(self.picture)))
+        self.layout = QtGui.QVBoxLayout(self.form)
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def accept(self):
+        self.document.commitTransaction()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def reject(self):
+        self.document.abortTransaction()
+        self.document.recompute()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def ask(self, *results):
+        """compute() under the panel's title."""
+        return compute(self.title, *results)
+
+    def text(self, words=""):
+        """A line of text that wraps."""
+        label = QtGui.QLabel(words)
+        label.setWordWrap(True)
+        self.layout.addWidget(label)
+        return label
+
+    def table(self, headings, chosen=None):
+        """A table; `chosen` is called with the number of a row that is clicked, from 0."""
+        table = QtGui.QTableWidget(0, len(headings))
+        table.setHorizontalHeaderLabels(headings)
+        table.verticalHeader().hide()
+        table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
+        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+        table.setMinimumHeight(table.verticalHeader().defaultSectionSize() * (ROWS_SHOWN + 1))
+        if chosen is not None:
+            table.itemSelectionChanged.connect(lambda: _chosen_row(table, chosen))
+        self.layout.addWidget(table)
+        return table
+
+    def button(self, words, tip, action, layout=None):
+        button = QtGui.QPushButton(words)
+        button.setToolTip(tip)
+        button.clicked.connect(lambda *_: action())
+        (layout or self.layout).addWidget(button)
+        return button
+
+
+def compute(title, *results):
+    """Computes what the results need, with progress, before the recompute that only takes it over. False if it was
+    refused, failed or cancelled."""
+    with told() as failures:
+        with progress.shown(title) as listener:
+            for result in results:
+                result.Proxy.prepare(result, listener)
+        for result in results:
+            result.touch()
+        results[0].Document.recompute()
+    return not failures
+
+
+def begin(document, title):
+    """Opens the transaction that a panel's OK commits."""
+    document.openTransaction(title)
+
+
+@contextmanager
+def transaction(document, title):
+    """A transaction that is taken back if its body raises; a panel's OK or Cancel ends it else."""
+    begin(document, title)
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+
+
+def fill(table, rows, colours=()):
+    """Sets the rows of a table: texts, or (text, number to sort by). `colours`: (r, g, b) from 0 to 1 of the first
+    column's mark, one a row."""
+    table.blockSignals(True)
+    table.setRowCount(len(rows))
+    for place, row in enumerate(rows):
+        for column, cell in enumerate(row):
+            item = QtGui.QTableWidgetItem(cell)
+            if column:
+                item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+            item.setToolTip(cell)
+            table.setItem(place, column, item)
+        if place < len(colours):
+            mark = QtGui.QPixmap(12, 12)
+            mark.fill(QtGui.QColor.fromRgbF(*colours[place][:3]))
+            table.item(place, 0).setIcon(QtGui.QIcon(mark))
+    table.resizeColumnsToContents()
+    table.blockSignals(False)
+
+
+def fit_rows(table):
+    """Makes a table as high as its rows."""
+    rows = table.rowCount() * table.verticalHeader().defaultSectionSize()
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + rows + 2 * table.frameWidth() + 2)
+
+
+def _chosen_row(table, chosen):
+    rows = table.selectionModel().selectedRows()
+    if rows:
+        chosen(rows[0].row())
+
+
+def percent(share):
+    return f"{100.0 * share:.2f} %"
+
+
+def select(obj, element=""):
+    """Selects only this."""
+    FreeCADGui.Selection.clearSelection()
+    if element:
+        FreeCADGui.Selection.addSelection(obj, element)
+    else:
+        FreeCADGui.Selection.addSelection(obj)

@@ -1,0 +1,109 @@
+"""Properties of the document objects. Settings are made from the module's own table: name, unit, help, default."""
+
+import FreeCAD
+
+from .engine import engine
+
+# The property of a setting by its unit; numbers without one are plain.
+_KINDS_BY_UNIT = {
+    "deg": "App::PropertyAngle",
+    "mm": "App::PropertyLength",
+    "part's unit": "App::PropertyLength",
+    "file's unit": "App::PropertyLength",
+}
+
+
+def add(obj, kind, name, group, tip, value=None):
+    """Adds a property unless it is there; a file of an older version gets what is new."""
+    if hasattr(obj, name):
+        return
+    obj.addProperty(kind, name, group, tip)
+    if value is not None:
+        setattr(obj, name, value)
+
+
+def add_result(obj, kind, name, tip, hidden=False):
+    """A property that only a recompute sets."""
+    add(obj, kind, name, "Result", tip)
+    obj.setEditorMode(name, 2 if hidden else 1)
+
+
+def setting_name(key):
+    """The property of a setting: "tau_deg" is "Tau"."""
+    words = key.split("_")
+    if words[-1] in ("deg", "mm"):
+        words.pop()
+    return "".join(word.capitalize() for word in words)
+
+
+def add_settings(obj, call, keys, values=None):
+    """Adds settings of a call as properties; `values` replace their defaults."""
+    table = {entry["key"]: entry for entry in engine().settings(call)}
+    for key in keys:
+        entry = table[key]
+        name = setting_name(key)
+        if hasattr(obj, name):
+            continue
+        default = (values or {}).get(key, entry["default"])
+        obj.addProperty(_kind(entry), name, "Settings", f'{entry["label"]}: {entry["help"]}')
+        if entry["words"]:
+            setattr(obj, name, entry["words"])
+        if default is not None:
+            setattr(obj, name, default)
+
+
+def settings(obj, call, keys):
+    """The settings of a call as keyword arguments. An optional number that is 0 is left to its default."""
+    table = {entry["key"]: entry for entry in engine().settings(call)}
+    given = {}
+    for key in keys:
+        value = getattr(obj, setting_name(key))
+        value = getattr(value, "Value", value)
+        optional = table[key]["default"] is None
+        if not (optional and value in (0, "")):
+            given[key] = value
+    return given
+
+
+def _kind(entry):
+    if entry["words"]:
+        return "App::PropertyEnumeration"
+    kind = entry["type"].removeprefix("Optional[").rstrip("]")
+    if kind == "bool":
+        return "App::PropertyBool"
+    if kind == "int":
+        return "App::PropertyInteger"
+    if kind == "float":
+        return _KINDS_BY_UNIT.get(entry["unit"], "App::PropertyFloat")
+    return "App::PropertyString"
+
+
+class Proxy:
+    """What the classes behind document objects have in common. Nothing of them is saved but their names."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        # A file that was made without a window has no views.
+        if FreeCAD.GuiUp and not obj.ViewObject.Proxy:
+            from . import views
+
+            views.attach(obj)
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps, loads = __getstate__, __setstate__
+
+
+def quantity(value, kind):
+    """A number of mm, mm² or degrees as FreeCAD's unit schema shows it; kind: "length", "area", "volume", "angle"."""
+    units = FreeCAD.Units
+    unit = {"length": units.Length, "area": units.Area, "volume": units.Volume, "angle": units.Angle}[kind]
+    return units.Quantity(value, unit).UserString
