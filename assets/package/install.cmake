@@ -1,6 +1,8 @@
 # What `cmake --install` puts where, and the Debian package made of it. Relocatable: the program finds its helper and its
 # parts from its own place.
 include(GNUInstallDirs)
+# What is not the Python module is the program's.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME moldlight)
 
 install(TARGETS moldlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET moldlight_step)
@@ -35,10 +37,31 @@ install(FILES ${package_folder}/_moldlight DESTINATION ${CMAKE_INSTALL_DATADIR}/
 install(FILES ${package_folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
+# Where Debian's Python looks: its packages share a folder, what is installed by hand has one of its version.
+if(TARGET moldlight_python)
+  install(CODE "if(CMAKE_INSTALL_PREFIX STREQUAL /usr/local)
+    set(python_folder lib/python${MOLDLIGHT_PYTHON_VERSION}/dist-packages/moldlight)
+  else()
+    set(python_folder lib/python3/dist-packages/moldlight)
+  endif()" COMPONENT python)
+  install(TARGETS moldlight_python LIBRARY DESTINATION "\${python_folder}" COMPONENT python)
+  install(FILES ${MOLDLIGHT_PYTHON_TEXTS} DESTINATION "\${python_folder}" COMPONENT python)
+  set(python_doc ${CMAKE_INSTALL_DATADIR}/doc/python3-moldlight)
+  install(FILES ${package_folder}/changelog.gz DESTINATION ${python_doc} COMPONENT python)
+  install(FILES LICENSE DESTINATION ${python_doc} RENAME copyright COMPONENT python)
+  install(DIRECTORY src/python/examples DESTINATION ${python_doc} COMPONENT python FILES_MATCHING PATTERN "*.py")
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+
+# A package of the program, one of the module, which needs the program's reader of STEP files, and one of the workbench.
 set(CPACK_GENERATOR DEB)
+list(PREPEND CPACK_COMPONENTS_ALL moldlight)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_MOLDLIGHT_PACKAGE_NAME moldlight)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-moldlight)
 set(CPACK_PACKAGE_CONTACT "the moldlight authors <moldlight@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mold-piece regions of injection-molded parts")
-set(CPACK_PACKAGE_DESCRIPTION
+set(CPACK_DEBIAN_MOLDLIGHT_DESCRIPTION
     "If a mold opens along a direction, which surface of the part is formed by\nthe core, which by the cavity, which by either, and which is an undercut?\nmoldlight computes these regions exactly, shows them live, and finds the\nbest direction; in a window and from scripts.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -50,4 +73,14 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, so that no linker tells of them.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-inter, libosmesa6")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "moldlight (= ${PROJECT_VERSION}), ${MOLDLIGHT_PYTHON_DEPENDS}, python3-numpy, libegl1, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "fonts-inter, libosmesa6")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+    "The figures of moldlight for scripts and for programs that Python extends:\nparts from files or NumPy arrays, regions and their areas, the best parting\ndirections, side actions, parting lines and mold halves.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_SOURCE_DIR}/assets/package/python/postinst;${CMAKE_SOURCE_DIR}/assets/package/python/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+include(${CMAKE_CURRENT_LIST_DIR}/freecad.cmake)
 include(CPack)
