@@ -41,7 +41,7 @@ class HtmlSink : public MergeSink {
     const fs::path relative = results.lexically_relative(page_folder);
     file_.write(page::page_begin(frame()));
     file_.write(k_content);
-    file_.write(fmt::format("{{\"pictures\": {},\n\"about\": {},\n\"rows\": [",
+    file_.write(fmt::format("{{\"results\": {},\n\"about\": {},\n\"rows\": [",
                             page::script_json(page::url_of(relative.string()) + "/"),
                             page::script_json(fmt::format("{} of {} parts of {}, planned {} by moldlight {}",
                                                           manifest.command, manifest.rows, manifest.source,
@@ -49,16 +49,16 @@ class HtmlSink : public MergeSink {
   }
 
   void add(const PartResult& result) override {
-    const std::string name = hex_of(result.key);
-    file_.write(
-        separator_ +
-        page::script_json(
-            {result.row, result.path, state_name(result.state), result.reason, result.unit,
-             or_null(result.facets), or_null(result.figure(Figure::area)),
-             or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
-             or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
-             or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s), result.settings,
-             result.picture ? name.substr(0, 2) + "/" + name + ".png" : std::string()}));
+    const std::string name = hex_of(result.key), beside = name.substr(0, 2) + "/" + name;
+    file_.write(separator_ +
+                page::script_json(
+                    {result.row, result.path, state_name(result.state), result.reason, result.unit,
+                     or_null(result.facets), or_null(result.figure(Figure::area)),
+                     or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
+                     or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
+                     or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
+                     result.settings, result.picture ? beside + ".png" : std::string(),
+                     result.report ? beside + ".html" : std::string()}));
     separator_ = ",\n";
   }
 

@@ -89,7 +89,8 @@ std::string settings_text(const std::vector<std::string>& arguments) {
 ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress,
                               const std::function<void(const PartResult&)>& visit) {
   const ResultStore store(manifest.folder);
-  const ResultIndex there = store.index(progress), pictures = store.pictures(progress);
+  const ResultIndex there = store.index(progress), pictures = store.those_with(Beside::picture, progress),
+                    reports = store.those_with(Beside::report, progress);
   const KeyMaker key_of(manifest);
   std::vector<std::string> settings;
   for (const RowSettings& one : manifest.settings) settings.push_back(settings_text(one.arguments));
@@ -111,6 +112,7 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
       const auto found = there.find(result.key);
       if (found != there.end()) result.state = found->second;
       result.picture = pictures.contains(result.key);
+      result.report = reports.contains(result.key);
       results.push_back(std::move(result));
     }
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t k) {

@@ -28,7 +28,7 @@ struct PartResult {
   std::array<std::optional<double>, k_figure_count> figures;
   std::optional<double> elapsed_s;
   std::optional<int> tries;
-  bool picture = false;
+  bool picture = false, report = false;  // whether they lie beside it
 
   [[nodiscard]] std::optional<double> figure(Figure which) const {
     return figures[static_cast<std::size_t>(which)];

@@ -72,6 +72,12 @@ std::string reason_of(const ChildResult& child, const std::string& file, const C
   return message.empty() ? fmt::format("ended with exit code {} and said nothing", child.code) : message;
 }
 
+/// Whether it did its work, however that came out.
+bool is_done(const ChildResult& child) {
+  return child.end == ChildEnd::exited &&
+         (child.code == 0 || child.code == k_criterion_failed || child.code == k_not_proved);
+}
+
 bool is_limit(ChildEnd end) { return end == ChildEnd::out_of_time || end == ChildEnd::out_of_memory; }
 
 /// Somebody asked it to end, politely; the part is not to blame.
@@ -147,8 +153,7 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
     if (child.end == ChildEnd::cancelled) throw Cancelled();
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool last = tries > settings.retries;
-    if (child.end == ChildEnd::exited &&
-        (child.code == 0 || child.code == k_criterion_failed || child.code == k_not_proved)) {
+    if (is_done(child)) {
       Json report = Json::parse(child.out, nullptr, false);
       if (FileStamp(file) != stamp && !last) continue;
       if (report.is_object()) {
@@ -183,18 +188,26 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
   }
 }
 
-std::string draw_picture(const Manifest& manifest, const Row& row, const std::string& file,
-                         const Json& report, const std::string& picture, const ChildLimits& limits,
-                         const Progress& progress) {
-  const auto direction = direction_in(report, manifest.work());
-  if (!direction) return "its report names no direction";
-  std::vector<std::string> arguments = with_part("classify", file, manifest.settings[row.settings].picture);
-  arguments.insert(arguments.end(),
-                   {fmt::format("--direction={},{},{}", (*direction)[0], (*direction)[1], (*direction)[2]),
-                    "--image", picture, "--size", std::string(k_picture_size), "--quiet"});
+std::string make_beside(const Manifest& manifest, const Row& row, const std::string& file, const Json& report,
+                        Beside what, const std::string& made, const ChildLimits& limits,
+                        const Progress& progress) {
+  const RowSettings& settings = manifest.settings[row.settings];
+  std::vector<std::string> arguments;
+  if (what == Beside::report) {
+    arguments = with_part(manifest.command, file, settings.arguments);
+    arguments.insert(arguments.end(), {"--html", made});
+  } else {
+    const auto direction = direction_in(report, manifest.work());
+    if (!direction) return "its report names no direction";
+    arguments = with_part("classify", file, settings.picture);
+    arguments.insert(arguments.end(),
+                     {fmt::format("--direction={},{},{}", (*direction)[0], (*direction)[1], (*direction)[2]),
+                      "--image", made, "--size", std::string(k_picture_size)});
+  }
+  arguments.emplace_back("--quiet");
   const ChildResult child = run_child(arguments, limits, progress);
   if (child.end == ChildEnd::cancelled) throw Cancelled();
-  return child.end == ChildEnd::exited && child.code == 0 ? "" : reason_of(child, file, limits);
+  return is_done(child) ? "" : reason_of(child, file, limits);
 }
 
 }  // namespace moldlight::batch

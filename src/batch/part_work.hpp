@@ -1,4 +1,5 @@
-// The work on one part of a batch: its file is what was planned, its process, its result, its picture.
+// The work on one part of a batch: its file is what was planned, its process, its result, what lies beside
+// it.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +30,10 @@ struct WorkSettings {
 [[nodiscard]] WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string& file,
                                   const WorkSettings& settings, const Progress& progress);
 
-/// Draws the part along the direction of its report. Returns why not, or nothing.
-[[nodiscard]] std::string draw_picture(const Manifest& manifest, const Row& row, const std::string& file,
-                                       const Json& report, const std::string& picture,
-                                       const ChildLimits& limits, const Progress& progress);
+/// Makes the picture of a part along the direction of its report, or the page of the whole work, in a process
+/// of its own. Returns why not, or nothing. Throws Cancelled.
+[[nodiscard]] std::string make_beside(const Manifest& manifest, const Row& row, const std::string& file,
+                                      const Json& report, Beside what, const std::string& made,
+                                      const ChildLimits& limits, const Progress& progress);
 
 }  // namespace moldlight::batch

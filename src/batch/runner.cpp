@@ -27,8 +27,15 @@ namespace {
 struct Job {
   Row row;
   Digest key{};
-  bool picture_only = false;
+  bool settled = false;  // its result is there; what is to lie beside it is not
 };
+
+std::vector<Beside> besides_of(const RunSettings& settings) {
+  std::vector<Beside> besides;
+  if (settings.thumbnails) besides.push_back(Beside::picture);
+  if (settings.reports) besides.push_back(Beside::report);
+  return besides;
+}
 
 /// What the slots of a run share.
 class Slots {
@@ -50,6 +57,7 @@ class Slots {
                     .memory_bytes = static_cast<std::size_t>(settings.part_memory_mb) << 20,
                     .threads = std::max(1, cores / processes_)};
     work_.retries = settings.retries;
+    besides_ = besides_of(settings);
   }
 
   /// Works through the jobs; ends early where told so or where nothing can be stored.
@@ -115,9 +123,9 @@ class Slots {
 
   void do_job(const Job& job) {
     const std::string file = (fs::path(parts_) / job.row.path).string();
-    if (job.picture_only) {
+    if (job.settled) {
       const auto result = store_.read(job.key, ResultState::done);
-      if (result) draw(job, file, *result);
+      if (result) make_besides(job, file, *result);
       return;
     }
     const auto outcome = in_turn([&] { return work_on_part(job, file); });
@@ -129,7 +137,7 @@ class Slots {
       case WorkEnd::done:
         store_.put(job.key, ResultState::done, outcome->result);
         ++counts_.done;
-        draw(job, file, outcome->result);
+        make_besides(job, file, outcome->result);
         break;
       case WorkEnd::failed: {
         store_.put(job.key, ResultState::failed, outcome->result);
@@ -149,16 +157,20 @@ class Slots {
     }
   }
 
-  void draw(const Job& job, const std::string& file, const Json& result) {
-    if (!settings_.thumbnails || store_.has_picture(job.key)) return;
+  void make_besides(const Job& job, const std::string& file, const Json& result) {
     const auto report = result.find("report");
     if (report == result.end()) return;
-    const std::string why = in_turn([&] {
-      return draw_picture(manifest_, job.row, file, *report, store_.picture(job.key), work_.limits, stop_);
-    });
-    const std::lock_guard lock(mutex_);
-    if (!why.empty() && listener_.warning)
-      listener_.warning(fmt::format("{}: no picture: {}", job.row.path, why));
+    for (const Beside what : besides_) {
+      if (store_.has(job.key, what)) continue;
+      const std::string why = in_turn([&] {
+        return make_beside(manifest_, job.row, file, *report, what, store_.beside(job.key, what),
+                           work_.limits, stop_);
+      });
+      const std::lock_guard lock(mutex_);
+      if (!why.empty() && listener_.warning)
+        listener_.warning(
+            fmt::format("{}: no {}: {}", job.row.path, what == Beside::picture ? "picture" : "report", why));
+    }
   }
 
   const Manifest& manifest_;
@@ -172,6 +184,7 @@ class Slots {
   int processes_ = 1;
   std::counting_semaphore<> free_{0};  // processes that may be started
   WorkSettings work_;
+  std::vector<Beside> besides_;
   std::vector<Job> jobs_;
   std::size_t first_ = 0;
   std::atomic<std::size_t> next_ = 0, ended_ = 0, ended_from_outside_ = 0;
@@ -201,6 +214,9 @@ std::span<const Option<RunSettings>> run_options() {
       {"thumbnails", "--thumbnails", "Pictures", "",
        "Draw a small picture of every part along its direction, also of those that are done.",
        SwitchKind<S>{&S::thumbnails}},
+      {"reports", "--reports", "Reports", "",
+       "Write a report of every part that opens in a browser, also of those that are done.",
+       SwitchKind<S>{&S::reports}},
   };
   return k_options;
 }
@@ -213,7 +229,8 @@ RunEnd Run::carry_out(const RunListener& listener, const Progress& progress) {
   store.remove_leftovers(progress);
   progress.report("looking for results", 0.0);
   const ResultIndex there = store.index(progress);
-  const ResultIndex pictures = settings_.thumbnails ? store.pictures(progress) : ResultIndex();
+  std::vector<ResultIndex> besides;  // that are wanted: who has them
+  for (const Beside what : besides_of(settings_)) besides.push_back(store.those_with(what, progress));
   const KeyMaker key_of(manifest_);
   std::vector<Job> jobs;
   RowReader reader(manifest_);
@@ -227,8 +244,10 @@ RunEnd Run::carry_out(const RunListener& listener, const Progress& progress) {
     const bool settled =
         state == ResultState::done || (state == ResultState::failed && !settings_.retry_failed);
     if (settled) ++counts_.before;
-    const bool wants_picture = settings_.thumbnails && state == ResultState::done && !pictures.contains(key);
-    if (!settled || wants_picture) jobs.push_back({row, key, settled});
+    const bool lacks =
+        state == ResultState::done &&
+        std::ranges::any_of(besides, [&](const ResultIndex& those) { return !those.contains(key); });
+    if (!settled || lacks) jobs.push_back({row, key, settled});
   }
 
   RunEnd end;

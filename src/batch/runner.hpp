@@ -22,6 +22,7 @@ struct RunSettings {
   int retries = 1;           // of a part that failed by other than a limit
   bool retry_failed = false;
   bool thumbnails = false;
+  bool reports = false;
 };
 [[nodiscard]] std::span<const Option<RunSettings>> run_options();
 

@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view k_done = ".json", k_failed = ".failed.json", k_picture = ".png",
-                           k_damaged = ".damaged";
+constexpr std::string_view k_done = ".json", k_failed = ".failed.json", k_damaged = ".damaged";
 constexpr int k_folders = 256;  // a result's is the first two digits of its key
 constexpr std::size_t k_key_digits = 64;
 /// A temporary file that is older was left behind: one that is being written lives for milliseconds.
@@ -35,6 +34,8 @@ std::string_view ending_of(ResultState state) {
   CHECK(state != ResultState::missing);
   return state == ResultState::done ? k_done : k_failed;
 }
+
+std::string_view ending_of(Beside what) { return what == Beside::picture ? ".png" : ".html"; }
 
 /// Calls `visit` with the folder and the name of every entry of the folders of results.
 void for_each_entry(const std::string& folder, const Progress& progress,
@@ -89,12 +90,12 @@ ResultIndex ResultStore::index(const Progress& progress) const {
   return found;
 }
 
-ResultIndex ResultStore::pictures(const Progress& progress) const {
+ResultIndex ResultStore::those_with(Beside what, const Progress& progress) const {
   ResultIndex found;
   for_each_entry(folder_, progress, [&](const std::string&, const char* entry) {
     const std::string_view name(entry);
     const auto key = digest_from(name.substr(0, k_key_digits));
-    if (key && name.substr(k_key_digits) == k_picture) found[*key] = ResultState::done;
+    if (key && name.substr(k_key_digits) == ending_of(what)) found[*key] = ResultState::done;
   });
   return found;
 }
@@ -134,9 +135,11 @@ void ResultStore::set_aside(const Digest& key, ResultState state) const {
     throw FileError(file, "", fmt::format("cannot be renamed: {}", std::strerror(errno)));
 }
 
-std::string ResultStore::picture(const Digest& key) const { return path(key, k_picture); }
+std::string ResultStore::beside(const Digest& key, Beside what) const { return path(key, ending_of(what)); }
 
-bool ResultStore::has_picture(const Digest& key) const { return ::access(picture(key).c_str(), F_OK) == 0; }
+bool ResultStore::has(const Digest& key, Beside what) const {
+  return ::access(beside(key, what).c_str(), F_OK) == 0;
+}
 
 void ResultStore::remove_leftovers(const Progress& progress) const {
   const auto now = fs::file_time_type::clock::now();

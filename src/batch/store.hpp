@@ -16,6 +16,9 @@ namespace moldlight::batch {
 
 enum class ResultState : std::uint8_t { missing, failed, done };
 
+/// What may lie beside a result that is done, for people to look at.
+enum class Beside : std::uint8_t { picture, report };
+
 /// What is there at one time; a key that is not in it has no result.
 using ResultIndex = std::unordered_map<Digest, ResultState, DigestHash>;
 
@@ -28,8 +31,8 @@ class ResultStore {
   [[nodiscard]] ResultState state(const Digest& key) const;
   /// The names of all results, in one pass over the folders. Throws FileError where they cannot be read.
   [[nodiscard]] ResultIndex index(const Progress& progress) const;
-  /// The same with those keys alone whose picture is there.
-  [[nodiscard]] ResultIndex pictures(const Progress& progress) const;
+  /// The same with those keys alone that this lies beside.
+  [[nodiscard]] ResultIndex those_with(Beside what, const Progress& progress) const;
 
   /// Puts the result on the disk, whole; a failure that stands under the key goes. Throws FileError.
   void put(const Digest& key, ResultState state, const Json& result) const;
@@ -38,8 +41,9 @@ class ResultStore {
   /// Takes a damaged result out of the way, so that the next run makes it anew.
   void set_aside(const Digest& key, ResultState state) const;
 
-  [[nodiscard]] std::string picture(const Digest& key) const;
-  [[nodiscard]] bool has_picture(const Digest& key) const;
+  /// Its file: an image of PNG, or a page.
+  [[nodiscard]] std::string beside(const Digest& key, Beside what) const;
+  [[nodiscard]] bool has(const Digest& key, Beside what) const;
   /// Makes the folder that the key's files lie in.
   void make_folder(const Digest& key) const;
   /// Removes temporary files that a run left behind when it was killed, some time ago.

@@ -184,19 +184,40 @@ TEST(Batch, LimitsEndAPartAndItsFailureSaysSo) {
   EXPECT_EQ(parts.results("slow").begin()->second["kind"], "memory");
 }
 
-TEST(Batch, PicturesAreDrawnAlsoOfWhatIsDone) {
+/// Paths of the results' folder with this ending, sorted.
+std::vector<std::string> lying_beside(const SmallParts& parts, const std::string& ending) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(parts.path("night/results")))
+    if (entry.path().extension() == ending) found.push_back(entry.path().string());
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST(Batch, PicturesAndReportsAreMadeAlsoOfWhatIsDone) {
   const SmallParts parts(2);
   ASSERT_EQ(parts.plan().exit_code, 0);
   ASSERT_EQ(parts.batch("run").exit_code, 0);
   const auto run = parts.batch("run", {"--thumbnails"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  std::size_t pictures = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(parts.path("night/results")))
-    if (entry.path().extension() == ".png") ++pictures;
-  EXPECT_EQ(pictures, 2u) << run.err;
+  EXPECT_EQ(lying_beside(parts, ".png").size(), 2u) << run.err;
+  EXPECT_TRUE(lying_beside(parts, ".html").empty());
   const std::string page = parts.path("all.html");
   EXPECT_EQ(parts.batch("merge", {"--html", page}).exit_code, 0);
-  EXPECT_NE(file_bytes(page).find("\"pictures\": \"night/results/\""), std::string::npos);
+  EXPECT_NE(file_bytes(page).find("\"results\": \"night/results/\""), std::string::npos);
+  const auto again = parts.batch("run", {"--reports"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const std::vector<std::string> reports = lying_beside(parts, ".html");
+  ASSERT_EQ(reports.size(), 2u) << again.err;
+  EXPECT_EQ(parts.batch("merge", {"--html", page}).exit_code, 0);
+  for (const std::string& report : reports) {
+    EXPECT_NE(file_bytes(report).find("part-000"), std::string::npos) << "the report of a part";
+    const std::string below = fs::relative(report, parts.path("night/results")).string();
+    EXPECT_NE(file_bytes(page).find("\"" + below + "\""), std::string::npos) << "the page links to it";
+  }
+  // What is there is not made again.
+  const auto before = fs::last_write_time(reports[0]);
+  EXPECT_EQ(parts.batch("run", {"--reports", "--thumbnails"}).exit_code, 0);
+  EXPECT_EQ(fs::last_write_time(reports[0]), before);
 }
 
 struct Refusal {

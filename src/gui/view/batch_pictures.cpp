@@ -25,7 +25,8 @@ unsigned BatchPictures::texture(const Digest& key) {
   if (textures_.size() >= k_most) textures_.clear();
   gl::Texture& texture = textures_[key];
   try {
-    texture = gl::picture_texture(context_->functions(), read_png(batch::ResultStore(folder_).picture(key)));
+    texture = gl::picture_texture(context_->functions(),
+                                  read_png(batch::ResultStore(folder_).beside(key, batch::Beside::picture)));
   } catch (const Error&) {  // its place stays empty
   }
   return texture.name();

@@ -1,6 +1,6 @@
 // Shows, sorts and filters the rows, some hundred at a time. Fields of a row are those of HtmlSink::add.
 "use strict";
-const {about, pictures, rows} = JSON.parse(document.getElementById("batch").textContent);
+const {about, results, rows} = JSON.parse(document.getElementById("batch").textContent);
 const columns = [["#", 0, 0], ["part", 1, 1], ["state", 2, 1], ["undercut", 7, 0, "area"], ["share", 8, 0, "share"],
   ["undercuts", 9, 0], ["side actions", 10, 0], ["not released", 11, 0, "area"], ["area", 6, 0, "area"],
   ["facets", 5, 0], ["time s", 12, 0, "time"], ["settings", 13, 1, "said"], ["reason", 3, 1, "said"]];
@@ -30,7 +30,13 @@ function choose() {
 function cell(row, column) {
   const td = document.createElement("td");
   if (column[2]) td.className = column[1] === 1 ? "text path" : "text " + (column[3] || "");
-  td.textContent = text(row[column[1]], column[3]);
+  let place = td;
+  if (column[1] === 1 && row[15]) {
+    place = document.createElement("a");
+    place.href = results + row[15];
+    td.append(place);
+  }
+  place.textContent = text(row[column[1]], column[3]);
   return td;
 }
 function show() {
@@ -44,7 +50,7 @@ function show() {
         const image = document.createElement("img");
         image.loading = "lazy";
         image.alt = "";
-        image.src = pictures + row[14];
+        image.src = results + row[14];
         td.append(image);
       }
       tr.append(td);

@@ -157,9 +157,10 @@ TEST_F(Merge, NoNameEndsTheScriptOfThePage) {
 }
 
 TEST_F(Merge, ADamagedResultIsSetAsideAndCountsAsMissing) {
-  const std::string file = fs::path(ResultStore(manifest_.folder).picture(KeyMaker(manifest_)(rows_[0])))
-                               .replace_extension(".json")
-                               .string();
+  const std::string file =
+      fs::path(ResultStore(manifest_.folder).beside(KeyMaker(manifest_)(rows_[0]), Beside::picture))
+          .replace_extension(".json")
+          .string();
   fs::resize_file(file, 0);
   const ReadingCounts counts = merge_to({.csv = folder_.file("all.csv"), .sqlite = {}, .html = {}});
   EXPECT_EQ(counts.damaged, 1u);

@@ -47,13 +47,13 @@ TEST(ResultStore, StrangeFilesAreNoResults) {
   const ScratchFolder folder;
   const ResultStore store(folder.path().string());
   store.put(digest_of("a"), ResultState::done, {{"outcome", "done"}});
-  const fs::path place = fs::path(store.picture(digest_of("a"))).parent_path();
+  const fs::path place = fs::path(store.beside(digest_of("a"), Beside::picture)).parent_path();
   for (const std::string& name :
        {std::string("notes.txt"), std::string(64, 'x') + ".json", std::string("a.json"),
         hex_of(digest_of("b")) + ".json.damaged", hex_of(digest_of("c"))})
     static_cast<void>(folder.write((fs::relative(place, folder.path()) / name).string(), "{}"));
   EXPECT_EQ(store.index(Progress()).size(), 1u);
-  EXPECT_TRUE(store.pictures(Progress()).empty());
+  EXPECT_TRUE(store.those_with(Beside::picture, Progress()).empty());
 }
 
 TEST(ResultStore, ADamagedResultIsToldAndSetAside) {
@@ -61,7 +61,7 @@ TEST(ResultStore, ADamagedResultIsToldAndSetAside) {
   const ResultStore store(folder.path().string());
   const Digest key = digest_of("a");
   store.put(key, ResultState::done, {{"outcome", "done"}});
-  const std::string file = fs::path(store.picture(key)).replace_extension(".json").string();
+  const std::string file = fs::path(store.beside(key, Beside::picture)).replace_extension(".json").string();
   fs::resize_file(file, 5);
   EXPECT_THROW(static_cast<void>(store.read(key, ResultState::done)), FileError);
   store.set_aside(key, ResultState::done);
@@ -72,7 +72,7 @@ TEST(ResultStore, OldTemporaryFilesGoAndYoungOnesStay) {
   const ScratchFolder folder;
   const ResultStore store(folder.path().string());
   store.put(digest_of("a"), ResultState::done, {{"outcome", "done"}});
-  const fs::path place = fs::path(store.picture(digest_of("a"))).parent_path();
+  const fs::path place = fs::path(store.beside(digest_of("a"), Beside::picture)).parent_path();
   const fs::path old = place / ".moldlight-1-0.part", young = place / ".moldlight-2-0.part";
   for (const fs::path& file : {old, young})
     static_cast<void>(folder.write(fs::relative(file, folder.path()).string(), "{"));
