@@ -152,15 +152,17 @@ std::string freedom_text(const SideAction& action, const std::string& unit) {
 std::string meetings_text(const ActionPlan& plan) {
   constexpr std::size_t k_most = 6;
   std::string pairs;
-  std::size_t number = 0;
+  std::size_t number = 0, slides = 0;
   for (std::size_t k = 0; k < plan.actions.size(); ++k) {
     for (const std::size_t other : plan.actions[k].meets) {
-      if (other > k && ++number <= k_most)
-        pairs += fmt::format("{}{} and {}", number == 1 ? "" : ", ", k + 1, other + 1);
+      if (other < k) continue;
+      slides += is_slide(plan.actions[k].kind) ? 1 : 0;
+      if (++number <= k_most) pairs += fmt::format("{}{} and {}", number == 1 ? "" : ", ", k + 1, other + 1);
     }
   }
   if (number == 0) return "";
-  return fmt::format("\nSlides would meet, since their ways cross{}: rows {}{}.\n",
+  const std::string_view who = slides == number ? "Slides" : slides == 0 ? "Lifters" : "Slides and lifters";
+  return fmt::format("\n{} would meet, since their ways cross{}: rows {}{}.\n", who,
                      plan.optimal ? ", and nothing that was tried avoids it" : "", pairs,
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }

@@ -21,9 +21,9 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_meeting_cost = 100.0;  // of two slides that meet: more than what can be done instead
+constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what can be done instead
 constexpr int k_most_rounds = 40;
-/// Of slides that are asked whether they meet before they are chosen.
+/// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
 constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
@@ -156,19 +156,19 @@ class LeastSet {
     return true;
   }
 
-  /// Which other slides for the same atoms as the two that meet would meet, too: so that not each pair of
+  /// Which others for the same atoms as the two that meet would meet, too: so that not each pair of
   /// them has to be chosen first.
   void look_ahead(const Draft& draft, std::size_t one, std::size_t other) {
-    const std::array<std::vector<std::size_t>, 2> alike = {slides_like(draft.columns[one]),
-                                                           slides_like(draft.columns[other])};
+    const std::array<std::vector<std::size_t>, 2> alike = {those_like(draft.columns[one]),
+                                                           those_like(draft.columns[other])};
     const std::size_t pairs = alike[0].size() * alike[1].size();
     if (pairs > pairs_ahead_ ||
         !looked_ahead_.insert({columns_[draft.columns[one]].atoms, columns_[draft.columns[other]].atoms})
              .second)
       return;
     pairs_ahead_ -= pairs;
-    progress_.report("looking for ways round slides that meet", 0.9);
-    std::array<MovedSlide, 2> moved = {MovedSlide{.action = one}, MovedSlide{.action = other}};
+    progress_.report("looking for ways round actions that meet", 0.9);
+    std::array<MovedAction, 2> moved = {MovedAction{.action = one}, MovedAction{.action = other}};
     std::vector<Left> wanted;
     for (const std::vector<std::size_t>& columns : alike) {
       for (const std::size_t c : columns) wanted.emplace_back(c, columns_[c].atoms);
@@ -176,8 +176,7 @@ class LeastSet {
     find_actions_of(wanted);
     for (const std::size_t side : {0, 1}) {
       for (const std::size_t c : alike[side]) {
-        const SideAction& action = known_.at({c, columns_[c].atoms});
-        moved[side].moves.push_back({action.direction, action.travel});
+        moved[side].moves.push_back(move_of(known_.at({c, columns_[c].atoms})));
       }
     }
     for (const auto& [a, b] : crossing_moves(context_.model, context_.split, context_.pulls.release(),
@@ -185,10 +184,14 @@ class LeastSet {
       take_down(alike[0][a], alike[1][b]);
   }
 
-  [[nodiscard]] std::vector<std::size_t> slides_like(std::size_t column) const {
+  /// Slides for slides, lifters for lifters.
+  [[nodiscard]] std::vector<std::size_t> those_like(std::size_t column) const {
+    const auto is_like = [&](ActionKind kind) {
+      return is_slide(columns_[column].pull.kind) ? is_slide(kind) : kind == ActionKind::lifter;
+    };
     std::vector<std::size_t> alike;
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-      if (is_slide(columns_[c].pull.kind) && columns_[c].atoms == columns_[column].atoms) alike.push_back(c);
+      if (is_like(columns_[c].pull.kind) && columns_[c].atoms == columns_[column].atoms) alike.push_back(c);
     }
     return alike;
   }
@@ -197,7 +200,7 @@ class LeastSet {
   void go_round(std::vector<std::size_t> atoms) {
     std::erase_if(atoms, [&](std::size_t atom) { return !gone_round_.insert(atom).second; });
     if (atoms.empty()) return;
-    progress_.report("looking for ways round slides that meet", 0.85);
+    progress_.report("looking for ways round actions that meet", 0.85);
     std::vector<std::vector<Column>> ways(atoms.size());
     tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
       if (!progress_.cancelled()) ways[k] = ways_round_(atoms[k]);

@@ -1,5 +1,5 @@
-// A point is on the way of a slide if a ray from it against the slide's direction first meets the part on the
-// surface that the slide forms.
+// A point is on the way of an action if a ray from it against the action's direction first meets the part on
+// the surface that the action forms, of a lifter within its length.
 #include "actions/meetings.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_asked = 64;   // samples of a slide
+constexpr std::size_t k_asked = 64;   // samples of an action
 constexpr int k_places = 16;          // on the way of each, where the other may be
 constexpr double k_beyond = 0.08;     // the part, share of the diagonal
 constexpr double k_parallel = 1e-3;   // sine between directions whose ways cannot cross
@@ -30,6 +30,8 @@ struct Reach {
 /// In the unit frame.
 struct Way {
   std::size_t action = 0;
+  bool lifts = false;
+  bool core_side = true;
   glm::dvec3 direction{1, 0, 0};
   double end = 0.0;  // along the direction
   std::vector<UndercutSample> samples;
@@ -48,7 +50,7 @@ class Meetings {
     std::vector<Undercut> surfaces(plan.actions.size());
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
       const std::int32_t action = plan.action_of_piece[piece];
-      if (action < 0 || !is_slide(plan.actions[static_cast<std::size_t>(action)].kind)) continue;
+      if (action < 0 || !may_meet(plan.actions[static_cast<std::size_t>(action)].kind)) continue;
       Undercut& surface = surfaces[static_cast<std::size_t>(action)];
       surface.pieces.push_back(piece);
       surface.area += piece_area(split, split.pieces[piece]);
@@ -56,9 +58,10 @@ class Meetings {
     }
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       if (surfaces[k].area <= 0.0) continue;
-      ways_.push_back({.action = k, .samples = sample_undercut(model, split, surfaces[k], k_asked)});
-      const SideAction& action = plan.actions[k];
-      ways_.back() = moved(ways_.back(), {action.direction, action.travel});
+      ways_.push_back({.action = k,
+                       .lifts = plan.actions[k].kind == ActionKind::lifter,
+                       .samples = sample_undercut(model, split, surfaces[k], k_asked)});
+      ways_.back() = moved(ways_.back(), move_of(plan.actions[k]));
     }
   }
 
@@ -73,12 +76,12 @@ class Meetings {
     return found;
   }
 
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing(const MovedSlide& one,
-                                                                          const MovedSlide& other) const {
-    const auto ways_of = [&](const MovedSlide& slide) {
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing(const MovedAction& one,
+                                                                          const MovedAction& other) const {
+    const auto ways_of = [&](const MovedAction& action) {
       std::vector<Way> ways;
-      const auto its = std::ranges::find(ways_, slide.action, &Way::action);
-      for (const SlideMove& move : slide.moves) {
+      const auto its = std::ranges::find(ways_, action.action, &Way::action);
+      for (const ActionMove& move : action.moves) {
         if (its != ways_.end()) ways.push_back(moved(*its, move));
       }
       return ways;
@@ -94,31 +97,43 @@ class Meetings {
   }
 
  private:
-  [[nodiscard]] Way moved(const Way& way, const SlideMove& move) const {
+  [[nodiscard]] static bool may_meet(ActionKind kind) { return is_slide(kind) || kind == ActionKind::lifter; }
+
+  [[nodiscard]] Way moved(const Way& way, const ActionMove& move) const {
     Way other = way;
     other.direction = move.direction;
-    other.end = release_.reach(move.direction) + k_beyond + move.travel / model_.frame.diagonal;
+    other.core_side = move.core_side;
+    const double from =
+        way.lifts ? way.extent(move.direction).greatest : release_.reach(move.direction) + k_beyond;
+    other.end = from + (move.travel + move.room) / model_.frame.diagonal;
     return other;
   }
 
   /// Whether what `one` moves passes where `other` is.
   [[nodiscard]] bool crosses(const Way& one, const Way& other) const {
+    if (one.lifts != other.lifts || (one.lifts && one.core_side != other.core_side)) return false;
     const glm::dvec3 normal = glm::cross(one.direction, other.direction);
-    if (glm::length(normal) < k_parallel) return false;
+    const bool parallel = glm::length(normal) < k_parallel;
+    if (parallel && (!one.lifts || glm::dot(one.direction, other.direction) > 0.0)) return false;
     // Across the other's way, in the plane of both directions.
     const glm::dvec3 across = one.direction - glm::dot(one.direction, other.direction) * other.direction;
     const Reach level = other.extent(normal), wide = other.extent(across);
     std::size_t met = 0;
     for (const UndercutSample& sample : one.samples) {
-      const glm::dvec3 from(sample.position);
-      const double height = glm::dot(from, normal);
-      if (height < level.least || height > level.greatest) continue;
-      const double at = glm::dot(from, across), speed = glm::dot(one.direction, across);
-      const double first = std::max(0.0, (wide.least - at) / speed);
-      const double last = std::min(one.end - glm::dot(from, one.direction), (wide.greatest - at) / speed);
+      const glm::dvec3 from(release_.start(sample, one.direction));
+      double first = 0.0, last = one.end - glm::dot(from, one.direction);
+      if (!parallel) {
+        const double height = glm::dot(from, normal);
+        if (height < level.least || height > level.greatest) continue;
+        const double at = glm::dot(from, across), speed = glm::dot(one.direction, across);
+        first = std::max(first, (wide.least - at) / speed);
+        last = std::min(last, (wide.greatest - at) / speed);
+      }
       for (int place = 0; place < k_places && first < last; ++place) {
-        const double gone = first + (last - first) * (place + 0.5) / k_places;
-        if (!is_on(other, from + gone * one.direction)) continue;
+        // Those that come at each other meet at their ends first.
+        const double share =
+            parallel ? 1.0 - static_cast<double>(place) / k_places : (place + 0.5) / k_places;
+        if (!is_on(other, from + (first + (last - first) * share) * one.direction)) continue;
         ++met;
         break;
       }
@@ -155,11 +170,16 @@ class Meetings {
   const SplitMesh& split_;
   const Release& release_;
   const ActionPlan& plan_;
-  std::unordered_multimap<FacetIndex, std::uint32_t> pieces_;  // that slides form, by their facet
+  std::unordered_multimap<FacetIndex, std::uint32_t> pieces_;  // that they form, by their facet
   std::vector<Way> ways_;
 };
 
 }  // namespace
+
+ActionMove move_of(const SideAction& action) {
+  const double room = std::clamp(action.clear_to - action.travel, 0.0, action.room_needed);
+  return {action.direction, action.travel, room, action.core_side};
+}
 
 void find_meetings(const PartModel& model, const SplitMesh& split, const Release& release, ActionPlan& plan) {
   for (const auto& [a, b] : Meetings(model, split, release, plan).pairs()) {
@@ -169,11 +189,9 @@ void find_meetings(const PartModel& model, const SplitMesh& split, const Release
   for (SideAction& action : plan.actions) std::ranges::sort(action.meets);
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> crossing_moves(const PartModel& model,
-                                                                const SplitMesh& split,
-                                                                const Release& release,
-                                                                const ActionPlan& plan, const MovedSlide& one,
-                                                                const MovedSlide& other) {
+std::vector<std::pair<std::size_t, std::size_t>> crossing_moves(
+    const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan,
+    const MovedAction& one, const MovedAction& other) {
   return Meetings(model, split, release, plan).crossing(one, other);
 }
 

@@ -1,4 +1,4 @@
-// Slides that would meet each other on their ways.
+// Slides, and lifters, that would meet each other on their ways.
 #pragma once
 
 #include <utility>
@@ -8,24 +8,31 @@
 
 namespace moldlight {
 
-/// Fills in `meets` of each slide, inclined ones among them: the others whose way it crosses. The way of a
-/// slide is what its surface sweeps out to beyond the part, and its travel on. Two slides whose ways cross
-/// stand in each other's way whichever goes first, as long as each reaches outward along its own direction.
+/// Fills in `meets` of each slide, inclined ones among them, and of each lifter: the others of its kind whose
+/// way it crosses. The way of a slide is what its surface sweeps out to beyond the part, and its travel on.
+/// Two slides whose ways cross stand in each other's way whichever goes first, as long as each reaches
+/// outward along its own direction. The way of a lifter ends its travel and its own thickness beyond what it
+/// forms; lifters of one half move together.
 void find_meetings(const PartModel& model, const SplitMesh& split, const Release& release, ActionPlan& plan);
 
-/// A slide of a plan that moves otherwise: along `direction` (unit), by `travel` in the part's unit.
-struct SlideMove {
+/// An action of a plan that moves otherwise: along `direction` (unit), by `travel` and, of a lifter, the
+/// `room` beyond it in the part's unit.
+struct ActionMove {
   glm::dvec3 direction{1, 0, 0};
   double travel = 0.0;
+  double room = 0.0;
+  bool core_side = true;
 };
-/// What two slides of a plan form, moved in each of these ways: pairs of ways, of one and of the other, that
+/// A lifter is as thick as it needs to be, or as it has room for.
+[[nodiscard]] ActionMove move_of(const SideAction& action);
+/// What two actions of a plan form, moved in each of these ways: pairs of ways, of one and of the other, that
 /// cross.
-struct MovedSlide {
+struct MovedAction {
   std::size_t action = 0;  // of the plan
-  std::vector<SlideMove> moves = {};
+  std::vector<ActionMove> moves = {};
 };
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing_moves(
     const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan,
-    const MovedSlide& one, const MovedSlide& other);
+    const MovedAction& one, const MovedAction& other);
 
 }  // namespace moldlight

@@ -38,6 +38,8 @@ class Release {
  public:
   Release(const PartModel& model, const ExactQuery& query);
 
+  /// Where a point starts: beside it, if its surface is parallel to the pull (unit).
+  [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
   /// How far a point moves along `pull` (unit) before the part is in its way: 0 for one that faces against
   /// it, infinity for one that is never stopped.
   [[nodiscard]] double free_length(const UndercutSample& sample, const glm::dvec3& pull) const;
@@ -93,7 +95,6 @@ class Release {
  private:
   /// How many bodies a point (unit frame) is in, by what a ray from it crosses.
   [[nodiscard]] int depth(const glm::dvec3& from, const glm::dvec3& along) const;
-  [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
   [[nodiscard]] bool is_shallow_at(const UndercutSample& sample) const;
   /// Whether a blocked sample is within twice the lateral tolerance of a place of its plane that is free.
   template <typename Free>

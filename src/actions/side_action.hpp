@@ -39,7 +39,7 @@ struct SideAction {
   double clear_to =
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
-  std::vector<std::size_t> meets = {};          // of a slide: others whose ways cross its own, rising
+  std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
 };
 
 /// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.

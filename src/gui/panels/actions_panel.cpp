@@ -51,11 +51,14 @@ std::string shared_text(const SideAction& action, std::size_t undercut) {
   return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
 }
 
-/// The slides that it would meet, by the undercuts that they release.
+/// The actions that it would meet, by the undercuts that they release.
 std::string meetings_text(const ActionPlan& plan, const SideAction& action) {
   std::vector<std::size_t> others;
   for (const std::size_t other : action.meets) others.push_back(plan.actions[other].patches.front() + 1);
-  return others.empty() ? std::string() : fmt::format(" · meets the slide of {}", fmt::join(others, ", "));
+  return others.empty()
+             ? std::string()
+             : fmt::format(" · meets the {} of {}", action.kind == ActionKind::lifter ? "lifter" : "slide",
+                           fmt::join(others, ", "));
 }
 
 /// What else there is to say of an action: a lifter's stroke, a thread's pitch, a ring's strain.

@@ -1,8 +1,11 @@
-// Slides whose ways cross would meet.
+// Slides whose ways cross would meet, and lifters.
 #include "actions/meetings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +119,81 @@ TEST(Meetings, AreAvoidedByADearerSetOfSlides) {
   EXPECT_GT(careless, 1.0);
   EXPECT_TRUE(both.plan.optimal);
   EXPECT_TRUE(both.plan.unreleased.empty());
+}
+
+/// A pocket 4 deep and 8 high in an inner wall of a box.
+struct WallPocket {
+  int wall = 0;  // 0: at -x, 1: at +x, 2: at -y
+  double from = 0.0, to = 0.0, bottom = 0.0;
+
+  [[nodiscard]] std::pair<glm::dvec3, glm::dvec3> box(const glm::dvec2& inside) const {
+    constexpr double k_deep = 4.0, k_high = 8.0;
+    if (wall == 2) return {{from, -k_deep, bottom}, {to, 0.0, bottom + k_high}};
+    const double x = wall == 0 ? -k_deep : inside.x;
+    return {{x, from, bottom}, {x + k_deep, to, bottom + k_high}};
+  }
+};
+
+/// A box open upward, `inside` wide, 35 deep, with pockets in its inner walls: only lifters release them.
+TriangleMesh box_with_pockets(const glm::dvec2& inside, const std::vector<WallPocket>& pockets) {
+  constexpr double k_wall = 10.0, k_floor = 5.0, k_top = 40.0;
+  SolidBuilder solid;
+  const glm::dvec3 low(-k_wall, -k_wall, 0), high(inside.x + k_wall, inside.y + k_wall, k_top);
+  const glm::dvec3 in_low(0, 0, k_floor), in_high(inside.x, inside.y, k_top);
+  std::array<std::vector<test::Loop>, 3> holes;
+  for (const WallPocket& pocket : pockets) {
+    const auto [from, to] = pocket.box(inside);
+    const int open = pocket.wall == 1 ? 0 : pocket.wall + 1;
+    solid.box(from, to, {open}, true);
+    holes[static_cast<std::size_t>(pocket.wall)].push_back(box_face(from, to, open));
+  }
+  solid.box(low, high, {5});
+  solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
+  solid.box(in_low, in_high, {0, 1, 2, 5}, true);
+  solid.face(box_face({low.x, 0, k_floor}, {0, inside.y, k_top}, 1), holes[0]);
+  solid.face(box_face({inside.x, 0, k_floor}, {high.x, inside.y, k_top}, 0), holes[1]);
+  solid.face(box_face({0, low.y, k_floor}, {inside.x, 0, k_top}, 3), holes[2]);
+  return solid.mesh();
+}
+
+/// How many pairs of its two lifters meet; each needs 4 of travel and the usual 3 of room.
+std::size_t lifters_that_meet(const TriangleMesh& mesh) {
+  const Planned planned = plan_of(mesh);
+  EXPECT_EQ(actions_text(planned.plan), "2 lifters");
+  std::size_t number = 0;
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_NEAR(action.travel, 4.0, 0.01);
+    EXPECT_TRUE(has_room(action)) << "each by itself";
+    number += action.meets.size();
+  }
+  return number / 2;
+}
+
+TEST(Meetings, AreOfLiftersThatComeAtEachOther) {
+  const auto facing = [](double wide, double height) {
+    return lifters_that_meet(box_with_pockets({wide, 60}, {{0, 25, 35, 12}, {1, 25, 35, height}}));
+  };
+  EXPECT_EQ(facing(13.8, 12), 1U) << "two times 4 to travel and 3 of their own are wanted";
+  EXPECT_EQ(facing(14.2, 12), 0U);
+  EXPECT_EQ(facing(13.8, 25), 0U) << "one above the other";
+}
+
+TEST(Meetings, AreOfLiftersInACorner) {
+  const auto at = [](double from) {
+    return lifters_that_meet(box_with_pockets({50, 60}, {{0, from, from + 6, 12}, {2, from, from + 6, 12}}));
+  };
+  EXPECT_EQ(at(6.5), 1U) << "each comes to 7 beyond its wall";
+  EXPECT_EQ(at(7.2), 0U);
+}
+
+TEST(Meetings, OfLiftersAreToldAsSuch) {
+  const ActionSettings settings;
+  const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
+  const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
+  EXPECT_NE(
+      actions_table(report).find("Lifters would meet, since their ways cross, and nothing that was tried "
+                                 "avoids it: rows 1 and 2."),
+      std::string::npos);
 }
 
 TEST(Meetings, AreNoneAtDifferentHeights) {
