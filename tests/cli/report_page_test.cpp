@@ -1,4 +1,5 @@
 // The page that --html writes, as a program reads it and as a browser shows it.
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 
@@ -121,7 +122,30 @@ TEST(ReportPage, AHostileNameInjectsNothing) {
   }
 }
 
-TEST(ReportPage, IsThePictureWithoutScriptsOrWebGl) {
+/// Share of the pixels that have a colour, as regions have and text has not.
+double coloured_share(const Image& image) {
+  std::size_t coloured = 0;
+  for (std::size_t k = 0; k < image.rgba.size(); k += 4) {
+    const auto [least, greatest] = std::minmax({image.rgba[k], image.rgba[k + 1], image.rgba[k + 2]});
+    coloured += greatest - least > 60 ? 1 : 0;
+  }
+  return 4.0 * static_cast<double>(coloured) / static_cast<double>(image.rgba.size());
+}
+
+TEST(ReportPage, ShowsItsPicturesWhereScriptsAreOff) {
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
+  const SmallPart part;
+  const std::string page = part.output("page.html");
+  ASSERT_EQ(run_moldlight(classify_page(part.file(), page)).exit_code, 0);
+  // No script runs in a frame with this word.
+  const std::string frame = part.folder().write(
+      "frame.html", "<iframe sandbox src=\"page.html\" width=\"900\" height=\"900\"></iframe>");
+  EXPECT_GT(coloured_share(test::picture_of_page(frame, 940, 940)), 0.03);
+  const std::string empty = part.folder().write("empty.html", "<p>no picture</p>");
+  EXPECT_EQ(coloured_share(test::picture_of_page(empty, 940, 940)), 0.0);
+}
+
+TEST(ReportPage, IsThePictureWithoutWebGl) {
   if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
   const SmallPart part;
   const std::string page = part.output("page.html");

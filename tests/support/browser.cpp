@@ -4,6 +4,7 @@
 #include <regex>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/process.hpp"
@@ -61,6 +62,15 @@ LoadedPage load_page(const std::string& file, const std::string& fragment,
   page.requests = static_cast<std::size_t>(
       std::distance(std::sregex_iterator(net.begin(), net.end(), request), std::sregex_iterator()));
   return page;
+}
+
+Image picture_of_page(const std::string& file, int width, int height) {
+  const ScratchFolder folder;
+  const std::string picture = folder.file("page.png");
+  static_cast<void>(
+      run_browser("file://" + file,
+                  {fmt::format("--window-size={},{}", width, height), "--screenshot=" + picture}, folder));
+  return read_png(picture);
 }
 
 void print_page(const std::string& file, const std::string& pdf) {

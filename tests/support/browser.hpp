@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/png.hpp"
+
 namespace moldlight::test {
 
 [[nodiscard]] bool has_browser();
@@ -17,6 +19,9 @@ struct LoadedPage {
 /// Loads a page from a file, with `#fragment`. `flags` are the browser's.
 [[nodiscard]] LoadedPage load_page(const std::string& file, const std::string& fragment,
                                    const std::vector<std::string>& flags = {});
+
+/// What the page shows in a window of this size, px.
+[[nodiscard]] Image picture_of_page(const std::string& file, int width, int height);
 
 /// Prints the page to a PDF.
 void print_page(const std::string& file, const std::string& pdf);
