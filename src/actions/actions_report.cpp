@@ -124,7 +124,7 @@ std::string changes_text(std::span<const ToBeFree> changes, const std::string& u
 
 std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
   std::string text;
-  if (change.depth) text = fmt::format("cut back by {} {}", figure(*change.depth), unit);
+  if (change.depth) text = fmt::format("cut back by {:.4g} {}", *change.depth, unit);
   if (const auto& window = change.window) {
     const std::string least = fmt::format("{:.3g}", window->least_thickness);
     const std::string greatest = fmt::format("{:.3g}", window->thickness);

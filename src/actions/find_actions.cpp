@@ -24,6 +24,7 @@ namespace {
 
 constexpr double k_samples = 6000.0;                              // over all undercuts
 constexpr double k_least_samples = 48.0, k_most_samples = 600.0;  // of one of them
+constexpr double k_across = 0.7;      // cosine, at most, between a way and one across it
 constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its undercut
 
 class Finder {
@@ -184,13 +185,24 @@ class Finder {
     return columns;
   }
 
-  /// What else releases an atom whose slide meets another: its own slides turned, inclined ones, lifters.
+  /// What else releases an atom whose slide or lifter meets another: its own slides turned, inclined ones,
+  /// lifters, those across its own ways, too.
   std::vector<Column> ways_round(std::size_t number) const {
     const Atom& atom = atoms_[number];
     std::vector<Pull> pulls = pulls_.turned(atom.samples, atom.pulls);
     for (const ActionKind kind : {ActionKind::inclined, ActionKind::lifter}) {
       if (!atom.allows(kind)) continue;
       const std::vector<Pull> more = pulls_.find(atom.samples, candidates(atom), kind);
+      pulls.insert(pulls.end(), more.begin(), more.end());
+    }
+    if (atom.allows(ActionKind::lifter)) {
+      std::vector<PullCandidate> across = candidates(atom);
+      std::erase_if(across, [&](const PullCandidate& tried) {
+        return std::ranges::any_of(atom.pulls, [&](const Pull& pull) {
+          return std::abs(glm::dot(tried.direction, pull.direction)) > k_across;
+        });
+      });
+      const std::vector<Pull> more = pulls_.find(atom.samples, across, ActionKind::lifter);
       pulls.insert(pulls.end(), more.begin(), more.end());
     }
     std::vector<Column> columns;

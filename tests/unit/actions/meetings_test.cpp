@@ -186,6 +186,34 @@ TEST(Meetings, AreOfLiftersInACorner) {
   EXPECT_EQ(at(7.2), 0U);
 }
 
+/// A trough with a groove 4 deep in either inner wall, open at its ends before which plates stand: a lifter
+/// can go across it or along it.
+TriangleMesh grooved_trough(double wide) {
+  const double far = wide + 10.0;
+  const Loop2 profile = {{-10, 0},       {far, 0},   {far, 40}, {wide, 40}, {wide, 20}, {wide + 4, 20},
+                         {wide + 4, 12}, {wide, 12}, {wide, 5}, {0, 5},     {0, 12},    {-4, 12},
+                         {-4, 20},       {0, 20},    {0, 40},   {-10, 40}};
+  SolidBuilder solid;
+  solid.extrude(profile, {}, 8.0);
+  solid.box({-100, -42, 0}, {100, -32, 60});
+  solid.box({-100, 40, 0}, {100, 50, 60});
+  return solid.mesh();
+}
+
+TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {
+  for (const bool near : {false, true}) {
+    const Planned planned = plan_of(grooved_trough(near ? 12.0 : 16.0));
+    ASSERT_EQ(actions_text(planned.plan), "2 lifters");
+    std::size_t along = 0;
+    for (const SideAction& action : planned.plan.actions) {
+      EXPECT_TRUE(action.meets.empty());
+      along += std::abs(action.direction.y) > 0.5 ? 1 : 0;
+    }
+    EXPECT_EQ(along > 0, near);
+    EXPECT_TRUE(planned.plan.optimal);
+  }
+}
+
 TEST(Meetings, OfLiftersAreToldAsSuch) {
   const ActionSettings settings;
   const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
