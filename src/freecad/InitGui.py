@@ -3,6 +3,19 @@ import FreeCAD
 import FreeCADGui
 
 
+def translations():
+    """A translation of the workbench is a file moldlight_<language>.qm in this folder."""
+    import os
+
+    import moldlight_workbench
+
+    return os.path.join(os.path.dirname(os.path.dirname(moldlight_workbench.__file__)), "translations")
+
+
+FreeCADGui.addLanguagePath(translations())
+FreeCADGui.updateLocale()
+
+
 class MoldlightWorkbench(FreeCADGui.Workbench):
     MenuText = FreeCAD.Qt.translate("Moldlight", "Moldlight")
     ToolTip = FreeCAD.Qt.translate("Moldlight", "What core, cavity and side actions of a mold form of a body")

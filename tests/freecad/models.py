@@ -53,6 +53,14 @@ def lid_undercut():
     return 2 * HOOK_WIDTH * (HOOK_HEIGHT + 2 * CATCH)
 
 
+def facing_pockets(inside):
+    """A box, open upward and `inside` wide, with a pocket 4 deep in either of two facing walls."""
+    box = Part.makeBox(inside + 20, 80, 40, VECTOR(-10, -10, 0)).cut(Part.makeBox(inside, 60, 40, VECTOR(0, 0, 5)))
+    for x in (-4, inside):
+        box = box.cut(Part.makeBox(4, 10, 8, VECTOR(x, 25, 12)))
+    return box
+
+
 def feature(document, shape, name="Body"):
     made = document.addObject("Part::Feature", name)
     made.Shape = shape

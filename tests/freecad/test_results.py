@@ -46,6 +46,17 @@ class ResultsTest(DocumentCase):
         self.assertIs(found.Proxy._found, answer)
         self.assertAlmostEqual(self.regions.UndercutArea.Value, table[1][1], delta=1e-6)
 
+    def test_actions_that_meet(self):
+        """Pockets 4 deep in facing walls 12 apart: each lifter comes to 7 beyond its wall."""
+        self.body.Shape = models.facing_pockets(12)
+        found = results.actions_of(self.regions)
+        self.recompute()
+        self.assertEqual(actions.troubles(found), ([(1, 2)], []))
+        self.body.Shape = models.facing_pockets(16)
+        self.recompute()
+        self.assertEqual([row[0] for row in actions.action_table(found)], ["lifter", "lifter"])
+        self.assertEqual(actions.troubles(found), ([], []))
+
     def test_actions(self):
         found = results.actions_of(self.regions)
         self.recompute()

@@ -2,6 +2,7 @@
 set. Ends with 1 if a test failed."""
 
 import os
+import re
 import sys
 import tempfile
 import time
@@ -32,6 +33,26 @@ def picture(name):
     if PICTURES:
         settle(0.5)
         os.system(f"import -window root '{os.path.join(PICTURES, name)}.png'")
+
+
+class Marked(QtCore.QTranslator):
+    """A language in which every text of the workbench is marked."""
+
+    def translate(self, context, text, disambiguation=None, n=-1):
+        return f"«{text}»" if context == "Moldlight" else ""
+
+
+def unmarked_texts(panel):
+    """Words on a panel that do not come from the language: neither names nor what the module says."""
+    form = panel.form
+    texts = [form.windowTitle(), *(label.text() for label in form.findChildren(QtGui.QLabel))]
+    texts += [button.text() for button in form.findChildren(QtGui.QPushButton)]
+    texts += [box.text() for box in form.findChildren(QtGui.QCheckBox)]
+    for table in form.findChildren(QtGui.QTableWidget):
+        texts += [table.horizontalHeaderItem(column).text() for column in range(table.columnCount())]
+        texts += [row[0] for row in panel_rows(table)]
+    own = re.compile(r"«.*»|Face\d+|[-−+\d., ]*|[-−]?[XYZxyz]|%", re.S)
+    return [text for text in texts if not own.fullmatch(text)]
 
 
 def panel_rows(table):
@@ -280,6 +301,18 @@ class WindowTest(unittest.TestCase):
         found = self.document.MoldRegions
         self.assertIs(found.Source, body)
         self.assertEqual(found.Reference[0], self.document.Pocket)
+
+    def test_all_texts_can_be_translated(self):
+        language = Marked()
+        QtGui.QApplication.installTranslator(language)
+        self.addCleanup(QtGui.QApplication.removeTranslator, language)
+        body = self.body()
+        for command in ("Regions", "FindDirection", "Actions", "Parting"):
+            panel = self.run_command(command, (body,))
+            # What the module says is in its own words.
+            said = [getattr(panel, name).text() for name in ("remarks", "verdict", "refusal") if hasattr(panel, name)]
+            self.assertEqual([text for text in unmarked_texts(panel) if text not in said], [], command)
+            panel.accept()
 
     def test_messages(self):
         import Part

@@ -97,3 +97,10 @@ def action_table(obj):
         )
         for action in report(obj).get("actions", ())
     ]
+
+
+def troubles(obj):
+    """Rows of the table from 1: pairs of actions whose ways cross, and lifters that lack room."""
+    found = report(obj).get("actions", ())
+    meet = [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
+    return meet, [row for row, action in enumerate(found, 1) if not action["has_room"]]

@@ -1,6 +1,6 @@
 """The panel of side actions: undercuts, and what releases them."""
 
-from .. import actions, directions, results
+from .. import actions, directions, results, words
 from ..engine import translate
 from ..properties import quantity
 from . import task
@@ -34,14 +34,26 @@ class ActionsPanel(task.Panel):
             return "–" if value is None else quantity(value, "length")
 
         table = actions.action_table(self.found)
-        rows = [(kind, "–" if direction is None else directions.text_of(direction, 3), length(travel), length(stroke),
+        rows = [(words.shown(kind), "–" if direction is None else directions.text_of(direction, 3), length(travel), length(stroke),
                  quantity(area, "area"), ", ".join(str(number) for number in undercuts))
                 for kind, direction, travel, stroke, area, undercuts in table]
         task.fill(self.rows, rows, [actions.COLOURS.get(row[0], actions.OTHER_COLOUR) for row in table])
         found = actions.report(self.found)
         task.fill(self.undercuts, [(str(patch["id"]), quantity(patch["area"], "area"), length(patch["depth"]),
-                                    patch["side"] or "–") for patch in found.get("patches", ())])
+                                    words.shown(patch["side"] or "–")) for patch in found.get("patches", ())])
+        self.summary.setText("\n".join(self._remarks()))
+
+    def _remarks(self):
+        """A sentence on what is left, on actions that meet and on lifters without room."""
         left = self.found.Unreleased.Value
-        self.summary.setText(
+        sentences = [
             translate("Moldlight", "Nothing that was tried releases {}.").format(quantity(left, "area")) if left
-            else translate("Moldlight", "Nothing of the undercuts is left unreleased."))
+            else translate("Moldlight", "Nothing of the undercuts is left unreleased.")]
+        meet, crowded = actions.troubles(self.found)
+        if meet:
+            sentences.append(translate("Moldlight", "Would meet on their ways: rows {}.").format(
+                ", ".join(f"{one} + {other}" for one, other in meet)))
+        if crowded:
+            sentences.append(translate("Moldlight", "Lifters without room for their own thickness: rows {}.").format(
+                ", ".join(str(row) for row in crowded)))
+        return sentences

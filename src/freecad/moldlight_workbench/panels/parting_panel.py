@@ -2,7 +2,7 @@
 
 from PySide import QtGui
 
-from .. import parting, results
+from .. import parting, results, words
 from ..engine import translate
 from ..properties import quantity
 from . import task
@@ -56,7 +56,7 @@ class PartingPanel(task.Panel):
 
     def refresh(self):
         self.verdict.setText(self.line.Verdict)
-        task.fill(self.rows, [(kind, quantity(length, "length"), quantity(climb, "length"), quantity(steepest, "angle"))
+        task.fill(self.rows, [(words.shown(kind), quantity(length, "length"), quantity(climb, "length"), quantity(steepest, "angle"))
                               for kind, length, climb, steepest in parting.loop_table(self.line)])
         halves = [obj for obj in self.line.InList if isinstance(getattr(obj, "Proxy", None), parting.MoldBody)]
         task.fill(self.bodies, [(half.Label, quantity(half.Volume.Value, "volume")) for half in halves],

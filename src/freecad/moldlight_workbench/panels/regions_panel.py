@@ -2,7 +2,7 @@
 
 from PySide import QtGui
 
-from .. import directions, regions, selection, window
+from .. import directions, regions, selection, window, words
 from ..engine import translate
 from ..properties import quantity
 from ..views import MIXED_COLOUR
@@ -27,7 +27,7 @@ class RegionsPanel(task.Panel):
         area = translate("Moldlight", "Area")
         self.faces = self.table(
             [translate("Moldlight", "Face"), translate("Moldlight", "Region"), translate("Moldlight", "Draft"), area,
-             *(name.capitalize() for name in regions.engine().REGIONS)],
+             *(words.shown(name).capitalize() for name in regions.engine().REGIONS)],
             self._choose_face)
         self.button(translate("Moldlight", "Open in moldlight"),
                     translate("Moldlight", "The same part, direction and settings in moldlight's own window"),
@@ -115,7 +115,7 @@ class RegionsPanel(task.Panel):
         self.follows.setVisible(obj.Reference is not None)
         total = obj.TotalArea.Value or 1.0
         areas = [getattr(obj, name).Value for name in regions.REGION_PROPERTIES]
-        rows = [(name.capitalize(), quantity(area, "area"), task.percent(area / total))
+        rows = [(words.shown(name).capitalize(), quantity(area, "area"), task.percent(area / total))
                 for name, area in zip(regions.engine().REGIONS, areas)]
         task.fill(self.areas, rows, obj.Colours)
         task.fit_rows(self.areas)
@@ -126,7 +126,7 @@ class RegionsPanel(task.Panel):
 
     def _fill_faces(self):
         table = regions.face_table(self.regions)
-        rows = [(f"Face{number}", region, quantity(draft, "angle"), quantity(sum(areas), "area"),
+        rows = [(f"Face{number}", words.shown(region), quantity(draft, "angle"), quantity(sum(areas), "area"),
                  *(quantity(area, "area") if area else "–" for area in areas)) for number, region, areas, draft in table]
         colours = [*self.regions.Colours, MIXED_COLOUR]
         task.fill(self.faces, rows, [colours[region] for region in self.regions.FaceRegions])
