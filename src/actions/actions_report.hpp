@@ -32,8 +32,8 @@ struct ActionsReport {
 /// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm"; "-" for neither.
 [[nodiscard]] std::string change_text(const ToBeFree& change, const std::string& unit,
                                       const std::string& area_unit);
-/// Pairs of slides that would meet, named as their rows are counted, in a paragraph; empty where there are
-/// none.
+/// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
+/// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
 /// Lifters without the room that they need, likewise.
 [[nodiscard]] std::string crowded_text(const ActionPlan& plan, const std::string& unit);
