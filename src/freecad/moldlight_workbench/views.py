@@ -139,7 +139,9 @@ class DirectionsView(View):
         return DirectionPanel(obj.Regions)
 
 
-class ActionsView(MeshView):
+class OfActions:
+    """Opens their panel."""
+
     picture = "actions"
 
     def panel(self, obj):
@@ -148,37 +150,35 @@ class ActionsView(MeshView):
         return ActionsPanel(obj.Regions)
 
 
-class ArrowsView(View):
-    picture = "actions"
+class ActionsView(OfActions, MeshView):
+    pass
+
+
+class ArrowsView(OfActions, View):
     looks = {"DisplayMode": "Shaded"}
 
     def colour(self, obj, view):
         if obj.Colours and len(obj.Colours) == len(obj.Shape.Faces):
             view.DiffuseColor = [colour[:3] + (0.0,) for colour in obj.Colours]
 
-    def panel(self, obj):
-        from .panels.actions_panel import ActionsPanel
 
-        return ActionsPanel(obj.Regions)
+class OfParting:
+    """Opens its panel."""
 
-
-class LineView(View):
     picture = "parting"
+
+    def panel(self, obj):
+        from .panels.parting_panel import PartingPanel
+
+        return PartingPanel(obj.Regions)
+
+
+class LineView(OfParting, View):
     looks = {"LineWidth": 4.0, "LineColor": (0.95, 0.75, 0.05), "PointSize": 1.0}
 
-    def panel(self, obj):
-        from .panels.parting_panel import PartingPanel
 
-        return PartingPanel(obj.Regions)
-
-
-class BodyView(MeshView):
-    picture = "parting"
-
-    def panel(self, obj):
-        from .panels.parting_panel import PartingPanel
-
-        return PartingPanel(obj.Regions)
+class BodyView(OfParting, MeshView):
+    pass
 
 
 _VIEWS = {

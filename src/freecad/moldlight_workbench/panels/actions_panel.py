@@ -7,13 +7,10 @@ from . import task
 
 
 class ActionsPanel(task.Panel):
-    picture = "actions"
+    picture, title = "actions", task.QT_TRANSLATE_NOOP("Moldlight", "Undercuts and actions")
 
     def __init__(self, regions, begun=False):
-        self.title = translate("Moldlight", "Undercuts and actions")
-        super().__init__(regions)
-        if not begun:
-            task.begin(self.document, self.title)
+        super().__init__(regions, begun)
         self.found = results.actions_of(regions)
         self.text(translate("Moldlight", "Side actions"))
         self.rows = self.table([translate("Moldlight", "Kind"), translate("Moldlight", "Direction"),

@@ -9,13 +9,10 @@ from . import task
 
 
 class DirectionPanel(task.Panel):
-    picture = "direction"
+    picture, title = "direction", task.QT_TRANSLATE_NOOP("Moldlight", "Find direction")
 
     def __init__(self, regions, begun=False):
-        self.title = translate("Moldlight", "Find direction")
-        super().__init__(regions)
-        if not begun:
-            task.begin(self.document, self.title)
+        super().__init__(regions, begun)
         self.found = results.directions_of(regions)
         line = QtGui.QHBoxLayout()
         line.addWidget(QtGui.QLabel(translate("Moldlight", "Directions listed")))

@@ -9,13 +9,10 @@ from . import task
 
 
 class PartingPanel(task.Panel):
-    picture = "parting"
+    picture, title = "parting", task.QT_TRANSLATE_NOOP("Moldlight", "Parting line")
 
     def __init__(self, regions, begun=False):
-        self.title = translate("Moldlight", "Parting line")
-        super().__init__(regions)
-        if not begun:
-            task.begin(self.document, self.title)
+        super().__init__(regions, begun)
         self.line = results.parting_of(regions)
         self.verdict = self.text()
         self.rows = self.table([translate("Moldlight", "Line"), translate("Moldlight", "Length"),

@@ -10,14 +10,10 @@ from . import task
 
 
 class RegionsPanel(task.Panel):
-    picture = "regions"
+    picture, title = "regions", task.QT_TRANSLATE_NOOP("Moldlight", "Mold regions")
 
     def __init__(self, obj, begun=False):
-        """`begun`: the transaction is open already, in which the object was made."""
-        self.title = translate("Moldlight", "Mold regions")
-        super().__init__(obj)
-        if not begun:
-            task.begin(self.document, self.title)
+        super().__init__(obj, begun)
         self.text(translate("Moldlight", "Body: {}").format(obj.Source.Label if obj.Source else "–"))
         self._add_direction()
         self._add_draft()

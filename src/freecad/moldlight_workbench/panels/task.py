@@ -9,6 +9,8 @@ from PySide import QtCore, QtGui
 from .. import progress
 from ..engine import Refusal, translate
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
 # Of a table, at least.
 ROWS_SHOWN = 8
 # In pixels; a user may make it narrower again.
@@ -64,14 +66,18 @@ def _widen(form):
 
 
 class Panel:
-    """A task panel about mold regions. Everything from `begin()` on is one step to undo; Cancel takes it back."""
+    """A task panel about mold regions. `begun`: the transaction is open already, in which they may have been made;
+    else it opens one. Everything in it is one step to undo; Cancel takes it back."""
 
     title = ""
     picture = "moldlight"
 
-    def __init__(self, regions):
+    def __init__(self, regions, begun=False):
         from ..views import icon
 
+        self.title = translate("Moldlight", self.title)
+        if not begun:
+            begin(regions.Document, self.title)
         self.regions = regions
         self.document = regions.Document
         self.form = QtGui.QWidget()
