@@ -40,7 +40,8 @@ struct AppOptions {
   UserState user;
   std::optional<WindowSettings> window;  // for this time only, where they are not the user's
   std::vector<std::string> shipped_parts;
-  std::function<void()> wake = [] {};  // called from other threads when a frame is wanted
+  int picture_samples = ViewSettings{}.samples;  // that a picture at rest averages
+  std::function<void()> wake = [] {};            // called from other threads when a frame is wanted
   Measurer::MakeContext make_context;
 };
 

@@ -130,6 +130,7 @@ SceneSettings App::scene_settings() const {
     constexpr double k_dimmed = 0.75;
     shown.dimmed = is_lit(state_) ? k_dimmed : 0.0;
   }
+  shown.samples = options_.picture_samples;
   shown.theme = state_.window.theme;
   shown.tau_deg = state_.settings.method.tau_deg;
   shown.open_mold = opened().halves;

@@ -31,6 +31,7 @@ OffscreenWindow::OffscreenWindow(const OffscreenOptions& options)
   app.reading = options.reading;
   app.user = options.user;
   app.shipped_parts = options.shipped_parts;
+  app.picture_samples = options.picture_samples;
   app.wake = options.wake;
   app.make_context = create_context;
   app_ = std::make_unique<App>(*context_, std::move(app));

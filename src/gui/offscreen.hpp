@@ -19,7 +19,8 @@ struct OffscreenOptions {
   UserState user;
   ReadOptions reading;
   std::vector<std::string> shipped_parts;
-  std::function<void()> wake = [] {};  // see AppOptions
+  int picture_samples = ViewSettings{}.samples;  // see AppOptions
+  std::function<void()> wake = [] {};            // likewise
 };
 
 /// One of these a process at a time. Time is counted in frames, so that the same input gives the same

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "gui/quick_options.hpp"
 #include "gui/sceneries.hpp"
 
 namespace moldlight::gui::test {
@@ -100,7 +101,7 @@ TEST_F(Contrast, OfEveryTextIsEnoughInBothThemes) {
 TEST(StartPageContrast, IsEnoughInBothThemes) {
   FaintTexts faint;
   for (const Theme theme : {Theme::dark, Theme::light}) {
-    OffscreenOptions options;
+    OffscreenOptions options = quick_options();
     options.user.window.theme = theme;
     options.user.recent = {"/a folder/part.stl"};
     OffscreenWindow window(options);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gui/quick_options.hpp"
 #include "gui/sceneries.hpp"
 
 namespace moldlight::gui::test {
@@ -85,7 +86,7 @@ TEST_F(LayoutGrid, NoTextIsCutOffOrCovered) {
 }
 
 TEST(StartPage, NoTextIsCutOffOrCovered) {
-  OffscreenOptions options;
+  OffscreenOptions options = quick_options();
   options.shipped_parts = {"/a/first_part.stl", "/a/second_part.stl", "/a/third_part.stl", "/a/fourth.stl"};
   for (int k = 0; k < 12; ++k)
     options.user.recent.push_back(fmt::format("/a folder with a long name/{}/part with a long name.stl", k));

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
-#include "gui/offscreen.hpp"
+#include "gui/quick_options.hpp"
 #include "gui/store/files.hpp"
 #include "support/random.hpp"
 #include "support/shared_parts.hpp"
@@ -48,7 +48,7 @@ class WorkingFolder {
 };
 
 OffscreenOptions options() {
-  OffscreenOptions options;
+  OffscreenOptions options = quick_options();
   options.size = k_usual_size;
   options.user.sweep.directions = 20;
   options.user.sweep.refine = 1;

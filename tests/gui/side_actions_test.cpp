@@ -7,8 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/offscreen.hpp"
 #include "gui/panels/verdict.hpp"
+#include "gui/quick_options.hpp"
 #include "gui/view/undercut_window.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -27,7 +27,7 @@ class SideActions : public ::testing::Test {
   SideActions() : window(options()) {}
 
   static OffscreenOptions options() {
-    OffscreenOptions options;
+    OffscreenOptions options = quick_options();
     options.size = {1280, 720};
     options.user.window.quick_sweep = false;
     options.reading.unit = "mm";

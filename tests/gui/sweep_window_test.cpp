@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "classify/headless.hpp"
-#include "gui/offscreen.hpp"
+#include "gui/quick_options.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "io/mesh_writer.hpp"
@@ -58,11 +58,11 @@ class SweepWindow : public testing::Test {
  protected:
   explicit SweepWindow(const SweepSettings& sweep = quick_sweep()) : window_(options(sweep)) {
     window_.app().set_notes({.settings = {{{}, quick_method()}, {}}, .bookmarks = {}});
-    open(test::snap_hook({}).mesh, "hook.stl");
+    open(moldlight::test::snap_hook({}).mesh, "hook.stl");
   }
 
   static OffscreenOptions options(const SweepSettings& sweep) {
-    OffscreenOptions options;
+    OffscreenOptions options = test::quick_options();
     options.size = k_size;
     options.user.sweep = sweep;
     options.user.window.quick_sweep = false;
@@ -103,7 +103,7 @@ class SweepWindow : public testing::Test {
     return static_cast<std::size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
   }
 
-  test::ScratchFolder folder_;
+  moldlight::test::ScratchFolder folder_;
   OffscreenWindow window_;
 };
 
@@ -262,7 +262,7 @@ TEST_F(LongSweepWindow, IsGivenUpWhenThePartGoes) {
   press(GLFW_KEY_W);
   window_.frames(3);
   ASSERT_TRUE(state().running);
-  open(test::l_bracket({}).mesh, "bracket.stl");
+  open(moldlight::test::l_bracket({}).mesh, "bracket.stl");
   window_.frames(2);
   EXPECT_FALSE(state().running);
   EXPECT_FALSE(state().map);
@@ -309,7 +309,7 @@ TEST_F(SweepWindow, LeavesItsPictures) {
   write_picture((folder / "sweep_compared.png").string(), window_.size(), window_.pixels());
   // Both show the part with its undercut, and the second one another direction beside it.
   const auto red = [&](const char* name) {
-    const Image picture = test::read_png((folder / name).string());
+    const Image picture = moldlight::test::read_png((folder / name).string());
     std::size_t count = 0;
     for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
       count += picture.rgba[i] > 150 && picture.rgba[i + 1] < 80 && picture.rgba[i + 2] < 80 ? 1 : 0;

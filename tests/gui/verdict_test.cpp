@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/offscreen.hpp"
+#include "gui/quick_options.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
@@ -17,7 +17,7 @@ class Verdicts : public ::testing::Test {
   explicit Verdicts(int directions = 40) : window_(options(directions)) {}
 
   static OffscreenOptions options(int directions) {
-    OffscreenOptions options;
+    OffscreenOptions options = quick_options();
     options.user.window.motion = false;
     options.user.sweep.directions = directions;
     options.user.sweep.refine = 1;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
-#include "gui/offscreen.hpp"
+#include "gui/quick_options.hpp"
 
 namespace moldlight::gui::test {
 
@@ -27,7 +27,7 @@ class WindowWithPart : public ::testing::Test {
   }
 
   static OffscreenOptions options() {
-    OffscreenOptions options;
+    OffscreenOptions options = quick_options();
     options.size = {1280, 720};
     options.user.window.motion = options.user.window.quick_sweep = false;
     return options;
