@@ -161,18 +161,14 @@ TEST(SweepCommand, ARealPartIsSweptAsItIsClassifiedWhateverTheJobs) {
   const std::string file = (test::asset_folder() / "parts" / "cable_clip.stl").string();
   const std::string one = part.output("one.csv"), three = part.output("three.csv");
   // Under the sanitizers the 134 directions that come of these take 5 s.
-  Names arguments = with(with(part.sweep({"--json", "-"}), "--directions", "20"), "--top", "2");
-  arguments = with(arguments, "--refine", "1");
-  arguments = with(arguments, "PART", file);
+  const Names arguments = {"sweep", file, "--directions", "20", "--refine", "1", "--top", "2", "--json", "-"};
   const Json first = sweep_of(with(with(arguments, "--jobs", "1"), "--csv", one));
   const Json second = sweep_of(with(with(arguments, "--jobs", "3"), "--csv", three));
   EXPECT_EQ(without_time(first).dump(), without_time(second).dump());
   EXPECT_FALSE(file_bytes(one).empty());
   EXPECT_EQ(file_bytes(one), file_bytes(three));
   ASSERT_EQ(first["candidates"].size(), 2u);
-  Names classify = part.classify({"--json", "-"});
-  classify[1] = file;
-  expect_figures_of_classify(first, classify);
+  expect_figures_of_classify(first, {"classify", file, "--direction", "0,0,1", "--json", "-"});
 }
 
 TEST(SweepCommand, CsvHoldsEveryEvaluatedDirection) {
