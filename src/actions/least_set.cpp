@@ -98,11 +98,13 @@ class LeastSet {
 
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
-    for (const std::size_t atom : cover.uncovered) {
-      draft.plan.unreleased.push_back(atoms_[atom].patch);
-      draft.plan.unreleased_area += atoms_[atom].area();
+    std::map<std::size_t, double> left_of;  // by patch
+    for (const std::size_t atom : cover.uncovered) left_of[atoms_[atom].patch] += atoms_[atom].area();
+    for (const auto& [patch, area] : left_of) {
+      draft.plan.unreleased.push_back(patch);
+      draft.plan.unreleased_areas.push_back(area);
+      draft.plan.unreleased_area += area;
     }
-    std::ranges::sort(draft.plan.unreleased);
     std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
     std::vector<Left> chosen;
     for (const std::size_t c : cover.columns) {

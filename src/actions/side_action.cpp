@@ -28,9 +28,31 @@ std::string unreleased_text(const ActionPlan& plan, std::size_t patch) {
                      action_of(plan, patch) == nullptr ? "it" : "the rest of it");
 }
 
-std::string actions_text(const ActionPlan& plan) {
-  std::array<std::size_t, k_action_kinds> counts{};
-  for (const SideAction& action : plan.actions) ++counts[static_cast<std::size_t>(action.kind)];
+bool is_stuck(double left, double area, double lateral) {
+  constexpr double k_stuck_share = 0.005;
+  return left > k_stuck_share * area && left > lateral * lateral;
+}
+
+ActionTotals totals_of(const ActionPlan& plan, double lateral) {
+  ActionTotals totals{.unreleased_area = plan.unreleased_area};
+  for (const SideAction& action : plan.actions) ++totals.counts[static_cast<std::size_t>(action.kind)];
+  for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
+    const double left = plan.unreleased_areas[k];
+    if (!is_stuck(left, plan.patches[plan.unreleased[k]].undercut.area, lateral)) continue;
+    ++totals.stuck;
+    totals.stuck_area += left;
+  }
+  return totals;
+}
+
+UndercutTotals undercut_totals(const ActionPlan& plan) {
+  UndercutTotals totals{
+      .count = plan.patches.size(), .specks = plan.dropped, .speck_area = plan.dropped_area};
+  for (const UndercutReport& patch : plan.patches) totals.area += patch.undercut.area;
+  return totals;
+}
+
+std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts) {
   std::string text;
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
     if (counts[kind] == 0) continue;
@@ -40,5 +62,7 @@ std::string actions_text(const ActionPlan& plan) {
   }
   return text.empty() ? "none" : text;
 }
+
+std::string actions_text(const ActionPlan& plan) { return actions_text(totals_of(plan, 0.0).counts); }
 
 }  // namespace moldlight

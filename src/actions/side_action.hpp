@@ -1,6 +1,7 @@
 // The side actions that release a part's undercuts.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -64,9 +65,10 @@ struct ActionPlan {
   std::vector<UndercutReport> patches;  // the largest first
   std::size_t dropped = 0;              // specks, and what is clear within the lateral tolerance
   double dropped_area = 0.0;
-  std::vector<SideAction> actions;      // the largest area first
-  std::vector<std::size_t> unreleased;  // patches that nothing releases
-  double unreleased_area = 0.0;
+  std::vector<SideAction> actions;            // the largest area first
+  std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
+  std::vector<double> unreleased_areas;       // what of each of these is left
+  double unreleased_area = 0.0;               // of all
   std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
@@ -75,7 +77,23 @@ struct ActionPlan {
 [[nodiscard]] ActionPlan find_actions(const PartModel& model, const Classification& result,
                                       const ActionSettings& settings, const Progress& progress);
 
+/// What a plan comes to, without the list of its actions. Areas are in the part's unit squared.
+struct ActionTotals {
+  std::array<std::size_t, k_action_kinds> counts{};  // by kind
+  double unreleased_area = 0.0;
+  std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
+  double stuck_area = 0.0;  // what is left of these
+};
+/// `lateral` is the lateral tolerance in the part's unit.
+[[nodiscard]] ActionTotals totals_of(const ActionPlan& plan, double lateral);
+[[nodiscard]] UndercutTotals undercut_totals(const ActionPlan& plan);
+
+/// Whether what is left of an undercut keeps the part in its mold: more than 0.5 % of its area, and more than
+/// the lateral tolerance squared.
+[[nodiscard]] bool is_stuck(double left, double area, double lateral);
+
 /// "2 slides, 1 lifter"; "none" where nothing is needed.
+[[nodiscard]] std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts);
 [[nodiscard]] std::string actions_text(const ActionPlan& plan);
 
 /// The action that releases an undercut, or the largest part of it; null for none.

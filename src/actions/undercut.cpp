@@ -230,10 +230,17 @@ Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const E
   return found;
 }
 
-std::size_t count_undercuts(const PartModel& model, const ExactQuery& query,
-                            std::span<const FacetIndex> facets, const Progress& progress) {
-  return join_undercuts(model, exact_split_around(model.exact(progress), query, facets, progress), query)
-      .patches.size();
+UndercutTotals totals_of(const Undercuts& undercuts) {
+  UndercutTotals totals{
+      .count = undercuts.patches.size(), .specks = undercuts.dropped, .speck_area = undercuts.dropped_area};
+  for (const Undercut& patch : undercuts.patches) totals.area += patch.area;
+  return totals;
+}
+
+UndercutTotals count_undercuts(const PartModel& model, const ExactQuery& query,
+                               std::span<const FacetIndex> facets, const Progress& progress) {
+  return totals_of(
+      join_undercuts(model, exact_split_around(model.exact(progress), query, facets, progress), query));
 }
 
 std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitMesh& split,

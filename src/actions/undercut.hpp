@@ -34,10 +34,19 @@ struct Undercuts {
 [[nodiscard]] Undercuts find_undercuts(const PartModel& model, const SplitMesh& split,
                                        const ExactQuery& query);
 
-/// How many patches they are, where these facets have undercut, and no others. Takes less than the exact
-/// regions. Throws Cancelled.
-[[nodiscard]] std::size_t count_undercuts(const PartModel& model, const ExactQuery& query,
-                                          std::span<const FacetIndex> facets, const Progress& progress);
+/// What undercuts come to, without the list of them. Areas are in the part's unit squared.
+struct UndercutTotals {
+  std::size_t count = 0;
+  double area = 0.0;
+  std::size_t specks = 0;  // what is dropped
+  double speck_area = 0.0;
+};
+[[nodiscard]] UndercutTotals totals_of(const Undercuts& undercuts);
+
+/// The same where these facets have undercut, and no others. Takes less than the exact regions. Throws
+/// Cancelled.
+[[nodiscard]] UndercutTotals count_undercuts(const PartModel& model, const ExactQuery& query,
+                                             std::span<const FacetIndex> facets, const Progress& progress);
 
 /// A point of an undercut, and the surface there.
 struct UndercutSample {

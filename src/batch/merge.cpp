@@ -16,8 +16,9 @@ std::string text_of(const std::optional<double>& value) { return value ? fmt::fo
 class CsvSink : public MergeSink {
  public:
   explicit CsvSink(const std::string& path) : file_(path) {
-    std::vector<std::string> names = {"row",    "path",   "settings",    "state",       "reason",     "unit",
-                                      "facets", "closed", "direction_x", "direction_y", "direction_z"};
+    std::vector<std::string> names = {"row",         "path",        "settings",   "state",   "reason",
+                                      "unit",        "facets",      "closed",     "verdict", "sentence",
+                                      "direction_x", "direction_y", "direction_z"};
     for (std::size_t k = 0; k < k_figure_count; ++k) names.emplace_back(figure_name(static_cast<Figure>(k)));
     for (const char* name : {"undercut_share", "elapsed_s", "tries", "content", "key"})
       names.emplace_back(name);
@@ -34,7 +35,9 @@ class CsvSink : public MergeSink {
                                        text_of(result.facets),
                                        !result.closed   ? ""
                                        : *result.closed ? "yes"
-                                                        : "no"};
+                                                        : "no",
+                                       result.verdict,
+                                       result.sentence};
     for (std::size_t k = 0; k < 3; ++k)
       fields.push_back(result.direction ? fmt::format("{}", (*result.direction)[k]) : "");
     for (const auto& figure : result.figures) fields.push_back(text_of(figure));

@@ -58,7 +58,7 @@ class HtmlSink : public MergeSink {
                      or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
                      or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
                      result.settings, result.picture ? beside + ".png" : std::string(),
-                     result.report ? beside + ".html" : std::string()}));
+                     result.report ? beside + ".html" : std::string(), result.verdict, result.sentence}));
     separator_ = ",\n";
   }
 

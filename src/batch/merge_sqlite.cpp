@@ -23,10 +23,11 @@ constexpr int k_application_id = 0x6D6C6274;  // marks the databases that are ma
 
 constexpr const char* k_columns =
     "row INTEGER PRIMARY KEY, path TEXT NOT NULL, settings TEXT NOT NULL, state TEXT NOT NULL, reason TEXT, "
-    "unit TEXT, facets INTEGER, closed INTEGER, direction_x REAL, direction_y REAL, direction_z REAL, "
+    "unit TEXT, facets INTEGER, closed INTEGER, verdict TEXT, sentence TEXT, direction_x REAL, direction_y "
+    "REAL, direction_z REAL, "
     "area REAL, undercut_area REAL, projected_area REAL, undercuts INTEGER, side_actions INTEGER, "
     "unreleased_area REAL, undercut_share REAL, elapsed_s REAL, tries INTEGER, content TEXT, key TEXT";
-constexpr int k_column_count = 22;
+constexpr int k_column_count = 24;
 
 constexpr const char* k_indices_and_views = R"(
 CREATE INDEX parts_by_path ON parts (path, settings);
@@ -168,6 +169,8 @@ class SqliteSink : public MergeSink {
     row.bind_or_null(result.unit);
     row.bind_whole(result.facets);
     row.bind_whole(result.closed ? std::optional(*result.closed ? 1.0 : 0.0) : std::nullopt);
+    row.bind_or_null(result.verdict);
+    row.bind_or_null(result.sentence);
     for (std::size_t k = 0; k < 3; ++k)
       row.bind(result.direction ? std::optional((*result.direction)[k]) : std::nullopt);
     for (std::size_t k = 0; k < k_figure_count; ++k)
@@ -222,8 +225,11 @@ class SqliteSink : public MergeSink {
     {
       Statement planned(*database_, "SELECT value FROM former.batch WHERE name = 'planned_at'");
       const bool same_plan = planned.text() == manifest.planned_at;
-      database_->run(
-          fmt::format("INSERT INTO previous SELECT * FROM former.{}", same_plan ? "previous" : "parts"));
+      // A version before this one may have had fewer columns.
+      Statement names(*database_, "SELECT group_concat(name) FROM pragma_table_info('parts', 'former')");
+      const std::string columns = names.text().value_or("");
+      database_->run(fmt::format("INSERT INTO previous ({0}) SELECT {0} FROM former.{1}", columns,
+                                 same_plan ? "previous" : "parts"));
     }
     database_->run("DETACH former");
   }

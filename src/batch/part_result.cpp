@@ -30,6 +30,10 @@ std::optional<T> member(const Json& object, const char* name) {
 void take_report(const Json& report, const Work& work, PartResult& result) {
   for (std::size_t k = 0; k < k_figure_count; ++k) result.figures[k] = number_at(report, work.figures[k]);
   result.direction = direction_in(report, work);
+  if (const auto verdict = report.find("verdict"); verdict != report.end() && verdict->is_object()) {
+    result.verdict = member<std::string>(*verdict, "state").value_or("");
+    result.sentence = member<std::string>(*verdict, "sentence").value_or("");
+  }
   const auto part = report.find("part");
   if (part == report.end() || !part->is_object()) return;
   result.unit = member<std::string>(*part, "unit").value_or("");

@@ -24,6 +24,7 @@ struct PartResult {
   std::string unit;    // empty where unknown
   std::optional<double> facets;
   std::optional<bool> closed;
+  std::string verdict, sentence;  // its state and what it says; empty where unknown
   std::optional<std::array<double, 3>> direction;
   std::array<std::optional<double>, k_figure_count> figures;
   std::optional<double> elapsed_s;

@@ -7,19 +7,18 @@ namespace moldlight::batch {
 namespace {
 
 constexpr std::array k_works = {
-    Work{"classify", "/direction", {{{"/part/area"}, {"/areas/undercut"}, {"/projected_area"}, {}, {}, {}}}},
+    Work{"classify",
+         "/direction",
+         {"/part/area", "/areas/undercut", "/projected_area", "/verdict/undercuts", "", ""}},
     Work{"sweep",
          "/candidates/0/direction",
-         {{{"/part/area"},
-           {"/candidates/0/areas/undercut"},
-           {"/candidates/0/projected_area"},
-           {"/candidates/0/patches"},
-           {},
-           {}}}},
+         {"/part/area", "/candidates/0/areas/undercut", "/candidates/0/projected_area",
+          "/candidates/0/patches", "", ""}},
     Work{"actions",
          "/direction",
-         {{{"/part/area"}, {"/patches", "area"}, {}, {"/patches"}, {"/actions"}, {"/unreleased/area"}}}},
-    Work{"mold", "/direction", {{{"/part/area"}, {"/assignment/action"}, {}, {}, {}, {}}}},
+         {"/part/area", "/verdict/undercut_area", "", "/verdict/undercuts", "/actions",
+          "/verdict/unreleased_area"}},
+    Work{"mold", "/direction", {"/part/area", "/verdict/undercut_area", "", "/verdict/undercuts", "", ""}},
 };
 
 constexpr std::array<std::string_view, 2> k_without_effect = {"jobs", "time_limit_s"};
@@ -57,19 +56,13 @@ std::string work_names() {
 
 std::span<const std::string_view> settings_without_effect() { return k_without_effect; }
 
-std::optional<double> number_at(const Json& report, const Place& place) {
-  if (place.pointer.empty()) return std::nullopt;
-  const Json* value = find(report, place.pointer);
+std::optional<double> number_at(const Json& report, std::string_view place) {
+  if (place.empty()) return std::nullopt;
+  const Json* value = find(report, place);
   if (value == nullptr) return std::nullopt;
   if (value->is_number()) return value->get<double>();
   if (!value->is_array()) return std::nullopt;
-  if (place.member.empty()) return static_cast<double>(value->size());
-  double sum = 0.0;
-  for (const Json& entry : *value) {
-    const auto member = entry.is_object() ? entry.find(std::string(place.member)) : entry.end();
-    if (member != entry.end() && member->is_number()) sum += member->get<double>();
-  }
-  return sum;
+  return static_cast<double>(value->size());
 }
 
 std::optional<std::array<double, 3>> direction_in(const Json& report, const Work& work) {

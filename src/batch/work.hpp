@@ -29,16 +29,10 @@ enum class Figure : std::uint8_t {
 inline constexpr std::size_t k_figure_count = 6;
 [[nodiscard]] std::string_view figure_name(Figure figure);
 
-/// Where in a report something is: a JSON pointer; of an array its size, or with `member` the sum of that
-/// member of its entries.
-struct Place {
-  std::string_view pointer = {}, member = {};
-};
-
 struct Work {
   std::string_view command;
   std::string_view direction;  // JSON pointer to the direction that a picture is drawn along
-  std::array<Place, k_figure_count> figures;
+  std::array<std::string_view, k_figure_count> figures;  // JSON pointers; of an array its size counts
 };
 
 [[nodiscard]] std::span<const Work> works();
@@ -51,7 +45,7 @@ struct Work {
 [[nodiscard]] std::span<const std::string_view> settings_without_effect();
 
 /// What a place of the report holds as a number; nothing where it holds none.
-[[nodiscard]] std::optional<double> number_at(const Json& report, const Place& place);
+[[nodiscard]] std::optional<double> number_at(const Json& report, std::string_view place);
 /// Three numbers; nothing where it holds none.
 [[nodiscard]] std::optional<std::array<double, 3>> direction_in(const Json& report, const Work& work);
 

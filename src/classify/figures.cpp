@@ -35,6 +35,27 @@ std::string share_text(double value, double whole) {
 
 std::string error_text(double error) { return fmt::format("{:.2g}", error); }
 
+std::string rounded(double value, double least) {
+  constexpr int k_digits = 4;
+  const double size = std::abs(value);
+  if (size == 0.0) return "0";
+  if (size < least) {
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(least))));
+    const double shown = std::ceil(least * std::pow(10.0, decimals)) / std::pow(10.0, decimals);
+    return fmt::format("< {:.{}f}", shown, decimals);
+  }
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  const int decimals = std::clamp(k_digits - 1 - magnitude, 0, 12);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string rounded_area(double area, double whole) { return rounded(area, 1e-6 * whole); }
+
 std::string figure(double value) { return fmt::format("{:.6g}", value); }
 
 std::string figures(const glm::dvec3& values, double scale) {

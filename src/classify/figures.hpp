@@ -27,6 +27,12 @@ class FigureColumn {
 /// How far a figure may be off, in two digits: rounding alone shows, too.
 [[nodiscard]] std::string error_text(double error);
 
+/// A figure in a sentence: four digits without an exponent, but none below `least`, which says what rounding
+/// or a tolerance leaves of it: "147.8", "12034", "< 0.002".
+[[nodiscard]] std::string rounded(double value, double least = 0.0);
+/// The same of areas of a surface: what is less than a millionth of it is not told apart.
+[[nodiscard]] std::string rounded_area(double area, double whole);
+
 /// One figure on its own, six digits.
 [[nodiscard]] std::string figure(double value);
 /// "x, y, z"; what is rounding error beside a length of `scale` is written as 0.

@@ -12,6 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -46,11 +47,10 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
-  const Classification result = classify_exact(*model, query, progress, true);
+  Study study(model, {.query = query, .with_actions = true, .actions = flags.settings});
+  const Classification& result = study.find<SplitRegions>(progress).result;
   for (const std::string& warning : result.warnings) console.warning(warning);
-  const ActionPlan plan = find_actions(*model, result, flags.settings, progress);
-  const std::vector<ToBeFree> changes = find_changes(*model, result, flags.settings, plan, progress);
-  const ActionsReport found{*model, result, flags.settings, plan, changes};
+  const ActionsReport found = actions_report(study, progress);
   progress.report("writing", 0.0);
   if (!flags.csv.empty()) write_file(flags.csv, actions_csv(found));
   if (!flags.mesh.empty()) write_action_mesh(flags.mesh, found, flags.still.look.palette);
@@ -62,10 +62,11 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   }
   if (flags.report.any()) {
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::actions_report(for_report, found));
+    write_reports(flags.report, report::actions_report(for_report, study));
   }
   put_report(
-      console, flags.part.json, [&] { return actions_json(found); }, [&] { return actions_table(found); });
+      console, flags.part.json, [&] { return actions_json(study, progress); },
+      [&] { return actions_text(study, progress); });
   return 0;
 }
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "classify/classifier.hpp"
-#include "classify/classify_report.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
@@ -16,6 +15,7 @@
 #include "io/png.hpp"
 #include "parting/draft/draft_picture.hpp"
 #include "parting/draft/draft_report.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -60,15 +60,6 @@ void log_result(const Classification& result, Console& console) {
                           result.timings.regions_ms, result.timings.readout_ms));
 }
 
-/// Of which a report that asks for no draft shows the histogram alone.
-constexpr double k_histogram_deg = 1.0;
-
-DraftCheck checked_draft(const PartModel& model, const Classification& result, double required_deg,
-                         const Progress& progress) {
-  return check_draft(model, assign_sides(model, result.query(), {}, progress), result.reverse_draft,
-                     required_deg);
-}
-
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
   Query query = flags.query;
   validate(query.method);
@@ -84,36 +75,32 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   if (looks_at_maps || drawn) context = create_context(query.method.backend);
   const double required_deg = flags.draft_settings.required_deg;
   const bool with_split = required_deg > 0.0 || drawn || flags.files.need_split() || flags.compare_maps;
-  Classification result;
+  Study study(model, {.query = query, .required_draft_deg = required_deg});
   if (looks_at_maps) {
     Classifier classifier(*context, model);
-    result = classifier.classify(query, progress, with_split);
-    if (flags.compare_maps) classifier.compare_maps(result, progress);
-  } else {
-    result = classify_exact(*model, query, progress, with_split);
+    Classification by_maps = classifier.classify(query, progress, with_split);
+    if (flags.compare_maps) classifier.compare_maps(by_maps, progress);
+    study.keep(std::make_shared<const Classification>(std::move(by_maps)));
   }
+  const Classification& result =
+      with_split ? study.find<SplitRegions>(progress).result : study.find<Classification>(progress);
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
-  std::optional<DraftCheck> draft;
-  if (required_deg > 0.0) draft = checked_draft(*model, result, required_deg, progress);
+  const DraftCheck* draft = required_deg > 0.0 ? &study.find<DraftCheck>(progress) : nullptr;
 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
   if (!flags.draft.empty()) write_draft_csv(flags.draft, *draft);
   if (!flags.image.empty()) {
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
-    write_png(flags.image, draft ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
+    write_png(flags.image,
+              draft != nullptr ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
-  const auto json_report = [&] {
-    nlohmann::ordered_json json = classify_json(*model, result);
-    if (draft) json["draft"] = draft_json(*model, *draft);
-    return json;
-  };
+  const auto json_report = [&] { return classify_json(study, progress); };
   baseline.compare(json_report);
   if (flags.report.any()) {
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    const DraftCheck shown = draft ? *draft : checked_draft(*model, result, k_histogram_deg, progress);
-    write_reports(flags.report, report::classify_report(for_report, result, {shown, draft.has_value()}));
+    write_reports(flags.report, report::classify_report(for_report, study));
   }
   put_report(
       console, flags.part.json,
@@ -122,10 +109,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
         baseline.add_to(json);
         return json;
       },
-      [&] {
-        return classify_table(*model, result, console.colour()) +
-               (draft ? "\n" + draft_lines(*model, *draft) : "") + baseline.table();
-      });
+      [&] { return classify_text(study, console.colour(), progress) + baseline.table(); });
   return baseline.exit_code(console);
 }
 

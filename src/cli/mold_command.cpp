@@ -9,7 +9,7 @@
 #include "io/png.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
-#include "parting/mold_report.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -29,16 +29,6 @@ struct MoldFlags {
   ReportFlags report;
 };
 
-/// Why files that were asked for are not written: what the halves cannot form, or that there are none.
-std::string why_not(const MoldFlags& flags, const PartModel& model, const MoldHalves& halves,
-                    const WrittenMold& written, std::string_view loop) {
-  if (!written.refusal.empty()) return refusal_text(model, halves, written, loop);
-  const std::string unfilled = unfilled_text(model, flags.settings, halves);
-  if (unfilled.empty()) return {};
-  return "no halves are written: " + unfilled +
-         "; --fill-undercut leaves them to inserts, moldlight actions finds side actions";
-}
-
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   Query query = flags.query;
   validate(query.method);
@@ -54,44 +44,39 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
   for (const std::string& warning : model->warnings) console.warning(warning);
-  const Assignment assignment = assign_sides(*model, query, flags.settings, progress);
+  Questions questions;
+  questions.query = query;
+  questions.with_actions = flags.with_actions;
+  questions.mold = flags.settings;
+  Study study(model, questions);
+  const auto& [assignment, line] = study.find<MoldLine>(progress);
   for (const std::string& warning : assignment.warnings) console.warning(warning);
-  const PartingLine line = parting_line(assignment);
   progress.report("writing", 0.0);
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
-  const MoldHalves halves =
-      make_halves(*model, assignment.direction, {assignment.height, &line}, flags.settings, progress);
-  WrittenMold written = written_mold(halves);
-  const std::string refusal =
-      why_not(flags, *model, halves, written,
-              halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
-  if (!flags.folder.empty() && refusal.empty())
-    write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+  const std::string refusal = mold_refusal(study, progress);
+  if (!flags.folder.empty() && refusal.empty()) {
+    MoldSolids solids = study.find<MoldSolids>(progress);
+    write_mold(flags.folder, flags.as_3mf, model->part.unit, solids.written);
+    study.keep(std::make_shared<const MoldSolids>(std::move(solids)));  // with the files' names
+  }
   std::unique_ptr<gl::Context> context;
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   if (!flags.image.empty()) {
-    const MoldScene scene{*model, assignment, line, halves};
+    const MoldScene scene{*model, assignment, line, study.find<MoldSolids>(progress).halves};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
-  std::optional<ActionPlan> plan;
-  std::vector<InsertActions> by_action;
-  if (flags.with_actions && !halves.inserts.empty()) {
-    const Classification result = classify_exact(*model, query, progress, true);
-    plan = find_actions(*model, result, {}, progress);
-    by_action = actions_of_inserts(halves, *result.split, *plan);
-  }
-  const MoldReport found{*model, query,   flags.settings,          assignment, line,
-                         halves, written, plan ? &*plan : nullptr, by_action};
   if (flags.report.any()) {
-    std::vector<std::string> warnings = model->warnings;
-    warnings.insert(warnings.end(), assignment.warnings.begin(), assignment.warnings.end());
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::mold_report(for_report, found, warnings));
+    write_reports(flags.report, report::mold_report(for_report, study));
   }
   put_report(
-      console, flags.part.json, [&] { return mold_json(found); }, [&] { return mold_table(found); });
+      console, flags.part.json, [&] { return mold_json(study, progress); },
+      [&] { return mold_text(study, progress); });
   if (flags.folder.empty() || refusal.empty()) return 0;
-  console.failure(refusal);
+  console.failure(refusal.starts_with("no halves:")
+                      ? refusal
+                      : refusal +
+                            "; --fill-undercut leaves them to inserts, moldlight actions finds side actions");
   return k_criterion_failed;
 }
 

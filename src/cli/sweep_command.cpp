@@ -17,10 +17,10 @@
 #include "cli/meter.hpp"
 #include "cli/report_flags.hpp"
 #include "io/direction_list.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_pictures.hpp"
-#include "sweep/sweep_report.hpp"
 #include "sweep/sweep_stages.hpp"
 
 namespace moldlight::cli {
@@ -185,7 +185,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   console.set_progress_text({});
   warn(*model, result, progress, console);
   if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
-  const auto report = [&] { return sweep_json(*model, result); };
+  const auto report = [&] { return sweep_json_with_verdicts(*model, result); };
   if (!progress.cancelled()) baseline.compare(report);
   put_report(
       console, flags.part.json,
@@ -195,7 +195,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
         return json;
       },
       [&] {
-        return sweep_table(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow) +
+        return sweep_text(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow) +
                baseline.table();
       });
   if (!flags.image_folder.empty()) {

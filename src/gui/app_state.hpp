@@ -31,7 +31,7 @@ struct Figures {
   std::shared_ptr<const PieceSamples> samples = {};  // of the split mesh, for comparing the maps with it
   // Of the maps that tell the regions shown; none if they do not.
   std::shared_ptr<const MapComparison> maps = {};
-  std::optional<std::size_t> undercuts = {};  // how many; not told while the direction moves
+  std::optional<UndercutTotals> undercuts = {};  // not known while the direction moves
   bool stale = false;                         // of other settings than the present ones
   bool pale = false;                          // so for long enough to be shown as such
   bool measuring = false;                     // more is to come: other figures, or the split mesh

@@ -52,7 +52,7 @@ void Commands::look_along_direction() {
 
 void Commands::look_at_undercuts() {
   const Figures& figures = app.state_.figures;
-  if (!figures.split || figures.undercuts.value_or(0) == 0) return;
+  if (!figures.split || figures.undercuts.value_or(UndercutTotals{}).count == 0) return;
   look_from(revealing_orientation(*app.state_.model, std::span(&figures.split, 1),
                                   app.state_.settings.direction.unit()));
 }

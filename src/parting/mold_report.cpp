@@ -293,7 +293,7 @@ std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& 
 nlohmann::ordered_json mold_json(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
   Json json;
-  json["schema"] = "moldlight.mold/1";
+  json["schema"] = "moldlight.mold/2";
   std::vector<std::string> warnings = model.warnings;
   warnings.insert(warnings.end(), assignment.warnings.begin(), assignment.warnings.end());
   json["part"] = part_json(model, warnings);
@@ -313,7 +313,7 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   json["loops"] = Json::array();
   for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(loop));
   add_halves(report, json);
-  json["verdict"] = parting_verdict(assignment, line, model.frame.diagonal);
+  json["parting_line"] = parting_verdict(assignment, line, model.frame.diagonal);
   return json;
 }
 

@@ -10,6 +10,7 @@
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/work.hpp"
+#include "study/study_reports.hpp"
 
 namespace moldlight::python {
 
@@ -21,44 +22,46 @@ using Json = nlohmann::ordered_json;
 
 /// moldlight.Actions.
 struct PythonActions {
-  std::shared_ptr<const PartModel> model;
-  Classification result;
-  ActionSettings settings;
-  ActionPlan plan;
-  std::vector<ToBeFree> changes;
+  Study study;  // that has found all that is shown
 
-  [[nodiscard]] ActionsReport report() const { return {*model, result, settings, plan, changes}; }
-  [[nodiscard]] Json json() const { return actions_json(report()); }
+  [[nodiscard]] const PartModel& model() const { return study.model(); }
+  [[nodiscard]] const Classification& result() const { return study.known<SplitRegions>()->result; }
+  [[nodiscard]] const ActionPlan& plan() const { return *study.known<ActionPlan>(); }
+  [[nodiscard]] ActionsReport report() const {
+    return {model(), result(), study.questions().actions, plan(), study.known<Changes>()->of_patches};
+  }
+  [[nodiscard]] Json json() const {
+    Study shared = study;
+    return actions_json(shared, Progress());
+  }
 };
 using SharedActions = std::shared_ptr<PythonActions>;
 
 SharedActions find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("actions", keywords);
-  Query query;
-  auto found = std::make_shared<PythonActions>();
-  given.take(action_options(), found->settings);
-  given.take(query.method);
+  Questions questions{.with_actions = true};
+  given.take(action_options(), questions.actions);
+  given.take(questions.query.method);
   const py::object progress_given = given.take("progress");
   given.end();
-  validate(query.method, self.model->frame.diagonal);
-  watch(progress_given, [&](const Progress& progress) {
-    found->model = self.model;
-    query.direction = asked.find(self.model, query.method, progress);
-    found->result = classify_exact(*self.model, query, progress, true);
-    found->plan = find_actions(*self.model, found->result, found->settings, progress);
-    found->changes = find_changes(*self.model, found->result, found->settings, found->plan, progress);
+  validate(questions.query.method, self.model->frame.diagonal);
+  return watched(progress_given, [&](const Progress& progress) {
+    questions.query.direction = asked.find(self.model, questions.query.method, progress);
+    Study study(self.model, questions);
+    actions_report(study, progress);
+    study.verdict(progress);
+    return std::make_shared<PythonActions>(std::move(study));
   });
-  return found;
 }
 
 py::list bodies(const PythonActions& self, const py::object& progress_given) {
   std::vector<std::optional<TriangleMesh>> meshes;
   watch(progress_given, [&](const Progress& progress) {
-    const std::size_t count = self.plan.actions.size();
+    const std::size_t count = self.plan().actions.size();
     for (std::size_t k = 0; k < count; ++k) {
       progress.report("making bodies", static_cast<double>(k) / static_cast<double>(count));
-      meshes.push_back(action_body(*self.model, self.result, self.plan, k));
+      meshes.push_back(action_body(self.model(), self.result(), self.plan(), k));
     }
   });
   py::list list;
@@ -66,7 +69,7 @@ py::list bodies(const PythonActions& self, const py::object& progress_given) {
     if (!meshes[k]) continue;
     const py::tuple mesh = mesh_arrays(*meshes[k]);
     py::dict entry;
-    entry["name"] = action_name(self.plan, k);
+    entry["name"] = action_name(self.plan(), k);
     entry["action"] = k;
     entry["vertices"] = mesh[0];
     entry["faces"] = mesh[1];
@@ -79,9 +82,9 @@ py::array picture(const PythonActions& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
-    const auto context = create_context(self.result.settings.backend);
+    const auto context = create_context(self.result().settings.backend);
     const auto pulled = pulled_bodies(self.report());
-    return StillPainter(*context, self.model).draw(self.result, still, progress, pulled);
+    return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
   }));
 }
 
@@ -107,15 +110,17 @@ void add_actions(py::module_& module, PartClass& part) {
           "undercuts", member("patches"),
           "A dict each, the largest first: area, depth, where it is, and what to change to do "
           "without an action.")
+      .def_property_readonly("verdict", member("verdict"),
+                             "What is said of the part first: a dict with state, sentence and reasons.")
       .def_property_readonly("unreleased", member("unreleased"), "What nothing releases.")
       .def_property_readonly(
-          "direction", [](const PythonActions& self) { return to_python(self.result.direction); },
+          "direction", [](const PythonActions& self) { return to_python(self.result().direction); },
           "Of length one.")
       .def_property_readonly(
-          "optimal", [](const PythonActions& self) { return self.plan.optimal; },
+          "optimal", [](const PythonActions& self) { return self.plan().optimal; },
           "No cheaper set of the actions that were tried releases as much.")
-      .def_property_readonly("warnings",
-                             [](const PythonActions& self) { return to_python(Json(self.result.warnings)); })
+      .def_property_readonly(
+          "warnings", [](const PythonActions& self) { return to_python(Json(self.result().warnings)); })
       .def("bodies", &bodies, py::arg("progress") = py::none(),
            "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
            "closed: "
@@ -125,7 +130,7 @@ void add_actions(py::module_& module, PartClass& part) {
            picture_doc("Draws the part with the bodies of its actions, pulled out: height x width x 4 uint8. "
                        "Needs\nOpenGL, no display."))
       .def("__repr__", [](const PythonActions& self) {
-        return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan)));
+        return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan())));
       });
   add_report(found, "The report", "actions", [](const PythonActions& self) { return self.json(); });
   part.def("actions", &find, py::arg("direction"),

@@ -11,10 +11,10 @@
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/headless.hpp"
-#include "parting/draft/draft_report.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/work.hpp"
+#include "study/study_reports.hpp"
 
 namespace moldlight::python {
 
@@ -24,38 +24,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// moldlight.Classification. What is shown of it does not change; the split mesh is made at the first use.
+/// moldlight.Classification: what is shown of it does not change; the rest is found when it is asked for.
 class PythonClassification {
  public:
-  PythonClassification(std::shared_ptr<const PartModel> model, Classification result,
-                       std::optional<DraftCheck> draft)
-      : model_(std::move(model)), result_(std::move(result)), draft_(std::move(draft)) {}
+  explicit PythonClassification(Study study) : study_(std::move(study)) {}
 
-  [[nodiscard]] const PartModel& model() const { return *model_; }
-  [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return model_; }
-  [[nodiscard]] const Classification& result() const { return result_; }
+  [[nodiscard]] const PartModel& model() const { return study_.model(); }
+  [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return study_.shared_model(); }
+  [[nodiscard]] const Classification& result() const { return *result_; }
 
   [[nodiscard]] Json json() const {
-    Json json = classify_json(*model_, result_);
-    if (draft_) json["draft"] = draft_json(*model_, *draft_);
-    return json;
+    const std::lock_guard lock(mutex_);
+    return classify_json(study_, Progress());
+  }
+  [[nodiscard]] Json verdict() const {
+    const std::lock_guard lock(mutex_);
+    return verdict_json(study_.verdict(Progress()));
   }
   /// The result with its split mesh, from any thread.
   [[nodiscard]] Classification with_split(const Progress& progress) const {
-    Classification whole = result_;
     const std::lock_guard lock(mutex_);
-    if (!split_) split_ = result_.split;
-    if (!split_) split_ = classify_exact(*model_, result_.query(), progress, true).split;
-    whole.split = split_;
-    return whole;
+    return study_.find<SplitRegions>(progress).result;
   }
 
  private:
-  std::shared_ptr<const PartModel> model_;
-  Classification result_;
-  std::optional<DraftCheck> draft_;
   mutable std::mutex mutex_;
-  mutable std::shared_ptr<const SplitMesh> split_;
+  mutable Study study_;
+  std::shared_ptr<const Classification> result_ = study_.known<Classification>();
 };
 using SharedClassification = std::shared_ptr<PythonClassification>;
 
@@ -87,22 +82,19 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
   validate(query.method, self.model->frame.diagonal);
   return watched(progress_given, [&](const Progress& progress) {
     query.direction = asked.find(self.model, query.method, progress);
-    const bool looks_at_maps = query.method.readout != Readout::exact || compares;
-    const bool with_split = splits || compares || draft_settings.required_deg > 0.0;
-    Classification result;
-    if (looks_at_maps) {
+    Study study(self.model, {.query = query, .required_draft_deg = draft_settings.required_deg});
+    if (query.method.readout != Readout::exact || compares) {
       const auto context = create_context(query.method.backend);
       Classifier classifier(*context, self.model);
-      result = classifier.classify(query, progress, with_split);
-      if (compares) classifier.compare_maps(result, progress);
-    } else {
-      result = classify_exact(*self.model, query, progress, with_split);
+      Classification by_maps = classifier.classify(query, progress, splits || compares);
+      if (compares) classifier.compare_maps(by_maps, progress);
+      study.keep(std::make_shared<const Classification>(std::move(by_maps)));
     }
-    std::optional<DraftCheck> draft;
-    if (draft_settings.required_deg > 0.0)
-      draft = check_draft(*self.model, assign_sides(*self.model, result.query(), {}, progress),
-                          result.reverse_draft, draft_settings.required_deg);
-    return std::make_shared<PythonClassification>(self.model, std::move(result), std::move(draft));
+    if (splits) study.find<SplitRegions>(progress);
+    study.find<Classification>(progress);
+    if (draft_settings.required_deg > 0.0) study.find<DraftCheck>(progress);
+    study.verdict(progress);
+    return std::make_shared<PythonClassification>(std::move(study));
   });
 }
 
@@ -228,6 +220,9 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
           "areas", [](const C& self) { return region_dict(self.result().areas); },
           "The area of each region, in the part's unit squared.")
       .def_property_readonly("fractions", member("fractions"), "Shares of each region in the surface.")
+      .def_property_readonly(
+          "verdict", [](const C& self) { return to_python(self.verdict()); },
+          "What is said of the part first: a dict with state, sentence, undercuts and reasons.")
       .def_property_readonly("total_area", [](const C& self) { return self.result().total_area; })
       .def_property_readonly("near_vertical_area",
                              [](const C& self) { return self.result().near_vertical_area; })

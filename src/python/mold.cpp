@@ -8,11 +8,11 @@
 #include "classify/headless.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
-#include "parting/mold_report.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/errors.hpp"
 #include "python/work.hpp"
+#include "study/study_reports.hpp"
 
 namespace moldlight::python {
 
@@ -24,64 +24,47 @@ using Json = nlohmann::ordered_json;
 
 /// moldlight.Mold.
 struct PythonMold {
-  std::shared_ptr<const PartModel> model;
-  Query query;
-  MoldSettings settings;
-  Assignment assignment;
-  PartingLine line;
-  MoldHalves halves;
-  WrittenMold written;
-  std::optional<ActionPlan> plan;
-  std::vector<InsertActions> by_action;
+  Study study;  // that has found all that is shown
 
-  [[nodiscard]] MoldReport report() const {
-    return {*model, query, settings, assignment, line, halves, written, plan ? &*plan : nullptr, by_action};
+  [[nodiscard]] const PartModel& model() const { return study.model(); }
+  [[nodiscard]] const Assignment& assignment() const { return study.known<MoldLine>()->assignment; }
+  [[nodiscard]] const PartingLine& line() const { return study.known<MoldLine>()->line; }
+  [[nodiscard]] const MoldHalves& halves() const { return study.known<MoldSolids>()->halves; }
+  [[nodiscard]] const WrittenMold& written() const { return study.known<MoldSolids>()->written; }
+  [[nodiscard]] Json json() const {
+    Study shared = study;
+    return mold_json(shared, Progress());
   }
-  [[nodiscard]] Json json() const { return mold_json(report()); }
   /// Why there are no halves to write; empty where there are.
   [[nodiscard]] std::string refusal() const {
-    const std::string loop = halves.refused_at ? loop_near(line, *halves.refused_at) : std::string();
-    if (!written.refusal.empty()) return refusal_text(*model, halves, written, loop);
-    const std::string unfilled = unfilled_text(*model, settings, halves);
-    return unfilled.empty() ? "" : unfilled + "; fill_undercut leaves them to inserts";
+    Study shared = study;
+    return mold_refusal(shared, Progress());
   }
 };
 using SharedMold = std::shared_ptr<PythonMold>;
 
-void make_mold(PythonMold& mold, bool with_actions, const Progress& progress) {
-  const PartModel& model = *mold.model;
-  mold.assignment = assign_sides(model, mold.query, mold.settings, progress);
-  mold.line = parting_line(mold.assignment);
-  mold.halves = make_halves(model, mold.assignment.direction, {mold.assignment.height, &mold.line},
-                            mold.settings, progress);
-  mold.written = written_mold(mold.halves);
-  if (!with_actions || mold.halves.inserts.empty()) return;
-  const Classification result = classify_exact(model, mold.query, progress, true);
-  mold.plan = find_actions(model, result, {}, progress);
-  mold.by_action = actions_of_inserts(mold.halves, *result.split, *mold.plan);
-}
-
 SharedMold find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("mold", keywords);
-  auto mold = std::make_shared<PythonMold>();
-  given.take(mold_options(), mold->settings);
-  given.take(mold->query.method);
-  const bool with_actions = given.take_switch("actions");
+  Questions questions;
+  given.take(mold_options(), questions.mold);
+  given.take(questions.query.method);
+  questions.with_actions = given.take_switch("actions");
   const py::object progress_given = given.take("progress");
   given.end();
-  mold->model = self.model;
-  validate(mold->query.method, self.model->frame.diagonal);
-  watch(progress_given, [&](const Progress& progress) {
-    mold->query.direction = asked.find(self.model, mold->query.method, progress);
-    make_mold(*mold, with_actions, progress);
+  validate(questions.query.method, self.model->frame.diagonal);
+  return watched(progress_given, [&](const Progress& progress) {
+    questions.query.direction = asked.find(self.model, questions.query.method, progress);
+    Study study(self.model, questions);
+    mold_report(study, progress);
+    study.verdict(progress);
+    return std::make_shared<PythonMold>(std::move(study));
   });
-  return mold;
 }
 
 py::list loops(const PythonMold& self) {
   py::list list;
-  for (const PartingLoop& loop : self.line.loops) {
+  for (const PartingLoop& loop : self.line().loops) {
     py::dict entry;
     entry["kind"] = std::string(loop_name(loop.kind));
     entry["points"] = copy_of(loop.points);
@@ -93,7 +76,7 @@ py::list loops(const PythonMold& self) {
 
 py::list bodies(const PythonMold& self) {
   py::list list;
-  for (const WrittenBody& body : self.written.bodies) {
+  for (const WrittenBody& body : self.written().bodies) {
     const py::tuple mesh = mesh_arrays(body.mesh);
     py::dict entry;
     entry["name"] = body.name;
@@ -109,8 +92,8 @@ py::list bodies(const PythonMold& self) {
 py::list write(const PythonMold& self, const py::object& folder_given, bool as_3mf) {
   const std::string folder = path_of(folder_given, "folder");
   if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
-  WrittenMold written = self.written;
-  watch(py::none(), [&](const Progress&) { write_mold(folder, as_3mf, self.model->part.unit, written); });
+  WrittenMold written = self.written();
+  watch(py::none(), [&](const Progress&) { write_mold(folder, as_3mf, self.model().part.unit, written); });
   py::list files;
   for (const WrittenBody& body : written.bodies)
     if (!body.file.empty()) files.append(to_python(Json(body.file)));
@@ -120,16 +103,18 @@ py::list write(const PythonMold& self, const py::object& folder_given, bool as_3
 void write_line(const PythonMold& self, const py::object& path_given) {
   const std::string path = path_of(path_given, "path");
   check_line_extension(path);
-  watch(py::none(),
-        [&](const Progress&) { write_lines(path, lines_to_write(*self.model, self.assignment, self.line)); });
+  watch(py::none(), [&](const Progress&) {
+    write_lines(path, lines_to_write(self.model(), self.assignment(), self.line()));
+  });
 }
 
 py::array picture(const PythonMold& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
-    const auto context = create_context(self.query.method.backend);
-    return mold_picture(*context, {*self.model, self.assignment, self.line, self.halves}, still, progress);
+    const auto context = create_context(self.study.questions().query.method.backend);
+    return mold_picture(*context, {self.model(), self.assignment(), self.line(), self.halves()}, still,
+                        progress);
   }));
 }
 
@@ -139,8 +124,8 @@ auto member(const char* key) {
 
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
 py::array frame_of(const PythonMold& self) {
-  const MoldHalves& halves = self.halves;
-  const bool as_part = self.written.part_frame;
+  const MoldHalves& halves = self.halves();
+  const bool as_part = self.written().part_frame;
   const glm::dvec3 zero(0.0), origin = as_part ? zero : halves.scale * halves.centre;
   py::array_t<double> frame({py::ssize_t{4}, py::ssize_t{4}});
   for (int column = 0; column < 4; ++column) {
@@ -156,19 +141,21 @@ py::array frame_of(const PythonMold& self) {
 py::object area_of(const PythonMold& self) {
   py::dict areas;
   for (const MoldSide side : k_mold_sides)
-    areas[py::str(std::string(side_name(side)))] = self.assignment.area(side);
+    areas[py::str(std::string(side_name(side)))] = self.assignment().area(side);
   return areas;
 }
 
 void add_line(py::class_<PythonMold, SharedMold>& mold) {
-  mold.def_property_readonly("verdict", member("verdict"), "The parting line in a sentence.")
+  mold.def_property_readonly("verdict", member("verdict"),
+                             "What is said of the part first: a dict with state, sentence and reasons.")
+      .def_property_readonly("parting_line", member("parting_line"), "The parting line in a sentence.")
       .def_property_readonly("areas", area_of,
                              "What core, cavity and side actions form, in the part's unit squared.")
       .def_property_readonly("loops", loops,
                              "The loops of the parting line: a dict each with kind ('outer', 'shut-off', "
                              "'action'), points (k x 3, closed, the first is not repeated) and length.")
       .def_property_readonly(
-          "direction", [](const PythonMold& self) { return to_python(self.assignment.direction); },
+          "direction", [](const PythonMold& self) { return to_python(self.assignment().direction); },
           "Of length one.")
       .def_property_readonly(
           "warnings", [](const PythonMold& self) { return to_python(self.json()["part"]["warnings"]); },
@@ -197,7 +184,7 @@ void add_mold(py::module_& module, PartClass& part) {
           "Core, cavity and inserts, as they are written: a dict each with name, vertices, "
           "faces, volume and closed. Empty where there are none.")
       .def_property_readonly(
-          "in_part_frame", [](const PythonMold& self) { return self.written.part_frame; },
+          "in_part_frame", [](const PythonMold& self) { return self.written().part_frame; },
           "The bodies are in the part's own coordinates; else the direction is upward, about the part's "
           "centre.")
       .def_property_readonly(
@@ -213,8 +200,8 @@ void add_mold(py::module_& module, PartClass& part) {
           picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
                       "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonMold& self) {
-        return py::str(fmt::format("<moldlight.Mold: {}>",
-                                   parting_verdict(self.assignment, self.line, self.model->frame.diagonal)));
+        return py::str(fmt::format("<moldlight.Mold: {}>", parting_verdict(self.assignment(), self.line(),
+                                                                           self.model().frame.diagonal)));
       });
   add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
   part.def("mold", &find, py::arg("direction"),

@@ -10,9 +10,9 @@
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/work.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
-#include "sweep/sweep_report.hpp"
 
 namespace moldlight::python {
 
@@ -27,7 +27,7 @@ struct PythonSweep {
   std::shared_ptr<const PartModel> model;
   SweepResult result;
 
-  [[nodiscard]] Json json() const { return sweep_json(*model, result); }
+  [[nodiscard]] Json json() const { return sweep_json_with_verdicts(*model, result); }
 };
 using SharedSweep = std::shared_ptr<PythonSweep>;
 
@@ -115,6 +115,9 @@ void add_sweep(py::module_& module, PartClass& part) {
           "candidates", member("candidates"),
           "The directions listed, best first: a dict each, with direction, areas, tilt and "
           "the other figures of the report.")
+      .def_property_readonly(
+          "verdict", member("verdict"),
+          "What is said of the best direction first: a dict with state, sentence and reasons.")
       .def_property_readonly("proof", member("proof"), "What prove asked for, as a dict; else None.")
       .def_property_readonly("all_free", member("all_free"), "What all_free asked for, as a dict; else None.")
       .def_property_readonly(

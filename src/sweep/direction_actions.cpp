@@ -1,7 +1,6 @@
 #include "sweep/direction_actions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <tbb/parallel_pipeline.h>
@@ -19,17 +18,13 @@ constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are de
 
 }  // namespace
 
-DirectionActions direction_actions(const ActionPlan& plan) {
-  DirectionActions found{
-      .text = actions_text(plan), .patches = plan.patches.size(), .unreleased_area = plan.unreleased_area};
+DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
+  DirectionActions found{.undercuts = undercut_totals(plan), .totals = totals_of(plan, lateral)};
+  for (const SideAction& action : plan.actions) found.travel = std::max(found.travel, action.travel);
   // By kinds, so that the same set has the same weight in whatever order it is found.
-  std::array<std::size_t, k_action_kinds> counts{};
-  for (const SideAction& action : plan.actions) {
-    ++counts[static_cast<std::size_t>(action.kind)];
-    found.travel = std::max(found.travel, action.travel);
-  }
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
-    found.weight += static_cast<double>(counts[kind]) * facts(static_cast<ActionKind>(kind)).weight;
+    found.weight +=
+        static_cast<double>(found.totals.counts[kind]) * facts(static_cast<ActionKind>(kind)).weight;
   found.weight = std::round(found.weight * k_weight_steps) / k_weight_steps;
   return found;
 }
@@ -38,7 +33,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
-    return direction_actions(find_actions(model_, split, settings_, Progress(&progress)));
+    return direction_actions(find_actions(model_, split, settings_, Progress(&progress)),
+                             split.lateral_tolerance);
   } catch (const Cancelled&) {
     return std::nullopt;
   }

@@ -19,13 +19,16 @@ namespace moldlight {
 
 /// What the least set of side actions of one direction comes to.
 struct DirectionActions {
-  std::string text;              // "2 slides, 1 lifter"; "none"
-  std::size_t patches = 0;       // undercuts, as the list of side actions counts them
-  double weight = 0.0;           // of their kinds, summed up
-  double travel = 0.0;           // of the one that travels farthest, part's unit; 0 without any
-  double unreleased_area = 0.0;  // of undercuts that nothing releases, part's unit squared
+  UndercutTotals undercuts;
+  ActionTotals totals;
+  double weight = 0.0;  // of their kinds, summed up
+  double travel = 0.0;  // of the one that travels farthest, part's unit; 0 without any
+
+  /// "2 slides, 1 lifter"; "none".
+  [[nodiscard]] std::string text() const { return actions_text(totals.counts); }
 };
-[[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan);
+/// `lateral` is the lateral tolerance in the part's unit.
+[[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan, double lateral);
 
 class DirectionActionFinder {
  public:

@@ -65,7 +65,7 @@ constexpr DirectionFigure k_figures[] = {
      "lateral tolerance.",
      Use{.objective = true, .brief = true, .yields = true},
      [](const Facts& f) {
-       if (f.actions != nullptr) return Found(static_cast<double>(f.actions->patches));
+       if (f.actions != nullptr) return Found(static_cast<double>(f.actions->undercuts.count));
        return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt;
      }},
     {"parting_climb", "climb", FigureKind::length,
@@ -80,7 +80,7 @@ constexpr DirectionFigure k_figures[] = {
      [](const Facts& f) { return f.actions ? Found(f.actions->travel) : std::nullopt; }},
     {"unreleased_area", "left", FigureKind::area, "Undercut area that no side action releases.",
      Use{.brief = true, .of_actions = true},
-     [](const Facts& f) { return f.actions ? Found(f.actions->unreleased_area) : std::nullopt; }},
+     [](const Facts& f) { return f.actions ? Found(f.actions->totals.unreleased_area) : std::nullopt; }},
     {"side_actions", "side actions", FigureKind::actions,
      "The least set of side actions; in order of the sum of their kinds' weights.",
      Use{.objective = true, .brief = true, .of_actions = true},
@@ -143,7 +143,7 @@ std::string figure_text(const DirectionFigure& row, const PartModel& model, cons
     case FigureKind::force:
       return figure(*value);
     case FigureKind::actions:
-      return candidate.actions ? candidate.actions->text : "-";
+      return candidate.actions ? candidate.actions->text() : "-";
     case FigureKind::angle:
       if (*value >= k_widest_tilt_deg) return fmt::format("> {:g}°", k_widest_tilt_deg);
       return *value < k_least_told_deg ? fmt::format("< {:g}°", k_least_told_deg)
@@ -235,7 +235,7 @@ bool seeks_actions(const SweepSettings& settings) {
 
 double unreleased_penalty(const DirectionFacts& facts) {
   if (facts.actions == nullptr) return 0.0;
-  const double area = facts.actions->unreleased_area;
+  const double area = facts.actions->totals.unreleased_area;
   if (area <= facts.classification.uncertainty.rounding) return 0.0;
   const double rest = area / measure_of(FigureKind::area, facts.model);
   return (rest <= k_small_rest ? k_small_penalty : k_penalty) + k_area_penalty * rest;

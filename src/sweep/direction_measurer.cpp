@@ -4,7 +4,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "actions/undercut.hpp"
 #include "base/error.hpp"
 
 namespace moldlight {
@@ -27,8 +26,8 @@ std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3
 void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredBeside& asked,
                                     const Progress& progress) const {
   const Query query{measured.classification.direction, method_};
-  if (asked.patches && !measured.patches)
-    measured.patches =
+  if (asked.patches && !measured.undercuts)
+    measured.undercuts =
         count_undercuts(model_, exact_query(model_, query), measured.undercut_facets, progress);
   if (asked.parting && !measured.parting) measured.parting = line_figures(model_, query, progress);
 }

@@ -8,6 +8,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "actions/undercut.hpp"
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
@@ -22,7 +23,7 @@ struct MeasuredDirection {
   Classification classification;
   std::vector<FacetIndex> undercut_facets;  // those with some undercut
   // Where the measurer was asked for it:
-  std::optional<std::size_t> patches = {};  // how many undercuts
+  std::optional<UndercutTotals> undercuts = {};
   std::optional<LineFigures> parting = {};
 };
 

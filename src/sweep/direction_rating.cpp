@@ -72,7 +72,8 @@ DirectionFacts DirectionRating::facts(const Classification& classification,
           .classification = classification,
           .draw_depth = high >= low ? high - low : 0.0,
           .measured = measured != nullptr,
-          .patches = measured != nullptr ? measured->patches : std::nullopt,
+          .patches = measured != nullptr && measured->undercuts ? std::optional(measured->undercuts->count)
+                                                                : std::nullopt,
           .parting = measured != nullptr ? measured->parting : std::nullopt};
 }
 
@@ -84,7 +85,7 @@ RankedFigures DirectionRating::ranked(const Candidate& candidate, const Directio
           .value_uncertainty = weight_of_undercut(objective) * undercut_uncertainty / measure_.area,
           .undercut = facts.classification.areas[Region::undercut],
           .undercut_uncertainty = undercut_uncertainty,
-          .patches = static_cast<double>(facts.actions != nullptr ? facts.actions->patches
+          .patches = static_cast<double>(facts.actions != nullptr ? facts.actions->undercuts.count
                                                                   : facts.patches.value_or(0)),
           .draw_depth = facts.draw_depth,
           .projected_area = facts.classification.shadow_area,

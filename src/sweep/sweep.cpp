@@ -344,6 +344,7 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   Classification& classification = listed.classification;
   if (listed.measured) {
     classification = contender.measured->classification;
+    listed.undercuts = contender.measured->undercuts;
   } else {
     classification = rating_.classification(contender.candidate.direction, contender.score);
     classification.near_vertical_area =
@@ -416,7 +417,7 @@ void SweepRun::list() {
   if (!std::ranges::all_of(listed, [](const Contender& c) { return c.actions.has_value(); })) {
     for (RankedFigures& each : figures) each.actions = each.travel = 0.0;
   }
-  if (!std::ranges::all_of(listed, [](const Contender& c) { return c.measured && c.measured->patches; })) {
+  if (!std::ranges::all_of(listed, [](const Contender& c) { return c.measured && c.measured->undercuts; })) {
     for (RankedFigures& each : figures) each.patches = 0.0;
   }
   const Ranking ranking = rating_.rank(figures);
@@ -465,12 +466,12 @@ void SweepRun::complete(std::vector<Contender>& listed) {
   for (Contender& contender : listed) {
     if (!contender.measured) continue;
     const auto measured = std::make_shared<MeasuredDirection>(*contender.measured);
-    if (contender.actions) measured->patches = contender.actions->patches;
+    if (contender.actions) measured->undercuts = contender.actions->undercuts;
     try {
       if (!clock_.stopped()) measurer_.complete(*measured, clock_.until_cancelled());
     } catch (const Cancelled&) {
     }
-    contender.figures.patches = static_cast<double>(measured->patches.value_or(0));
+    contender.figures.patches = static_cast<double>(measured->undercuts.value_or(UndercutTotals{}).count);
     contender.measured = measured;
   }
 }

@@ -73,7 +73,7 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
     else if (known)
       value = *known;
   }
-  json["actions"] = candidate.actions ? Json(candidate.actions->text) : Json();
+  json["actions"] = candidate.actions ? Json(candidate.actions->text()) : Json();
   json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
   json["pareto"] = candidate.pareto;
   json["axis_beside"] = axis_json(model, candidate);

@@ -51,6 +51,7 @@ struct SweepCandidate {
   bool measured = true;
   Classification classification;               // exactly what classify gives; facet fractions are dropped
   std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
+  std::optional<UndercutTotals> undercuts;     // empty where it was not measured, or the sweep ended before
   std::optional<DirectionActions> actions;     // empty where they were not looked for
   std::optional<TiltMargin> tilt;              // empty where the sweep ended before
   std::optional<AxisBeside> axis;              // where there is one beside it, and time was left

@@ -39,9 +39,9 @@ std::vector<std::string> shorter_reasons(const Candidate& candidate) {
 
 std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate) {
   if (!candidate.actions) return {};
-  const double left = candidate.actions->unreleased_area;
-  if (left <= 0.0) return candidate.actions->text;
-  return fmt::format("{}; {} {} left", candidate.actions->text,
+  const double left = candidate.actions->totals.unreleased_area;
+  if (left <= 0.0) return candidate.actions->text();
+  return fmt::format("{}; {} {} left", candidate.actions->text(),
                      FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
 }
 

@@ -46,7 +46,9 @@ TEST(Classify, JsonHasTheKeysOfTheSchema) {
   EXPECT_EQ(json["schema"], "moldlight.classify/2");
   EXPECT_EQ(keys(json), (Names{"schema", "part", "direction", "settings", "texel", "lateral_tolerance",
                                "areas", "fractions", "undercut_uncertainty", "uncertainty_parts",
-                               "projected_area", "projected_undercut", "identity", "timings_ms"}));
+                               "projected_area", "projected_undercut", "identity", "timings_ms", "verdict"}));
+  EXPECT_EQ(keys(json["verdict"]), (Names{"state", "sentence", "undercuts", "undercut_area",
+                                          "unreleased_area", "specks", "actions", "reasons"}));
   EXPECT_EQ(keys(json["part"]), (Names{"file", "format", "unit", "facets", "vertices", "components", "closed",
                                        "area", "volume", "bounds", "warnings", "repairs"}));
   EXPECT_EQ(keys(json["part"]["bounds"]), (Names{"min", "max"}));

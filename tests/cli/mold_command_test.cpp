@@ -34,10 +34,11 @@ TEST_F(Mold, TellsThePartingLineInJson) {
   const auto run = run_moldlight(mold({"--json", "-", "--soft-draft", "3"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(run.out);
-  EXPECT_EQ(json["schema"], "moldlight.mold/1");
+  EXPECT_EQ(json["schema"], "moldlight.mold/2");
   EXPECT_EQ(json["settings"]["soft_deg"], 3.0);
   EXPECT_EQ(json["settings"]["tau_deg"], 1.0);
-  for (const char* key : {"part", "direction", "settings", "assignment", "euler", "loops", "verdict"})
+  for (const char* key :
+       {"part", "direction", "settings", "assignment", "euler", "loops", "parting_line", "verdict"})
     EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"core", "cavity", "action", "free"})
     EXPECT_TRUE(json["assignment"].contains(key)) << key;

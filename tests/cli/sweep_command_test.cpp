@@ -72,7 +72,7 @@ TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
   const Json json = sweep_of(part.sweep({"--json", "-", "--pressure", "30"}));
   EXPECT_EQ(json["schema"], "moldlight.sweep/2");
   EXPECT_EQ(keys(json), (Names{"schema", "part", "settings", "evaluated", "skipped", "complete", "elapsed_s",
-                               "remarks", "candidates"}));
+                               "remarks", "candidates", "verdict"}));
   EXPECT_EQ(json["complete"], true);
   EXPECT_GT(json["evaluated"].get<int>(), 60);
   ASSERT_GE(json["candidates"].size(), 2u);

@@ -96,7 +96,7 @@ class ResultsTest(DocumentCase):
         opened = self.document.MoldCore.Placement.Base - self.document.MoldCavity.Placement.Base
         self.assertAlmostEqual(opened.z, 2 * found.Opening.Value, places=6)
         if PROGRAM:
-            self.assertEqual(self.reported("mold", "--fill-undercut")["verdict"], found.Verdict)
+            self.assertTrue(found.Verdict.startswith(self.reported("mold", "--fill-undercut")["verdict"]["sentence"]))
 
     def test_halves_along_an_oblique_direction(self):
         turned = FreeCAD.Placement(FreeCAD.Vector(30, -20, 10), FreeCAD.Rotation(FreeCAD.Vector(1, 2, 0), 33))

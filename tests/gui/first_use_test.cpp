@@ -37,10 +37,10 @@ TEST(FirstUse, LeadsFromTheVerdictToTheExport) {
   window.wait_until_loaded();
   // What is to be seen when each picture is taken.
   const std::vector<std::function<void()>> steps = {
-      [&] { EXPECT_TRUE(verdict_of(window.state()).better.has_value()) << "a better direction is known"; },
+      [&] { EXPECT_TRUE(verdict_card(window.state()).better.has_value()) << "a better direction is known"; },
       [&] {
         EXPECT_EQ(window.state().settings.direction.unit(), glm::dvec3(0, 0, 1));
-        EXPECT_FALSE(verdict_of(window.state()).free);
+        EXPECT_FALSE(verdict_card(window.state()).good());
       },
       [&] {
         ASSERT_TRUE(window.state().hover.has_value()) << "on an undercut";

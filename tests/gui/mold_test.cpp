@@ -325,8 +325,8 @@ TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
   for (const char* name : {"core.stl", "cavity.stl"})
     EXPECT_EQ(bytes_of(folder / name), bytes_of(other / name)) << name;
   const auto json = nlohmann::json::parse(bytes_of(folder / "mold.json"));
-  EXPECT_EQ(json["schema"], "moldlight.mold/1");
-  EXPECT_EQ(json["verdict"], mold().line->verdict);
+  EXPECT_EQ(json["schema"], "moldlight.mold/2");
+  EXPECT_EQ(json["parting_line"], mold().line->verdict);
   EXPECT_EQ(json["loops"].size(), 1U);
 }
 

@@ -64,7 +64,7 @@ class SideActions : public ::testing::Test {
   [[nodiscard]] const AppState& state() const { return window.state(); }
   [[nodiscard]] const ActionPlan& plan() const { return *state().actions.plan; }
   [[nodiscard]] const ActionSettings& settings() const { return state().settings.actions; }
-  [[nodiscard]] std::string sentence() const { return verdict_of(state()).sentence; }
+  [[nodiscard]] std::string sentence() const { return verdict_card(state()).sentence; }
 
   void move_to(const glm::vec2& place) {
     window.move_mouse(place);
@@ -108,9 +108,12 @@ class SideActions : public ::testing::Test {
 
 TEST_F(SideActions, AreToldInTheVerdictAndListed) {
   open_lid();
-  EXPECT_NE(sentence().find(" · 1 slide, 2 lifters"), std::string::npos) << sentence();
+  EXPECT_NE(sentence().find("1 slide, 2 lifters and 2 loose inserts release the rest"), std::string::npos)
+      << sentence();
   ASSERT_GE(plan().patches.size(), 3U);
-  EXPECT_EQ(state().figures.undercuts, plan().patches.size()) << "as they are counted before there is a list";
+  ASSERT_TRUE(state().figures.undercuts.has_value());
+  EXPECT_EQ(state().figures.undercuts->count, plan().patches.size())
+      << "as they are counted before there is a list";
   for (std::size_t k = 1; k <= plan().patches.size(); ++k)
     EXPECT_TRUE(window.app().controls().contains("undercut " + std::to_string(k)) || k > 6) << k;
   EXPECT_TRUE(is_told("lifter"));

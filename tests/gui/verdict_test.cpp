@@ -32,7 +32,7 @@ class Verdicts : public ::testing::Test {
     window_.wait_until_loaded();
     window_.wait_until_measured();
   }
-  [[nodiscard]] Verdict verdict() const { return verdict_of(window_.state()); }
+  [[nodiscard]] VerdictCard verdict() const { return verdict_card(window_.state()); }
   void click(const std::string& control) {
     window_.move_mouse(window_.control(control).centre());
     window_.frames(2);
@@ -50,16 +50,16 @@ TEST_F(Verdicts, LeadToTheBestDirection) {
   // A block with a pocket in its side: along z one undercut, along the pocket none.
   const auto shape = moldlight::test::plate_with_side_pocket({});
   open(shape.mesh);
-  EXPECT_FALSE(verdict().free);
-  EXPECT_TRUE(verdict().sentence.starts_with("1 undercut, ")) << verdict().sentence;
+  EXPECT_FALSE(verdict().good());
+  EXPECT_TRUE(verdict().sentence.starts_with("1 slide releases the undercut (")) << verdict().sentence;
   window_.wait_until_swept();  // by itself
   ASSERT_TRUE(verdict().better.has_value()) << verdict().best;
   EXPECT_TRUE(verdict().best.ends_with("no undercut")) << verdict().best;
   EXPECT_FALSE(window_.app().controls().contains("direction 1")) << "its table waits until it is asked for";
   click("Go there");
   window_.wait_until_measured();
-  EXPECT_TRUE(verdict().free);
-  EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut");
+  EXPECT_TRUE(verdict().good());
+  EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut.");
   click("fold");
   EXPECT_TRUE(window_.app().controls().contains("direction 1"));
 }

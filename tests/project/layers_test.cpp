@@ -28,10 +28,10 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(with(k_parting, "parting"), "proof"), k_compare = with(k_sweep, "sweep"),
-                      k_entry = with(with(k_compare, "compare"), "batch"),
+                      k_sweep = with(with(k_parting, "parting"), "proof"), k_study = with(k_sweep, "sweep"),
+                      k_compare = with(k_study, "study"), k_entry = with(with(k_compare, "compare"), "batch"),
                       k_report = with(with(k_compare, "compare"), "page"),
-                      k_program = with(with(k_entry, "gui"), "report"), k_python = with(k_sweep, "sweep");
+                      k_program = with(with(k_entry, "gui"), "report"), k_python = k_compare;
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -45,6 +45,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"actions", k_actions},
       {"parting", k_parting},
       {"sweep", k_sweep},
+      {"study", k_study},
       {"compare", k_compare},
       {"batch", {"base", "io", "page", "classify"}},
       {"report", k_report},
@@ -82,7 +83,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"JSON",
        std::regex("nlohmann/.*"),
        {"actions", "batch", "classify", "compare", "page", "parting", "report", "sweep", "gui", "cli",
-        "python"}},
+        "python", "study"}},
   };
   return k_rules;
 }

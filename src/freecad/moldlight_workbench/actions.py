@@ -33,6 +33,8 @@ class SideActions(Analysis):
 
     def add_properties(self, obj):
         super().add_properties(obj)
+        properties.add_result(obj, "App::PropertyString", "Verdict",
+                              translate("Moldlight", "What is said of the undercuts first"))
         properties.add_result(obj, "App::PropertyArea", "Unreleased",
                               translate("Moldlight", "Undercut that no action releases"))
         properties.add_result(obj, "App::PropertyIntegerList", "Counts", "", hidden=True)
@@ -41,6 +43,7 @@ class SideActions(Analysis):
     def show(self, obj, part, answer, listener):
         bodies = answer.bodies(progress=listener)
         kinds = [action["kind"] for action in answer.actions]
+        obj.Verdict = answer.verdict["sentence"]
         obj.Unreleased = answer.unreleased["area"]
         mesh, counts = meshes.joined([(body["vertices"], body["faces"]) for body in bodies])
         obj.Counts = counts

@@ -31,13 +31,14 @@ class PartingLine(Analysis):
             obj.FillUndercut = True
         properties.add(obj, "App::PropertyDistance", "Opening", "Mold",
                        translate("Moldlight", "How far each half is moved out to be looked at"))
-        properties.add_result(obj, "App::PropertyString", "Verdict", translate("Moldlight", "The parting line in a sentence"))
+        properties.add_result(obj, "App::PropertyString", "Verdict", translate("Moldlight", "What is said of the mold first, and of its parting line"))
         properties.add_result(obj, "App::PropertyString", "Refusal", translate("Moldlight", "Why there are no halves"))
         properties.add_result(obj, "App::PropertyStringList", "Kinds", translate("Moldlight", "What each wire is"))
 
     def show(self, obj, part, answer, listener):
         loops = answer.loops
-        obj.Verdict = answer.verdict
+        line = answer.parting_line
+        obj.Verdict = "{} {}{}.".format(answer.verdict["sentence"], line[:1].upper(), line[1:])
         obj.Refusal = answer.refusal
         obj.Kinds = [loop["kind"] for loop in loops]
         obj.Shape = Part.makeCompound([wire_of(loop["points"].tolist()) for loop in loops])

@@ -66,6 +66,7 @@ class MoldRegions(properties.Proxy):
             result(obj, "App::PropertyArea", name, tip("Moldlight", "Area of the region: {}").format(region))
         result(obj, "App::PropertyArea", "TotalArea", tip("Moldlight", "Area of the whole surface"))
         result(obj, "App::PropertyArea", "Uncertainty", tip("Moldlight", "How far the undercut's area may be off"))
+        result(obj, "App::PropertyString", "Verdict", tip("Moldlight", "What is said of the direction first"))
         result(obj, "App::PropertyStringList", "Warnings", tip("Moldlight", "What puts figures in doubt"))
         hidden = (("App::PropertyIntegerList", "FaceRegions"), ("App::PropertyFloatList", "FaceAreas"),
                   ("App::PropertyFloatList", "FaceDrafts"), ("App::PropertyColorList", "Colours"))
@@ -106,6 +107,7 @@ class MoldRegions(properties.Proxy):
             setattr(obj, name, found.areas[region])
         obj.TotalArea = found.total_area
         obj.Uncertainty = found.undercut_uncertainty
+        obj.Verdict = found.verdict["sentence"]
         obj.Warnings = list(dict.fromkeys([*part.part.warnings, *found.warnings]))
         areas = part.per_face(found.facet_areas)
         obj.Colours = [tuple(value / 255 for value in colour) for colour in palette()]

@@ -37,7 +37,7 @@ class Measurer::Worker {
               : classifier(request).classify(request.query, progress, request.with_split);
       const PartModel& model = *request.model;
       if (const auto& split = outcome.classification->split) {
-        outcome.undercuts = find_undercuts(model, *split, exact_query(model, request.query)).patches.size();
+        outcome.undercuts = totals_of(find_undercuts(model, *split, exact_query(model, request.query)));
         outcome.samples =
             std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
       }

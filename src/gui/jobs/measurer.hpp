@@ -44,7 +44,7 @@ class Measurer {
   struct Outcome {
     Request request;
     std::optional<Classification> classification;
-    std::optional<std::size_t> undercuts;         // of the split mesh
+    std::optional<UndercutTotals> undercuts;      // of the split mesh
     std::shared_ptr<const PieceSamples> samples;  // with a split mesh
     std::string error;                            // one line, where there is no classification
   };

@@ -202,7 +202,11 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
 void ActionsPanel::draw(const PanelContext& context) {
   const AppState& state = context.state;
   const auto& plan = state.actions.plan;
-  const bool shown = plan ? !plan->patches.empty() : has_undercuts(state);
+  const auto& figures = state.figures.shown;
+  // Until undercuts are counted their area tells: a bar that came and went would move the part under the
+  // hand.
+  const bool shown = plan ? !plan->patches.empty()
+                          : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
   if (!shown || state.revisions.on()) return;
   const bool open = context.layout.begin_bottom(context.ui, k_name);
   draw_header(context, open);

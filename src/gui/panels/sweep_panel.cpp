@@ -63,7 +63,7 @@ std::string result_text(const AppState& state) {
   if (!result.candidates.empty()) {
     const SweepCandidate& best = result.candidates.front();
     text = fmt::format("best {}: {}  ·  ", with_minus(short_direction_text(best.candidate.direction)),
-                       undercut_text(state.model->part, best));
+                       undercut_text(*state.model, best));
   }
   text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
                       result.elapsed_s);

@@ -2,7 +2,8 @@
 "use strict";
 const {about, results, rows} = JSON.parse(document.getElementById("batch").textContent);
 const columns = [["#", 0, 0], ["part", 1, 1], ["state", 2, 1], ["undercut", 7, 0, "area"], ["share", 8, 0, "share"],
-  ["undercuts", 9, 0], ["side actions", 10, 0], ["not released", 11, 0, "area"], ["area", 6, 0, "area"],
+  ["undercuts", 9, 0], ["side actions", 10, 0], ["not released", 11, 0, "area"],
+  ["verdict", 16, 1], ["that is", 17, 1, "said"], ["area", 6, 0, "area"],
   ["facets", 5, 0], ["time s", 12, 0, "time"], ["settings", 13, 1, "said"], ["reason", 3, 1, "said"]];
 const step = 200;
 let shown = step, sorted = 8, down = true, list = [];
@@ -22,7 +23,7 @@ function choose() {
   const words = byId("filter").value.toLowerCase().split(/\s+/).filter((word) => word);
   const state = byId("state").value;
   list = rows.filter((row) => (!state || row[2] === state) &&
-    words.every((word) => (row[1] + " " + row[13] + " " + row[3]).toLowerCase().includes(word)));
+    words.every((word) => (row[1] + " " + row[13] + " " + row[3] + " " + row[17]).toLowerCase().includes(word)));
   list.sort(compare);
   shown = step;
   show();

@@ -1,6 +1,4 @@
 // The report of a classification.
-#include <fmt/format.h>
-
 #include "classify/classify_report.hpp"
 #include "report/describe/parts.hpp"
 
@@ -8,25 +6,26 @@ namespace moldlight::report {
 
 namespace {
 
-/// How many undercuts, and what they have in all.
-std::string undercut_text(const PartModel& model, const Classification& result, std::size_t count) {
-  const double area = result.areas[Region::undercut];
-  return fmt::format("{}: {} ± {} {}, {} of the surface",
-                     count == 0 ? "Undercut in specks" : counted(count, "undercut"),
-                     FigureColumn(result.total_area).text(area), error_text(result.uncertainty.total()),
-                     powered_unit(model.part, 2), share_text(area, result.total_area));
+/// Of which a report that asks for no draft shows the histogram alone.
+constexpr double k_histogram_deg = 1.0;
+
+Section checked_draft_section(const ReportContext& context, const Study& study) {
+  Study with_draft = study;
+  Questions questions = study.questions();
+  const bool asked = questions.required_draft_deg > 0.0;
+  if (!asked) questions.required_draft_deg = k_histogram_deg;
+  with_draft.ask(std::move(questions));
+  return draft_section(context, {with_draft.find<DraftCheck>(context.progress), asked});
 }
 
 }  // namespace
 
-Report classify_report(const ReportContext& context, const Classification& result, const DraftShown& draft) {
+Report classify_report(const ReportContext& context, Study& study) {
   const PartModel& model = *context.model;
-  const bool free = result.areas[Region::undercut] <= result.uncertainty.total();
+  const Classification& result = study.find<SplitRegions>(context.progress).result;
   const Undercuts found = find_undercuts(model, *result.split, exact_query(model, result.query()));
   Report report = begin_report(context, "Parting direction", result.direction);
-  report.tone = free ? Tone::good : Tone::attention;
-  report.sentence = free ? "Two-plate mold: no undercut" : undercut_text(model, result, found.patches.size());
-  if (!free) report.lead = "What is red can be released by neither half along this direction.";
+  take_verdict(study.verdict(context.progress), report);
 
   Illustrator pictures(context, result);
   report.still = {pictures.whole(), {}, "The part in the colours of its regions", view_caption()};
@@ -39,7 +38,7 @@ Report classify_report(const ReportContext& context, const Classification& resul
     section.blocks.emplace_back(undercut_table(context, pictures, undercuts, {}));
     report.sections.push_back(std::move(section));
   }
-  report.sections.push_back(draft_section(context, draft));
+  report.sections.push_back(checked_draft_section(context, study));
   Pictures behind;
   behind.pictures.push_back({pictures.from_behind(), {}, "The part from the other side", {}});
   report.sections.push_back({"From the other side", {std::move(behind)}});

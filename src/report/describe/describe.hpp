@@ -5,14 +5,12 @@
 #include <span>
 #include <string>
 
-#include "actions/actions_report.hpp"
 #include "base/progress.hpp"
 #include "classify/still_picture.hpp"
 #include "compare/comparison.hpp"
 #include "compare/criteria.hpp"
-#include "parting/draft/draft_check.hpp"
-#include "parting/mold_report.hpp"
 #include "report/report.hpp"
+#include "study/study_reports.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight::report {
@@ -31,19 +29,15 @@ struct DraftShown {
   const DraftCheck& check;
   bool asked = false;  // for the least draft that it has: else the histogram alone counts
 };
-/// `result` must have its split mesh. Throws Cancelled.
-[[nodiscard]] Report classify_report(const ReportContext& context, const Classification& result,
-                                     const DraftShown& draft);
 
-/// The classification must have its split mesh. Throws Cancelled.
-[[nodiscard]] Report actions_report(const ReportContext& context, const ActionsReport& found);
+// Of the study's answers, which are found where they are not known. All throw Cancelled.
+
+[[nodiscard]] Report classify_report(const ReportContext& context, Study& study);
+[[nodiscard]] Report actions_report(const ReportContext& context, Study& study);
+[[nodiscard]] Report mold_report(const ReportContext& context, Study& study);
 
 /// Throws Cancelled.
 [[nodiscard]] Report sweep_report(const ReportContext& context, const SweepResult& result);
-
-/// `warnings`: of part and assignment. Throws Cancelled.
-[[nodiscard]] Report mold_report(const ReportContext& context, const MoldReport& found,
-                                 const std::vector<std::string>& warnings);
 
 /// What was asked of the figures of a comparison.
 struct CriteriaShown {

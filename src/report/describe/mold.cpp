@@ -57,6 +57,9 @@ Section line_section(const MoldReport& found) {
   const std::string unit = length_unit(found.model.part);
   const FigureColumn lengths(10.0 * found.model.frame.diagonal);
   Section section{"Parting line", {}};
+  std::string sentence = parting_verdict(found.assignment, line, found.model.frame.diagonal);
+  sentence.front() = static_cast<char>(sentence.front() == 'p' ? 'P' : sentence.front());
+  section.blocks.emplace_back(Text{sentence + ".", TextLook::normal});
   Table table{{{"#"},
                {"loop", true},
                {"length " + unit},
@@ -208,17 +211,11 @@ ModelView mold_view(const ReportContext& context, const MoldReport& found) {
 
 }  // namespace
 
-Report mold_report(const ReportContext& context, const MoldReport& found,
-                   const std::vector<std::string>& warnings) {
+Report mold_report(const ReportContext& context, Study& study) {
+  const MoldReport found = moldlight::mold_report(study, context.progress);
   Report report = begin_report(context, "Mold", found.assignment.direction);
-  std::string verdict = parting_verdict(found.assignment, found.line, found.model.frame.diagonal);
-  verdict.front() = static_cast<char>(verdict.front() == 'p' ? 'P' : verdict.front());
-  report.sentence = std::move(verdict);
-  const bool refused = !found.written.refusal.empty();
-  const bool unfilled = !unfilled_text(found.model, found.settings, found.halves).empty();
-  report.tone = refused ? Tone::bad : unfilled ? Tone::attention : Tone::good;
-  report.lead = refused ? "There are no halves; why, and what to change, is below."
-                        : "Core half and cavity half are closed solids that meet everywhere else.";
+  take_verdict(mold_verdict(study, context.progress), report);
+  if (!found.written.refusal.empty()) report.tone = Tone::bad;
   StillSettings still;
   still.size = k_mold_px;
   still.backdrop = Backdrop::none;
@@ -232,7 +229,7 @@ Report mold_report(const ReportContext& context, const MoldReport& found,
   report.sections.push_back(sides_section(context, found));
   report.sections.push_back(line_section(found));
   report.sections.push_back(halves_section(found));
-  report.sections.push_back(part_section(context, warnings));
+  report.sections.push_back(part_section(context, mold_warnings(study, context.progress)));
   report.sections.push_back(repeat_section(context, mold_json(found)["settings"]));
   return report;
 }

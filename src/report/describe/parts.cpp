@@ -70,6 +70,16 @@ std::string counted(std::size_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
+void take_verdict(const Verdict& verdict, Report& report) {
+  report.sentence = with_minus(verdict.sentence);
+  report.tone = verdict.good() || verdict.state == VerdictState::side_actions ? Tone::good
+                : verdict.state == VerdictState::not_releasable               ? Tone::bad
+                                                                              : Tone::attention;
+  report.lead.clear();
+  for (const std::string& reason : verdict.reasons)
+    report.lead += (report.lead.empty() ? "" : " ") + with_minus(reason);
+}
+
 Report begin_report(const ReportContext& context, std::string kind, const glm::dvec3& direction) {
   Report report;
   report.kind = std::move(kind);

@@ -19,6 +19,9 @@ namespace moldlight::report {
 /// "1 undercut", "3 undercuts".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
 
+/// Sentence and tone of the report, with what else the verdict says below.
+void take_verdict(const Verdict& verdict, Report& report);
+
 /// The part of a report that does not depend on what was found.
 [[nodiscard]] Report begin_report(const ReportContext& context, std::string kind,
                                   const glm::dvec3& direction);

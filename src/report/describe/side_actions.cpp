@@ -136,22 +136,11 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
 
 }  // namespace
 
-Report actions_report(const ReportContext& context, const ActionsReport& found) {
+Report actions_report(const ReportContext& context, Study& study) {
+  const ActionsReport found = moldlight::actions_report(study, context.progress);
   const ActionPlan& plan = found.plan;
-  const FigureColumn areas(found.result.total_area);
   Report report = begin_report(context, "Side actions", found.result.direction);
-  const std::string undercuts = counted(plan.patches.size(), "undercut");
-  if (plan.patches.empty()) {
-    report.sentence = "Two-plate mold: no undercut asks for a side action";
-  } else if (plan.unreleased.empty()) {
-    report.sentence = fmt::format("{} {} all of {}", actions_text(plan),
-                                  plan.actions.size() == 1 ? "releases" : "release", undercuts);
-  } else {
-    report.tone = plan.actions.empty() ? Tone::bad : Tone::attention;
-    report.sentence =
-        fmt::format("{}; {} {} of {} cannot be released", actions_text(plan),
-                    areas.text(plan.unreleased_area), powered_unit(found.model.part, 2), undercuts);
-  }
+  take_verdict(study.verdict(context.progress), report);
   Illustrator pictures(context, found.result);
   const std::vector<StillBody> bodies = pulled_bodies(found);
   report.still = {pictures.whole(bodies), {}, "The part with its side actions, pulled out", view_caption()};

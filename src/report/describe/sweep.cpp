@@ -103,17 +103,13 @@ void show_best(const ReportContext& context, const SweepCandidate& best, Report&
   const PartModel& model = *context.model;
   const Classification split =
       classify_exact(model, best.classification.query(), Progress(&context.progress), true);
-  const double undercut = split.areas[Region::undercut];
-  const bool free = undercut <= split.uncertainty.total();
   report.subject = "best " + report.subject;
-  report.tone = free ? Tone::good : Tone::attention;
-  report.sentence =
-      free ? "Two-plate mold: the best direction has no undercut"
-           : fmt::format("The best direction leaves {} ± {} {} of undercut, {}",
-                         FigureColumn(split.total_area).text(undercut), error_text(split.uncertainty.total()),
-                         powered_unit(model.part, 2), share_text(undercut, split.total_area));
-  if (const std::string actions = side_actions_text(model, best); !actions.empty() && !free)
-    report.sentence += "; side actions: " + actions;
+  if (const std::optional<Verdict> verdict = verdict_of(model, best)) {
+    take_verdict(*verdict, report);
+  } else {
+    report.tone = Tone::attention;
+    report.sentence = "The sweep ended before the undercuts of the best direction were counted.";
+  }
   Illustrator pictures(context, split);
   report.still = {pictures.whole(), {}, "The part with its best parting direction", view_caption()};
   report.view = region_view(context, split, pictures.to_viewer());
@@ -136,8 +132,9 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
     report.sentence = "No direction was measured to the end";
     report.still = map;
   }
-  report.lead = fmt::format("{} scored{}", counted(result.evaluated.size(), "direction"),
-                            result.complete ? "." : "; the sweep is not complete.");
+  report.lead += fmt::format("{}{} scored{}", report.lead.empty() ? "" : " ",
+                             counted(result.evaluated.size(), "direction"),
+                             result.complete ? "." : "; the sweep is not complete.");
   Section directions{"Parting directions", {}};
   for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});
   Pictures maps;

@@ -186,18 +186,41 @@ TEST(Meetings, AreOfLiftersInACorner) {
   EXPECT_EQ(at(7.2), 0U);
 }
 
-/// A trough with a groove 4 deep in either inner wall, open at its ends before which plates stand: a lifter
-/// can go across it or along it.
+/// The profiles, extruded, with a plate before either end.
+TriangleMesh between_plates(const std::vector<Loop2>& profiles) {
+  SolidBuilder solid;
+  for (const Loop2& profile : profiles) solid.extrude(profile, {}, 8.0);
+  solid.box({-100, -42, 0}, {100, -32, 60});
+  solid.box({-100, 40, 0}, {100, 50, 60});
+  return solid.mesh();
+}
+
+/// A trough with a groove 4 deep in either inner wall: a lifter can go across it or along it.
 TriangleMesh grooved_trough(double wide) {
   const double far = wide + 10.0;
   const Loop2 profile = {{-10, 0},       {far, 0},   {far, 40}, {wide, 40}, {wide, 20}, {wide + 4, 20},
                          {wide + 4, 12}, {wide, 12}, {wide, 5}, {0, 5},     {0, 12},    {-4, 12},
                          {-4, 20},       {0, 20},    {0, 40},   {-10, 40}};
-  SolidBuilder solid;
-  solid.extrude(profile, {}, 8.0);
-  solid.box({-100, -42, 0}, {100, -32, 60});
-  solid.box({-100, 40, 0}, {100, 50, 60});
-  return solid.mesh();
+  return between_plates({profile});
+}
+
+/// Two walls 13.8 apart with facing grooves: from the one a lifter leaves upward, from the other downward.
+TriangleMesh walls_of_both_halves() {
+  const Loop2 wall = {{-10, 0}, {6.9, 0}, {6.9, 5}, {0, 5},  {0, 16},
+                      {-4, 16}, {-4, 24}, {0, 24},  {0, 40}, {-10, 40}};
+  Loop2 turned;
+  for (const glm::dvec2& corner : wall) turned.emplace_back(13.8 - corner.x, 40.0 - corner.y);
+  return between_plates({wall, turned});
+}
+
+TEST(Meetings, AreNoneOfLiftersOfDifferentHalves) {
+  const Planned planned = plan_of(walls_of_both_halves());
+  ASSERT_EQ(actions_text(planned.plan), "2 lifters");
+  EXPECT_NE(planned.plan.actions[0].core_side, planned.plan.actions[1].core_side);
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_GT(std::abs(action.direction.x), 0.9) << "toward the other, although they would come at it";
+    EXPECT_TRUE(action.meets.empty());
+  }
 }
 
 TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {

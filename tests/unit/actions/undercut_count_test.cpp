@@ -36,7 +36,8 @@ std::size_t count_of(const Planned& planned) {
       facets.push_back(facet);
   }
   return count_undercuts(*planned.model, exact_query(*planned.model, planned.result.query()), facets,
-                         Progress());
+                         Progress())
+      .count;
 }
 
 /// Of the boxes and pillars below, in their own unit.

@@ -90,6 +90,8 @@ TEST_F(Merge, TheTableHasEveryRowOnce) {
   EXPECT_EQ(table[2][column("undercut_share")], "0.2");
   EXPECT_EQ(table[2][column("side_actions")], "3");
   EXPECT_EQ(table[2][column("unit")], "mm");
+  EXPECT_EQ(table[2][column("verdict")], "side-actions");
+  EXPECT_EQ(table[2][column("sentence")], "Some undercut.");
   EXPECT_EQ(table[3][column("state")], "failed");
   EXPECT_EQ(table[3][column("reason")], "holds no facets");
   EXPECT_EQ(table[4][column("state")], "missing");
@@ -103,6 +105,8 @@ TEST_F(Merge, TheDatabaseAnswersWhatIsAsked) {
             (Table{{"part-1.stl", "0.2"}, {"part-0.stl", "0.05"}}));
   EXPECT_EQ(query(file, "SELECT path, side_actions FROM more_than_two_actions"),
             (Table{{"part-1.stl", "3"}}));
+  EXPECT_EQ(query(file, "SELECT path FROM parts WHERE verdict = 'side-actions' ORDER BY row"),
+            (Table{{"part-0.stl"}, {"part-1.stl"}}));
   EXPECT_EQ(query(file, "SELECT path, reason FROM failed"), (Table{{"part-2.stl", "holds no facets"}}));
   EXPECT_TRUE(query(file, "SELECT * FROM changed").empty()) << "there was no night before";
   EXPECT_EQ(query(file, "SELECT count(*) FROM parts"), (Table{{"4"}}));

@@ -57,7 +57,12 @@ inline Json done(double undercut, int actions) {
             {"direction", {0.0, 0.0, 1.0}},
             {"patches", {{{"area", undercut}}}},
             {"actions", list},
-            {"unreleased", {{"area", 0.0}}}}}};
+            {"verdict",
+             {{"state", actions > 0 ? "side-actions" : "undercuts"},
+              {"sentence", "Some undercut."},
+              {"undercuts", 1},
+              {"undercut_area", undercut},
+              {"unreleased_area", 0.0}}}}}};
 }
 
 inline Json failed(const std::string& reason) {

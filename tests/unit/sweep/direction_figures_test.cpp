@@ -106,8 +106,10 @@ TEST_F(OfABox, AnObjectiveIsASumOfShares) {
 
 TEST_F(OfABox, SideActionsAreToldInWordsOnceTheyAreFound) {
   for (const char* key : {"side_actions", "travel", "unreleased_area"}) EXPECT_EQ(text(key, facts()), "-");
-  const DirectionActions found{
-      .text = "2 slides, 1 lifter", .patches = 4, .weight = 3.2, .travel = 12.5, .unreleased_area = 0.25};
+  const DirectionActions found{.undercuts = {.count = 4},
+                               .totals = {.counts = {2, 0, 1}, .unreleased_area = 0.25},
+                               .weight = 3.2,
+                               .travel = 12.5};
   DirectionFacts known = facts();
   known.measured = true;
   known.patches = 7;
@@ -132,9 +134,10 @@ TEST(DirectionFigures, YieldToSideActionsInNarrowTables) {
 
 /// What is left weighs more than an action would, and more than a thousandth of the part behind all.
 TEST_F(OfABox, WhatNothingReleasesRanksBehind) {
-  DirectionActions found{.text = "3 slides", .weight = 3.0, .travel = 0.5 * model_->frame.diagonal};
+  DirectionActions found{
+      .undercuts = {}, .totals = {.counts = {3}}, .weight = 3.0, .travel = 0.5 * model_->frame.diagonal};
   const auto value = [&](std::string_view text, double left) {
-    found.unreleased_area = left;
+    found.totals.unreleased_area = left;
     DirectionFacts known = facts();
     known.actions = &found;
     return objective_value(parse_objective(text), known);

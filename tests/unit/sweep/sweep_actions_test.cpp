@@ -110,8 +110,8 @@ TEST(SweepActions, DecideTies) {
   ASSERT_EQ(axes(result), "zxy");
   EXPECT_EQ(result.with_actions, 3U);
   EXPECT_EQ(result.candidates[1].tie_group, 1U);
-  EXPECT_EQ(result.candidates[0].actions->text, "2 slides");
-  EXPECT_EQ(result.candidates[1].actions->text, "3 slides");
+  EXPECT_EQ(result.candidates[0].actions->text(), "2 slides");
+  EXPECT_EQ(result.candidates[1].actions->text(), "3 slides");
   EXPECT_EQ(figure_value(direction_figure("side_actions"), result.candidates[0]), 2.0);
   EXPECT_EQ(figure_value(direction_figure("unreleased_area"), result.candidates[0]), 0.0);
   EXPECT_NEAR(*figure_value(direction_figure("travel"), result.candidates[0]), k_depth + 3.0, 0.1);
@@ -126,7 +126,7 @@ TEST(SweepActions, AreAnObjective) {
   settings.objective = parse_objective("side-actions");
   const SweepResult result = sweep_of(block(14.0), settings);
   EXPECT_EQ(axes(result).front(), 'z');
-  EXPECT_EQ(result.candidates[0].actions->text, "2 slides");
+  EXPECT_EQ(result.candidates[0].actions->text(), "2 slides");
   EXPECT_EQ(result.candidates[0].tie_group, 1U);
   EXPECT_EQ(result.candidates[1].tie_group, 2U);
   EXPECT_GT(undercut(result.candidates[0]), undercut(result.candidates[1]));
@@ -153,7 +153,7 @@ TEST(SweepActions, FollowTheSettings) {
   SweepSettings settings = of_axes();
   settings.actions = true;
   settings.action_settings.bundle_across_mm = 0.0;
-  EXPECT_EQ(sweep_of(block(), settings).candidates[0].actions->text, "3 slides");
+  EXPECT_EQ(sweep_of(block(), settings).candidates[0].actions->text(), "3 slides");
   settings.action_settings.clearance_mm = 20.0;
   EXPECT_NEAR(sweep_of(block(), settings).candidates[0].actions->travel, k_depth + 20.0, 0.1);
 }
@@ -167,7 +167,7 @@ TEST(SweepActions, OfATurnedPartAreTheSame) {
     const SweepResult result = sweep_of(test::rotated(block(14.0), rotation), settings);
     const SweepCandidate& best = result.candidates.front();
     EXPECT_LT(line_angle_deg(best.candidate.direction, rotation * glm::dvec3(0, 0, 1)), 1e-3);
-    EXPECT_EQ(best.actions->text, "2 slides");
+    EXPECT_EQ(best.actions->text(), "2 slides");
     EXPECT_EQ(best.actions->weight, 2.0);
   }
 }
@@ -186,15 +186,15 @@ TEST(SweepActions, AreTheSameWhateverTheThreads) {
   for (std::size_t k = 0; k < one.candidates.size(); ++k) {
     EXPECT_EQ(one.candidates[k].candidate.direction, three.candidates[k].candidate.direction);
     EXPECT_EQ(one.candidates[k].figures, three.candidates[k].figures);
-    EXPECT_EQ(one.candidates[k].actions->text, three.candidates[k].actions->text);
+    EXPECT_EQ(one.candidates[k].actions->text(), three.candidates[k].actions->text());
   }
 }
 
 TEST(DirectionActions, AreSummedUpByKinds) {
   ActionPlan plan;
   plan.unreleased_area = 2.5;
-  EXPECT_EQ(direction_actions(plan).text, "none");
-  EXPECT_EQ(direction_actions(plan).weight, 0.0);
+  EXPECT_EQ(direction_actions(plan, 0.0).text(), "none");
+  EXPECT_EQ(direction_actions(plan, 0.0).weight, 0.0);
   for (const auto& [kind, travel] :
        {std::pair(ActionKind::lifter, 2.0), std::pair(ActionKind::slide, 7.0),
         std::pair(ActionKind::lifter, 3.0), std::pair(ActionKind::lifter, 1.0)}) {
@@ -203,11 +203,11 @@ TEST(DirectionActions, AreSummedUpByKinds) {
     action.travel = travel;
     plan.actions.push_back(action);
   }
-  const DirectionActions found = direction_actions(plan);
-  EXPECT_EQ(found.text, "1 slide, 3 lifters");
+  const DirectionActions found = direction_actions(plan, 0.0);
+  EXPECT_EQ(found.text(), "1 slide, 3 lifters");
   EXPECT_EQ(found.weight, 4.6) << "to the last digit";
   EXPECT_EQ(found.travel, 7.0) << "the farthest";
-  EXPECT_EQ(found.unreleased_area, 2.5);
+  EXPECT_EQ(found.totals.unreleased_area, 2.5);
 }
 
 }  // namespace

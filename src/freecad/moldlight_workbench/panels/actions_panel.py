@@ -41,11 +41,8 @@ class ActionsPanel(task.Panel):
         self.summary.setText("\n".join(self._remarks()))
 
     def _remarks(self):
-        """A sentence on what is left, on actions that meet and on lifters without room."""
-        left = self.found.Unreleased.Value
-        sentences = [
-            translate("Moldlight", "Nothing that was tried releases {}.").format(quantity(left, "area")) if left
-            else translate("Moldlight", "Nothing of the undercuts is left unreleased.")]
+        """The verdict, and a sentence on actions that meet and on lifters without room."""
+        sentences = [self.found.Verdict]
         meet, crowded = actions.troubles(self.found)
         if meet:
             sentences.append(translate("Moldlight", "Would meet on their ways: rows {}.").format(

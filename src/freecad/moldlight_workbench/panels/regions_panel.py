@@ -116,7 +116,7 @@ class RegionsPanel(task.Panel):
         task.fill(self.areas, rows, obj.Colours)
         task.fit_rows(self.areas)
         self.doubt.setText("\n".join(
-            [translate("Moldlight", "undercut ± {:.1g} % of the surface").format(100.0 * obj.Uncertainty.Value / total),
+            [obj.Verdict, translate("Moldlight", "undercut ± {:.1g} % of the surface").format(100.0 * obj.Uncertainty.Value / total),
              *obj.Warnings]))
         self._fill_faces()
 

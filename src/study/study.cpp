@@ -1,0 +1,135 @@
+#include "study/study.hpp"
+
+namespace moldlight {
+
+namespace {
+
+ExactQuery exact_inputs(const Study& study) { return exact_query(study.model(), study.questions().query); }
+
+MoldSettings of_line(const MoldSettings& settings) {
+  MoldSettings kept;
+  kept.soft_deg = settings.soft_deg;
+  kept.parting_height = settings.parting_height;
+  kept.cosmetic = settings.cosmetic;
+  return kept;
+}
+
+/// What is written is no matter of what the halves are.
+MoldSettings of_solids(MoldSettings settings) {
+  settings.fill_undercut = MoldSettings{}.fill_undercut;
+  return settings;
+}
+
+template <typename Answer>
+std::shared_ptr<const Answer> shared(Answer answer) {
+  return std::make_shared<const Answer>(std::move(answer));
+}
+
+}  // namespace
+
+Query Asked<Classification>::inputs(const Study& study) { return study.questions().query; }
+std::shared_ptr<const Classification> Asked<Classification>::find(Study& study, const Progress& progress) {
+  if (const auto split = study.known<SplitRegions>()) return {split, &split->result};
+  return shared(classify_exact(study.model(), study.questions().query, progress));
+}
+
+Query Asked<SplitRegions>::inputs(const Study& study) { return study.questions().query; }
+std::shared_ptr<const SplitRegions> Asked<SplitRegions>::find(Study& study, const Progress& progress) {
+  const auto known = study.known<Classification>();
+  if (known && known->split) return shared(SplitRegions{*known});
+  Classification split = classify_exact(study.model(), study.questions().query, progress, true);
+  if (!known) return shared(SplitRegions{std::move(split)});
+  // Its figures may be those of another readout.
+  SplitRegions regions{*known};
+  regions.result.split = std::move(split.split);
+  return shared(std::move(regions));
+}
+
+ExactQuery Asked<UndercutTotals>::inputs(const Study& study) { return exact_inputs(study); }
+std::shared_ptr<const UndercutTotals> Asked<UndercutTotals>::find(Study& study, const Progress& progress) {
+  if (const auto plan = study.known<ActionPlan>()) return shared(undercut_totals(*plan));
+  const ExactQuery query = exact_inputs(study);
+  const PartModel& model = study.model();
+  const auto split = study.known<SplitRegions>();
+  const auto regions = study.known<Classification>();
+  const auto mesh = split ? split->result.split : regions ? regions->split : nullptr;
+  if (mesh) return shared(totals_of(find_undercuts(model, *mesh, query)));
+  // Facets told by samples may miss some.
+  if (study.questions().query.method.readout != Readout::exact)
+    return shared(totals_of(find_undercuts(model, *study.find<SplitRegions>(progress).result.split, query)));
+  const FacetFractions& fractions = study.find<Classification>(progress).facet_fractions;
+  std::vector<FacetIndex> facets;
+  for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
+    if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0) facets.push_back(facet);
+  }
+  return shared(count_undercuts(model, query, facets, progress));
+}
+
+Asked<ActionPlan>::Inputs Asked<ActionPlan>::inputs(const Study& study) {
+  return {exact_inputs(study), study.questions().actions};
+}
+std::shared_ptr<const ActionPlan> Asked<ActionPlan>::find(Study& study, const Progress& progress) {
+  return shared(find_actions(study.model(), study.find<SplitRegions>(progress).result,
+                             study.questions().actions, progress));
+}
+
+Asked<Changes>::Inputs Asked<Changes>::inputs(const Study& study) { return Asked<ActionPlan>::inputs(study); }
+std::shared_ptr<const Changes> Asked<Changes>::find(Study& study, const Progress& progress) {
+  const ActionPlan& plan = study.find<ActionPlan>(progress);
+  return shared(Changes{find_changes(study.model(), study.find<SplitRegions>(progress).result,
+                                     study.questions().actions, plan, progress)});
+}
+
+Asked<MoldLine>::Inputs Asked<MoldLine>::inputs(const Study& study) {
+  return {study.questions().query, of_line(study.questions().mold)};
+}
+std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progress& progress) {
+  const Questions& asked = study.questions();
+  MoldLine found{assign_sides(study.model(), asked.query, asked.mold, progress), {}};
+  found.line = parting_line(found.assignment);
+  return shared(std::move(found));
+}
+
+Asked<MoldSolids>::Inputs Asked<MoldSolids>::inputs(const Study& study) {
+  return {study.questions().query, of_solids(study.questions().mold)};
+}
+std::shared_ptr<const MoldSolids> Asked<MoldSolids>::find(Study& study, const Progress& progress) {
+  const MoldLine& line = study.find<MoldLine>(progress);
+  MoldSolids found{make_halves(study.model(), line.assignment.direction, {line.assignment.height, &line.line},
+                               study.questions().mold, progress),
+                   {}};
+  found.written = written_mold(found.halves);
+  return shared(std::move(found));
+}
+
+Asked<InsertPlan>::Inputs Asked<InsertPlan>::inputs(const Study& study) {
+  return {Asked<MoldSolids>::inputs(study), Asked<ActionPlan>::inputs(study)};
+}
+std::shared_ptr<const InsertPlan> Asked<InsertPlan>::find(Study& study, const Progress& progress) {
+  const MoldHalves& halves = study.find<MoldSolids>(progress).halves;
+  if (halves.inserts.empty()) return shared(InsertPlan{});
+  const ActionPlan& plan = study.find<ActionPlan>(progress);
+  return shared(
+      InsertPlan{actions_of_inserts(halves, *study.find<SplitRegions>(progress).result.split, plan)});
+}
+
+Asked<DraftCheck>::Inputs Asked<DraftCheck>::inputs(const Study& study) {
+  return {Asked<MoldLine>::inputs(study), study.questions().required_draft_deg};
+}
+std::shared_ptr<const DraftCheck> Asked<DraftCheck>::find(Study& study, const Progress& progress) {
+  const Assignment& assignment = study.find<MoldLine>(progress).assignment;
+  return shared(check_draft(study.model(), assignment, study.find<Classification>(progress).reverse_draft,
+                            study.questions().required_draft_deg));
+}
+
+Verdict Study::verdict(const Progress& progress) {
+  if (!questions_.with_actions)
+    return verdict_of({.model = model(),
+                       .regions = find<Classification>(progress),
+                       .undercuts = find<UndercutTotals>(progress),
+                       .actions = std::nullopt});
+  const ActionPlan& plan = find<ActionPlan>(progress);
+  return verdict_of(model(), find<Classification>(progress), plan);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,173 @@
+// One part and what is asked of it. An answer is found when it is first asked for, and kept while what it
+// depends on stays: whoever shows something of a part asks here, so that all show the same.
+#pragma once
+
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "actions/side_action.hpp"
+#include "actions/to_be_free.hpp"
+#include "classify/classification.hpp"
+#include "parting/draft/draft_check.hpp"
+#include "parting/insert_actions.hpp"
+#include "parting/loops.hpp"
+#include "parting/mold_files.hpp"
+#include "parting/mold_halves.hpp"
+#include "study/verdict.hpp"
+
+namespace moldlight {
+
+/// What is asked, and how it is answered.
+struct Questions {
+  Query query = {};
+  bool with_actions = false;  // side actions belong to the question, so the verdict knows of them
+  ActionSettings actions = {};
+  MoldSettings mold = {};
+  double required_draft_deg = 0.0;
+};
+
+// Answers that the domain has no type for.
+
+/// Regions with their split mesh.
+struct SplitRegions {
+  Classification result;
+};
+/// What to change of each undercut of the plan so that it needs no side action.
+struct Changes {
+  std::vector<ToBeFree> of_patches;
+};
+/// Which half forms what, and the line where they meet.
+struct MoldLine {
+  Assignment assignment;
+  PartingLine line;
+};
+/// The halves, and the bodies as they are written.
+struct MoldSolids {
+  MoldHalves halves;
+  WrittenMold written;
+};
+/// Which side actions form the inserts between the halves.
+struct InsertPlan {
+  std::vector<InsertActions> of_inserts;
+};
+
+class Study;
+
+/// What an answer depends on (`Inputs`, comparable), and how it is found. Declared here once for each.
+template <typename Answer>
+struct Asked;
+
+template <>
+struct Asked<Classification> {
+  using Inputs = Query;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const Classification> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<SplitRegions> {
+  using Inputs = Query;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const SplitRegions> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<UndercutTotals> {
+  using Inputs = ExactQuery;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const UndercutTotals> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<ActionPlan> {
+  using Inputs = std::pair<ExactQuery, ActionSettings>;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const ActionPlan> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<Changes> {
+  using Inputs = Asked<ActionPlan>::Inputs;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const Changes> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<MoldLine> {
+  using Inputs = std::pair<Query, MoldSettings>;  // without what concerns the halves alone
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const MoldLine> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<MoldSolids> {
+  using Inputs = std::pair<Query, MoldSettings>;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const MoldSolids> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<InsertPlan> {
+  using Inputs = std::pair<Asked<MoldSolids>::Inputs, Asked<ActionPlan>::Inputs>;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const InsertPlan> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<DraftCheck> {
+  using Inputs = std::pair<Asked<MoldLine>::Inputs, double>;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const DraftCheck> find(Study& study, const Progress& progress);
+};
+
+/// A value: copies share the answers. One thread at a time; work in the background has a copy, whose answers
+/// are taken over when it is done.
+class Study {
+ public:
+  explicit Study(std::shared_ptr<const PartModel> model = nullptr, Questions questions = {})
+      : model_(std::move(model)), questions_(std::move(questions)) {}
+
+  [[nodiscard]] const PartModel& model() const { return *model_; }
+  [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return model_; }
+  [[nodiscard]] const Questions& questions() const { return questions_; }
+  /// Answers whose inputs stay are kept.
+  void ask(Questions questions) { questions_ = std::move(questions); }
+
+  /// Null where it is not known.
+  template <typename Answer>
+  [[nodiscard]] std::shared_ptr<const Answer> known() const {
+    const Kept<Answer>& kept = std::get<Kept<Answer>>(kept_);
+    return kept.answer && kept.inputs == Asked<Answer>::inputs(*this) ? kept.answer : nullptr;
+  }
+  /// Found where it is not known. The reference holds until another question is asked. Throws what finding it
+  /// throws, Cancelled among it.
+  template <typename Answer>
+  const Answer& find(const Progress& progress) {
+    if (!known<Answer>()) keep(Asked<Answer>::find(*this, progress));
+    return *std::get<Kept<Answer>>(kept_).answer;
+  }
+  /// An answer to the present questions that was found elsewhere.
+  template <typename Answer>
+  void keep(std::shared_ptr<const Answer> answer) {
+    std::get<Kept<Answer>>(kept_) = {Asked<Answer>::inputs(*this), std::move(answer)};
+  }
+  /// What another study of the same part knows of the present questions.
+  template <typename Answer>
+  void take(const Study& other) {
+    const Kept<Answer>& theirs = std::get<Kept<Answer>>(other.kept_);
+    if (other.model_ == model_ && theirs.answer && theirs.inputs == Asked<Answer>::inputs(*this))
+      std::get<Kept<Answer>>(kept_) = theirs;
+  }
+
+  /// With the side actions, where they belong to the question.
+  [[nodiscard]] Verdict verdict(const Progress& progress);
+
+ private:
+  template <typename Answer>
+  struct Kept {
+    typename Asked<Answer>::Inputs inputs = {};
+    std::shared_ptr<const Answer> answer = {};
+  };
+
+  std::shared_ptr<const PartModel> model_;
+  Questions questions_;
+  std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
+             Kept<MoldLine>, Kept<MoldSolids>, Kept<InsertPlan>, Kept<DraftCheck>>
+      kept_;
+};
+
+}  // namespace moldlight

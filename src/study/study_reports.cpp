@@ -1,0 +1,127 @@
+#include "study/study_reports.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "classify/classify_report.hpp"
+#include "parting/draft/draft_report.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// With a capital and a full stop.
+std::string sentence_of(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+Json verdict_or_null(const PartModel& model, const SweepCandidate& candidate) {
+  const std::optional<Verdict> verdict = verdict_of(model, candidate);
+  return verdict ? verdict_json(*verdict) : Json();
+}
+
+}  // namespace
+
+ActionsReport actions_report(Study& study, const Progress& progress) {
+  const Changes& changes = study.find<Changes>(progress);
+  return {study.model(), study.find<SplitRegions>(progress).result, study.questions().actions,
+          study.find<ActionPlan>(progress), changes.of_patches};
+}
+
+MoldReport mold_report(Study& study, const Progress& progress) {
+  static const std::vector<InsertActions> k_no_actions;
+  const MoldSolids& solids = study.find<MoldSolids>(progress);
+  const MoldLine& line = study.find<MoldLine>(progress);
+  const bool with_actions = study.questions().with_actions;
+  return {study.model(),
+          study.questions().query,
+          study.questions().mold,
+          line.assignment,
+          line.line,
+          solids.halves,
+          solids.written,
+          with_actions ? &study.find<ActionPlan>(progress) : nullptr,
+          with_actions ? study.find<InsertPlan>(progress).of_inserts : k_no_actions};
+}
+
+std::string mold_refusal(Study& study, const Progress& progress) {
+  const auto& [halves, written] = study.find<MoldSolids>(progress);
+  const PartingLine& line = study.find<MoldLine>(progress).line;
+  if (!written.refusal.empty())
+    return refusal_text(study.model(), halves, written,
+                        halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
+  const std::string unfilled = unfilled_text(study.model(), study.questions().mold, halves);
+  return unfilled.empty() ? "" : "no halves are written: " + unfilled;
+}
+
+Verdict mold_verdict(Study& study, const Progress& progress) {
+  Verdict verdict = study.verdict(progress);
+  if (!study.find<MoldSolids>(progress).written.refusal.empty())
+    verdict.reasons.push_back(sentence_of(mold_refusal(study, progress)));
+  return verdict;
+}
+
+std::vector<std::string> mold_warnings(Study& study, const Progress& progress) {
+  std::vector<std::string> warnings = study.model().warnings;
+  const std::vector<std::string>& more = study.find<MoldLine>(progress).assignment.warnings;
+  warnings.insert(warnings.end(), more.begin(), more.end());
+  return warnings;
+}
+
+Json classify_json(Study& study, const Progress& progress) {
+  Json json = classify_json(study.model(), study.find<Classification>(progress));
+  if (study.questions().required_draft_deg > 0.0)
+    json["draft"] = draft_json(study.model(), study.find<DraftCheck>(progress));
+  json["verdict"] = verdict_json(study.verdict(progress));
+  return json;
+}
+
+Json actions_json(Study& study, const Progress& progress) {
+  Json json = actions_json(actions_report(study, progress));
+  json["verdict"] = verdict_json(study.verdict(progress));
+  return json;
+}
+
+Json mold_json(Study& study, const Progress& progress) {
+  Json json = mold_json(mold_report(study, progress));
+  json["verdict"] = verdict_json(mold_verdict(study, progress));
+  return json;
+}
+
+Json sweep_json_with_verdicts(const PartModel& model, const SweepResult& result) {
+  Json json = sweep_json(model, result);
+  for (std::size_t k = 0; k < result.candidates.size(); ++k)
+    json["candidates"][k]["verdict"] = verdict_or_null(model, result.candidates[k]);
+  json["verdict"] = result.candidates.empty() ? Json() : verdict_or_null(model, result.candidates.front());
+  return json;
+}
+
+std::string classify_text(Study& study, bool colour, const Progress& progress) {
+  std::string text = verdict_text(study.verdict(progress)) + "\n" +
+                     classify_table(study.model(), study.find<Classification>(progress), colour);
+  if (study.questions().required_draft_deg > 0.0)
+    text += "\n" + draft_lines(study.model(), study.find<DraftCheck>(progress));
+  return text;
+}
+
+std::string actions_text(Study& study, const Progress& progress) {
+  return verdict_text(study.verdict(progress)) + "\n" + actions_table(actions_report(study, progress));
+}
+
+std::string mold_text(Study& study, const Progress& progress) {
+  return verdict_text(mold_verdict(study, progress)) + "\n" + mold_table(mold_report(study, progress));
+}
+
+std::string sweep_text(const PartModel& model, const SweepResult& result, TableWidth width) {
+  std::string text;
+  if (!result.candidates.empty()) {
+    if (const auto verdict = verdict_of(model, result.candidates.front()))
+      text = verdict_text(*verdict) + "\n";
+  }
+  return text + sweep_table(model, result, width);
+}
+
+}  // namespace moldlight

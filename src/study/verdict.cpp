@@ -1,0 +1,245 @@
+#include "study/verdict.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "classify/figures.hpp"
+#include "mesh/defect_edges.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> k_state_names = {"two-plate", "side-actions", "not-releasable",
+                                                           "undercuts", "unknown"};
+
+std::string counted(std::size_t count, std::string_view singular) {
+  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
+}
+
+/// "2 slides and 1 lifter".
+std::string listed(const std::array<std::size_t, k_action_kinds>& counts) {
+  std::string text = actions_text(counts);
+  if (const std::size_t comma = text.rfind(", "); comma != std::string::npos) text.replace(comma, 2, " and ");
+  return text;
+}
+
+/// A fault of the mesh that leaves regions in doubt: what, where, and what helps.
+struct Fault {
+  std::string what, remedy;
+};
+
+std::string near_text(const PartModel& model, const glm::dvec3& place) {
+  const double least = 1e-4 * model.frame.diagonal;
+  const auto text = [&](double value) { return std::abs(value) < least ? std::string("0") : rounded(value); };
+  return fmt::format("near ({}, {}, {}) {}", text(place.x), text(place.y), text(place.z),
+                     length_unit(model.part));
+}
+
+/// At the longest chain of such edges.
+std::string near_text(const PartModel& model, EdgeDefect defect) {
+  const std::vector<EdgeChain> chains = defect_chains(model.part.mesh, defect);
+  if (chains.empty()) return {};
+  return ", " + near_text(model, model.part.mesh.vertices[chains.front().vertices.front()]);
+}
+
+/// At the first facet that another one crosses.
+std::string near_crossing(const PartModel& model) {
+  const ExactPart& exact = model.exact(Progress());
+  for (FacetIndex facet = 0; exact.any_crossings() && facet < model.part.mesh.facets.size(); ++facet) {
+    if (!exact.crossings(facet).empty()) return ", " + near_text(model, model.part.mesh.corner(facet, 0));
+  }
+  return {};
+}
+
+Fault fault_of(const PartModel& model) {
+  const HealthReport& health = model.health;
+  if (health.open_edges > 0)
+    return {fmt::format("the mesh is open at {}{}", counted(health.open_edges, "edge"),
+                        near_text(model, EdgeDefect::open)),
+            "--repair full closes small holes; else export the part as a closed solid"};
+  if (health.inconsistent_edges > 0)
+    return {
+        fmt::format("neighbouring facets face opposite ways at {}{}",
+                    counted(health.inconsistent_edges, "edge"), near_text(model, EdgeDefect::inconsistent)),
+        "--repair full turns them"};
+  if (const std::string place = near_crossing(model); !place.empty())
+    return {"surfaces cross each other" + place,
+            health.components > 1 ? "unite the bodies in CAD, or look at one with --body" : "mend it in CAD"};
+  return {"the shadow found from both sides differs", "look at the mesh with moldlight info"};
+}
+
+/// How much undercut may be none, or none may be undercut, for what is wrong with the mesh or the readout.
+double doubt_of(const Classification& regions) {
+  return regions.uncertainty.mesh + regions.uncertainty.readout;
+}
+
+class Judge {
+ public:
+  explicit Judge(const VerdictFacts& facts)
+      : facts_(facts),
+        lateral_(facts.regions.lateral_tolerance),
+        area_unit_(powered_unit(facts.model.part, 2)) {
+    verdict_.undercuts = facts.undercuts.count;
+    verdict_.undercut_area = facts.undercuts.area;
+    verdict_.specks = facts.undercuts.specks;
+    verdict_.speck_area = facts.undercuts.speck_area;
+    if (facts.actions) {
+      verdict_.actions = facts.actions->counts;
+      verdict_.unreleased_area = facts.actions->unreleased_area;
+    }
+  }
+
+  Verdict judged() {
+    if (!judged_by_health()) judge_by_undercuts();
+    add_specks();
+    return std::move(verdict_);
+  }
+
+ private:
+  [[nodiscard]] std::string area(double value) const {
+    return fmt::format("{} {}", rounded_area(value, facts_.regions.total_area), area_unit_);
+  }
+  void set(VerdictState state, std::string sentence) {
+    verdict_.state = state;
+    verdict_.sentence = std::move(sentence);
+  }
+  void add(std::string reason) { verdict_.reasons.push_back(std::move(reason)); }
+
+  bool judged_by_health() {
+    const HealthReport& health = facts_.model.health;
+    if (!(facts_.regions.total_area > 0.0)) {
+      set(VerdictState::unknown, "Not decided: the part has no area.");
+      return true;
+    }
+    const double doubt = doubt_of(facts_.regions);
+    if (doubt <= lateral_ * lateral_ && health.closed) return false;
+    const Fault fault = fault_of(facts_.model);
+    if (doubt > lateral_ * lateral_ && doubt >= verdict_.undercut_area) {
+      set(VerdictState::unknown,
+          fmt::format("Not decided: {}, so {} may be undercut or not.", fault.what, area(doubt)));
+      add(fmt::format("To decide it: {}.", fault.remedy));
+      if (verdict_.undercuts > 0) add(fmt::format("As it is: {}.", undercuts_text()));
+      return true;
+    }
+    if (!health.closed && verdict_.undercuts == 0) {
+      set(VerdictState::unknown, fmt::format("Not decided: {}.", fault.what));
+      add(fmt::format("To decide it: {}.", fault.remedy));
+      return true;
+    }
+    if (doubt > lateral_ * lateral_) {
+      add(fmt::format("± {} of it is in doubt: {}.", area(doubt), fault.what));
+    } else {
+      add(fmt::format("In order for this direction, but {}.", fault.what));
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::string undercuts_text() const {
+    return fmt::format("{}, {} ({} of the surface)", counted(verdict_.undercuts, "undercut"),
+                       area(verdict_.undercut_area),
+                       share_text(verdict_.undercut_area, facts_.regions.total_area));
+  }
+
+  void judge_by_undercuts() {
+    if (verdict_.undercuts == 0) return set(VerdictState::two_plate, "Two-plate mold: no undercut.");
+    if (!facts_.actions) {
+      set(VerdictState::undercuts, undercuts_text() + ".");
+      return;
+    }
+    const ActionTotals& actions = *facts_.actions;
+    std::size_t number = 0;
+    for (const std::size_t count : actions.counts) number += count;
+    if (actions.stuck > 0) {
+      set(VerdictState::not_releasable,
+          fmt::format("Not releasable: nothing that was tried releases {} in {}{}.", area(actions.stuck_area),
+                      actions.stuck == verdict_.undercuts
+                          ? counted(actions.stuck, "undercut")
+                          : fmt::format("{} of {} undercuts", actions.stuck, verdict_.undercuts),
+                      number == 0 ? std::string()
+                                  : fmt::format("; {} {} the rest", listed(actions.counts),
+                                                number == 1 ? "releases" : "release")));
+    } else {
+      set(VerdictState::side_actions,
+          fmt::format("{} {} {} ({}).", listed(actions.counts), number == 1 ? "releases" : "release",
+                      verdict_.undercuts == 1   ? "the undercut"
+                      : verdict_.undercuts == 2 ? "both undercuts"
+                                                : fmt::format("all {} undercuts", verdict_.undercuts),
+                      area(verdict_.undercut_area)));
+    }
+    if (facts_.plan != nullptr) add_plan(*facts_.plan);
+  }
+
+  void add_plan(const ActionPlan& plan) {
+    std::size_t meeting = 0, crowded = 0;
+    for (const SideAction& action : plan.actions) {
+      meeting += action.meets.empty() ? 0 : 1;
+      crowded += has_room(action) ? 0 : 1;
+    }
+    if (meeting > 0) add(fmt::format("The ways of {} cross.", counted(meeting, "action")));
+    if (crowded > 0)
+      add(fmt::format("{} less room than {}.",
+                      crowded == 1 ? "1 lifter has" : fmt::format("{} lifters have", crowded),
+                      crowded == 1 ? "it needs" : "they need"));
+  }
+
+  void add_specks() {
+    if (verdict_.specks == 0) return;
+    add(fmt::format("{} smaller or shallower than {:.3g} {} {} ignored ({}).",
+                    counted(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
+                    verdict_.specks == 1 ? "is" : "are", area(verdict_.speck_area)));
+  }
+
+  const VerdictFacts& facts_;
+  double lateral_;
+  std::string area_unit_;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+std::string_view state_name(VerdictState state) { return k_state_names[static_cast<std::size_t>(state)]; }
+
+Verdict verdict_of(const VerdictFacts& facts) { return Judge(facts).judged(); }
+
+Verdict verdict_of(const PartModel& model, const Classification& regions, const ActionPlan& plan) {
+  return verdict_of({.model = model,
+                     .regions = regions,
+                     .undercuts = undercut_totals(plan),
+                     .actions = totals_of(plan, regions.lateral_tolerance),
+                     .plan = &plan});
+}
+
+std::optional<Verdict> verdict_of(const PartModel& model, const SweepCandidate& candidate) {
+  if (!candidate.undercuts) return std::nullopt;
+  return verdict_of({.model = model,
+                     .regions = candidate.classification,
+                     .undercuts = *candidate.undercuts,
+                     .actions = candidate.actions ? std::optional(candidate.actions->totals) : std::nullopt});
+}
+
+nlohmann::ordered_json verdict_json(const Verdict& verdict) {
+  nlohmann::ordered_json actions = nlohmann::ordered_json::object();
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
+    if (verdict.actions[kind] > 0)
+      actions[std::string(facts(static_cast<ActionKind>(kind)).name)] = verdict.actions[kind];
+  }
+  return {{"state", state_name(verdict.state)},
+          {"sentence", verdict.sentence},
+          {"undercuts", verdict.undercuts},
+          {"undercut_area", verdict.undercut_area},
+          {"unreleased_area", verdict.unreleased_area},
+          {"specks", {{"number", verdict.specks}, {"area", verdict.speck_area}}},
+          {"actions", actions},
+          {"reasons", verdict.reasons}};
+}
+
+std::string verdict_text(const Verdict& verdict) {
+  std::string text = verdict.sentence + "\n";
+  for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
+  return text;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,70 @@
+// The verdict on a part and a direction: what everything that shows a result says of it first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "actions/side_action.hpp"
+#include "classify/classification.hpp"
+#include "classify/part_model.hpp"
+#include "sweep/sweep_result.hpp"
+
+namespace moldlight {
+
+enum class VerdictState : std::uint8_t {
+  two_plate,       // no undercut, and the mesh is in order
+  side_actions,    // undercuts, and the side actions that were found release all of them
+  not_releasable,  // of some undercut more is left than is_stuck() allows
+  undercuts,       // there are some, and side actions were not asked for
+  unknown,         // the mesh does not decide
+};
+/// "two-plate", "side-actions", …
+[[nodiscard]] std::string_view state_name(VerdictState state);
+
+/// Areas are in the part's unit squared.
+struct Verdict {
+  VerdictState state = VerdictState::unknown;
+  std::string sentence;       // with a full stop
+  std::size_t undercuts = 0;  // that count: those of the list of side actions
+  double undercut_area = 0.0;
+  double unreleased_area = 0.0;
+  std::size_t specks = 0;  // too small or too shallow to count
+  double speck_area = 0.0;
+  std::array<std::size_t, k_action_kinds> actions{};  // by kind
+  std::vector<std::string> reasons;                   // what else there is to say, a sentence each
+
+  /// Nothing to be done about the part: the one state that is shown with a tick.
+  [[nodiscard]] bool good() const { return state == VerdictState::two_plate; }
+  /// A mold can be built for it.
+  [[nodiscard]] bool releasable() const { return good() || state == VerdictState::side_actions; }
+  bool operator==(const Verdict&) const = default;
+};
+
+/// What a verdict is made of.
+struct VerdictFacts {
+  const PartModel& model;
+  const Classification& regions;
+  UndercutTotals undercuts;
+  std::optional<ActionTotals> actions;  // none where they were not asked for
+  const ActionPlan* plan = nullptr;     // that the actions are of, where it is at hand
+};
+[[nodiscard]] Verdict verdict_of(const VerdictFacts& facts);
+/// The same of a plan of side actions.
+[[nodiscard]] Verdict verdict_of(const PartModel& model, const Classification& regions,
+                                 const ActionPlan& plan);
+/// Of a direction that a sweep lists; none where the sweep ended before its undercuts were counted.
+[[nodiscard]] std::optional<Verdict> verdict_of(const PartModel& model, const SweepCandidate& candidate);
+
+/// {"state", "sentence", "undercuts", "undercut_area", "unreleased_area", "specks": {"number", "area"},
+/// "actions": {"slide": 2}, "reasons"}.
+[[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
+/// Sentence and reasons for a terminal, a line each.
+[[nodiscard]] std::string verdict_text(const Verdict& verdict);
+
+}  // namespace moldlight

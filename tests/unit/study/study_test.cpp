@@ -1,0 +1,88 @@
+// A study keeps what its questions leave as it is, and finds the rest anew.
+#include "study/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.hpp"
+
+namespace moldlight {
+namespace {
+
+class StudyOfAPocket : public ::testing::Test {
+ protected:
+  StudyOfAPocket() {
+    Part part;
+    part.unit = "mm";
+    part.mesh = test::plate_with_side_pocket({}).mesh;
+    part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
+    study = Study(prepare_part(std::move(part), Progress()));
+  }
+  /// Asks the present questions, changed.
+  template <typename Change>
+  void ask(const Change& change) {
+    Questions questions = study.questions();
+    change(questions);
+    study.ask(questions);
+  }
+  Study study;
+};
+
+TEST_F(StudyOfAPocket, FindsAnAnswerOnce) {
+  EXPECT_EQ(study.known<ActionPlan>(), nullptr);
+  const ActionPlan* plan = &study.find<ActionPlan>(Progress());
+  EXPECT_EQ(&study.find<ActionPlan>(Progress()), plan);
+  EXPECT_NE(study.known<SplitRegions>(), nullptr) << "what it is found from is kept, too";
+}
+
+TEST_F(StudyOfAPocket, KeepsWhatASettingDoesNotTouch) {
+  study.find<ActionPlan>(Progress());
+  study.find<MoldSolids>(Progress());
+  const auto line = study.known<MoldLine>();
+  ask([](Questions& asked) { asked.actions.clearance_mm = 7.0; });
+  EXPECT_EQ(study.known<ActionPlan>(), nullptr);
+  EXPECT_NE(study.known<SplitRegions>(), nullptr);
+  EXPECT_EQ(study.known<MoldLine>(), line);
+  ask([](Questions& asked) { asked.mold.margin = 12.0; });
+  EXPECT_EQ(study.known<MoldSolids>(), nullptr);
+  EXPECT_EQ(study.known<MoldLine>(), line) << "the block is no matter of the line";
+  ask([](Questions& asked) { asked.mold.soft_deg = 3.0; });
+  EXPECT_EQ(study.known<MoldLine>(), nullptr);
+  ask([](Questions& asked) { asked.query.direction = glm::dvec3(1, 0, 0); });
+  EXPECT_EQ(study.known<SplitRegions>(), nullptr);
+}
+
+TEST_F(StudyOfAPocket, GoesBackToNoOldAnswer) {
+  const double along_z = study.find<Classification>(Progress()).areas[Region::undercut];
+  ask([](Questions& asked) { asked.query.direction = glm::dvec3(1, 0, 0); });
+  EXPECT_NE(study.find<Classification>(Progress()).areas[Region::undercut], along_z);
+}
+
+TEST_F(StudyOfAPocket, TakesWhatACopyFound) {
+  Study copy = study;
+  copy.find<ActionPlan>(Progress());
+  study.take<ActionPlan>(copy);
+  EXPECT_EQ(study.known<ActionPlan>(), copy.known<ActionPlan>());
+  ask([](Questions& asked) { asked.query.direction = glm::dvec3(1, 0, 0); });
+  study.take<ActionPlan>(copy);
+  EXPECT_EQ(study.known<ActionPlan>(), nullptr) << "it is of another direction";
+}
+
+TEST_F(StudyOfAPocket, CountsUndercutsAlikeWithAndWithoutAList) {
+  Study other = study;
+  const UndercutTotals counted = study.find<UndercutTotals>(Progress());
+  other.find<ActionPlan>(Progress());
+  const UndercutTotals listed = other.find<UndercutTotals>(Progress());
+  EXPECT_EQ(counted.count, 1U);
+  EXPECT_EQ(counted.count, listed.count);
+  EXPECT_DOUBLE_EQ(counted.area, listed.area);
+}
+
+TEST_F(StudyOfAPocket, EndsWhereItIsCancelled) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(study.find<ActionPlan>(progress), Cancelled);
+  EXPECT_EQ(study.known<ActionPlan>(), nullptr);
+}
+
+}  // namespace
+}  // namespace moldlight

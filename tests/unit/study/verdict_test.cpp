@@ -1,0 +1,101 @@
+// The verdict: each of its states, what its sentence leads with, and that doubt is never a tick.
+#include "study/verdict.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "study/study.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/shapes.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight {
+namespace {
+
+std::shared_ptr<const PartModel> model_of(TriangleMesh mesh) {
+  Part part;
+  part.unit = "mm";
+  part.mesh = std::move(mesh);
+  part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
+  return prepare_part(std::move(part), Progress());
+}
+
+Verdict verdict_on(TriangleMesh mesh, bool with_actions) {
+  Questions questions;
+  questions.with_actions = with_actions;
+  return Study(model_of(std::move(mesh)), questions).verdict(Progress());
+}
+
+TEST(VerdictOf, ABoxIsATwoPlateMold) {
+  for (const bool with_actions : {false, true}) {
+    const Verdict verdict = verdict_on(test::box_shape({}).mesh, with_actions);
+    EXPECT_EQ(verdict.state, VerdictState::two_plate);
+    EXPECT_EQ(verdict.sentence, "Two-plate mold: no undercut.");
+    EXPECT_TRUE(verdict.good());
+    EXPECT_TRUE(verdict.reasons.empty());
+  }
+}
+
+TEST(VerdictOf, AnUndercutIsOneWhetherActionsWereAskedForOrNot) {
+  const TriangleMesh pocket = test::plate_with_side_pocket({}).mesh;
+  const Verdict before = verdict_on(pocket, false), after = verdict_on(pocket, true);
+  EXPECT_EQ(before.state, VerdictState::undercuts);
+  EXPECT_TRUE(before.sentence.starts_with("1 undercut, ")) << before.sentence;
+  EXPECT_EQ(after.state, VerdictState::side_actions);
+  EXPECT_TRUE(after.sentence.starts_with("1 slide releases the undercut (")) << after.sentence;
+  EXPECT_EQ(before.undercuts, after.undercuts);
+  EXPECT_DOUBLE_EQ(before.undercut_area, after.undercut_area);
+  EXPECT_EQ(after.actions[static_cast<std::size_t>(ActionKind::slide)], 1U);
+  EXPECT_FALSE(before.releasable());
+  EXPECT_TRUE(after.releasable());
+}
+
+TEST(VerdictOf, AVoidIsNotReleasableAndItsAreaIsSaidFirst) {
+  const test::Shape sphere = test::hollow_sphere({});
+  const Verdict verdict = verdict_on(sphere.mesh, true);
+  EXPECT_EQ(verdict.state, VerdictState::not_releasable);
+  EXPECT_TRUE(verdict.sentence.starts_with("Not releasable: nothing that was tried releases "))
+      << verdict.sentence;
+  EXPECT_GT(verdict.unreleased_area, 0.9 * verdict.undercut_area);
+  EXPECT_FALSE(verdict.releasable());
+}
+
+TEST(VerdictOf, AnOpenMeshIsNeverATwoPlateMold) {
+  TriangleMesh box = test::box_shape({}).mesh;
+  box.facets.pop_back();
+  const Verdict verdict = verdict_on(box, true);
+  EXPECT_EQ(verdict.state, VerdictState::unknown);
+  EXPECT_NE(verdict.sentence.find("open at 3 edges, near ("), std::string::npos) << verdict.sentence;
+  ASSERT_FALSE(verdict.reasons.empty());
+  EXPECT_NE(verdict.reasons.front().find("--repair"), std::string::npos) << verdict.reasons.front();
+}
+
+TEST(VerdictOf, BodiesThatCrossLeaveItOpenWhereTheCrossingIsAllOfTheUndercut) {
+  test::SolidBuilder solid;
+  solid.box({0, 0, 0}, {20, 20, 10});
+  solid.box({5, 5, 3}, {15, 15, 14});
+  const Verdict verdict = verdict_on(solid.mesh(), false);
+  EXPECT_EQ(verdict.state, VerdictState::unknown);
+  EXPECT_NE(verdict.sentence.find("surfaces cross each other, near ("), std::string::npos)
+      << verdict.sentence;
+}
+
+TEST(VerdictOf, IsTheSameInJson) {
+  const Verdict verdict = verdict_on(test::plate_with_side_pocket({}).mesh, true);
+  const auto json = verdict_json(verdict);
+  EXPECT_EQ(json["state"], "side-actions");
+  EXPECT_EQ(json["sentence"], verdict.sentence);
+  EXPECT_EQ(json["undercuts"], 1);
+  EXPECT_EQ(json["actions"], (nlohmann::ordered_json{{"slide", 1}}));
+  EXPECT_EQ(json["undercut_area"], verdict.undercut_area);
+  EXPECT_EQ(json["unreleased_area"], 0.0);
+}
+
+TEST(IsStuck, IsHalfAPerCentAndTheToleranceSquared) {
+  EXPECT_TRUE(is_stuck(0.6, 100.0, 0.1));
+  EXPECT_FALSE(is_stuck(0.4, 100.0, 0.1)) << "of its area";
+  EXPECT_FALSE(is_stuck(0.6, 100.0, 1.0)) << "a speck";
+}
+
+}  // namespace
+}  // namespace moldlight
