@@ -9,11 +9,14 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include "base/check.hpp"
+
 namespace moldlight {
 
 namespace {
 
-/// Cut points of two facets on their common edge that are nearer than this, in the unit frame, are one.
+/// Cut points of two facets on their common edge that are nearer than this, in the unit frame, are one: an
+/// edge that is shorter has one at most.
 constexpr double k_same_point = 1e-11;
 /// A corner that bends by less than this many radians is a point of a straight side.
 constexpr double k_straight_rad = 1e-7;
@@ -46,6 +49,7 @@ SplitAssembly::SplitAssembly(const ExactPart& part)
       split_of_facet_(part.mesh().facets.size(), k_none) {}
 
 void SplitAssembly::add(FacetIndex facet, const FacetCells& cells) {
+  CHECK(facet < regions_.size() && !cells.cells().empty());
   if (cells.cells().size() == 1) {
     regions_[facet] = cells.cells().front().region;
     return;
@@ -72,6 +76,7 @@ void SplitAssembly::add(FacetIndex facet, const FacetCells& cells) {
         const std::uint32_t from = point.side, to = (point.side + 1) % 3;
         const glm::dvec2 side = cells.point(to) - cells.point(from);
         const double share = glm::dot(cells.point(number) - cells.point(from), side) / glm::dot(side, side);
+        CHECK(std::isfinite(share));
         const auto& corners = part_.mesh().facets[facet];
         point.along = corners[from] < corners[to] ? share : 1.0 - share;
       }
@@ -154,14 +159,15 @@ void SplitAssembly::join_side_points() {
   });
   first_on_edge_.assign(part_.edges().size() + 1, 0);
   for (std::size_t begin = 0, end = 0; begin < on_sides.size(); begin = end) {
+    CHECK(on_sides[begin].edge < part_.edges().size());
     const ExactEdge& edge = part_.edges()[on_sides[begin].edge];
     const double tolerance =
         k_same_point / glm::distance(part_.positions()[edge.a], part_.positions()[edge.b]);
     std::uint32_t place = 0;
-    double last = -1.0;
+    double last = 0.0;
     for (; end < on_sides.size() && on_sides[end].edge == on_sides[begin].edge; ++end) {
       const SidePoint& at = on_sides[end];
-      if (at.along - last > tolerance) {
+      if (end == begin || at.along - last > tolerance) {
         last = at.along;
         ++place;
         edge_vertices_.push_back(static_cast<VertexIndex>(mesh_.vertices.size()));
@@ -190,6 +196,7 @@ void SplitAssembly::number_inner_points() {
                                  point.weights[1] * part_.mesh().vertices[corners[1]] +
                                  point.weights[2] * part_.mesh().vertices[corners[2]]);
       }
+      CHECK(point.vertex < mesh_.vertices.size());
     }
   }
 }
@@ -234,7 +241,10 @@ void SplitAssembly::append_outline(FacetIndex facet, std::span<const std::uint32
       if (count == 0) continue;
       const bool rises = corners[side] < corners[(side + 1) % 3];
       const auto place_of = [&](std::uint32_t k) -> std::ptrdiff_t {
-        if (k >= 3) return split->points[k].place;
+        if (k >= 3) {
+          CHECK(split->points[k].place < vertices_on(edge));
+          return split->points[k].place;
+        }
         return (k == side) == rises ? -1 : count;
       };
       const VertexIndex* on_edge = edge_vertices_.data() + first_on_edge_[edge];
