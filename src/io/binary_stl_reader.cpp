@@ -24,40 +24,43 @@ std::uint32_t declared_facets(std::string_view bytes) {
   return count;
 }
 
-/// The size and the count disagree: says both, and what is likely.
-[[noreturn]] void fail_by_size(const ReadContext& context) {
-  const std::size_t size = context.bytes().size();
-  if (size < k_header_bytes) {
-    context.fail(fmt::format("byte {}", size),
-                 "ends inside the {} bytes of the binary STL header; export the part again", k_header_bytes);
-  }
-  const std::uint64_t declared = declared_facets(context.bytes());
-  const std::size_t held = (size - k_header_bytes) / k_facet_bytes;
-  const std::size_t rest = (size - k_header_bytes) % k_facet_bytes;
-  if (rest == 0) {
-    context.fail("byte 80",
-                 "the header declares {} facets, but the file's size is that of {}; export the part again",
-                 declared, held);
-  }
-  if (declared > held) {
-    context.fail(fmt::format("facet {}", held),
-                 "the file ends inside this facet, {} are declared; export the part again", declared);
-  }
-  context.fail(fmt::format("byte {}", k_header_bytes + declared * k_facet_bytes),
-               "{} bytes follow the {} facets that the header declares; export the part again",
-               size - k_header_bytes - declared * k_facet_bytes, declared);
-}
-
 }  // namespace
 
-bool binary_stl_size_fits(std::string_view bytes) {
-  if (bytes.size() < k_header_bytes) return false;
-  return bytes.size() == k_header_bytes + std::uint64_t{declared_facets(bytes)} * k_facet_bytes;
+bool binary_stl_size_fits(const FileBeginning& file) {
+  if (file.bytes.size() < k_header_bytes) return false;
+  return file.size == k_header_bytes + std::uint64_t{declared_facets(file.bytes)} * k_facet_bytes;
+}
+
+void refuse_binary_stl(const std::string& path, const FileBeginning& file) {
+  if (file.size < k_header_bytes) {
+    throw FileError(path, fmt::format("byte {}", file.size),
+                    fmt::format("ends inside the {} bytes of the binary STL header; export the part again",
+                                k_header_bytes));
+  }
+  const std::uint64_t declared = declared_facets(file.bytes);
+  const std::uint64_t held = (file.size - k_header_bytes) / k_facet_bytes;
+  const std::uint64_t rest = (file.size - k_header_bytes) % k_facet_bytes;
+  if (rest == 0) {
+    throw FileError(
+        path, "byte 80",
+        fmt::format("the header declares {} facets, but the file's size is that of {}; export the "
+                    "part again",
+                    declared, held));
+  }
+  if (declared > held) {
+    throw FileError(
+        path, fmt::format("facet {}", held),
+        fmt::format("the file ends inside this facet, {} are declared; export the part again", declared));
+  }
+  throw FileError(path, fmt::format("byte {}", k_header_bytes + declared * k_facet_bytes),
+                  fmt::format("{} bytes follow the {} facets that the header declares; export the part again",
+                              file.size - k_header_bytes - declared * k_facet_bytes, declared));
 }
 
 Part read_binary_stl(const ReadContext& context) {
   const std::string_view bytes = context.bytes();
-  if (!binary_stl_size_fits(bytes)) fail_by_size(context);
+  if (const FileBeginning whole{bytes, bytes.size()}; !binary_stl_size_fits(whole))
+    refuse_binary_stl(context.path, whole);
   const std::size_t count = declared_facets(bytes);
   if (count == 0) context.fail("byte 80", "holds no facets; export the part again");
   context.check_facet_count(count);

@@ -1,6 +1,7 @@
 #include "io/file_contents.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -79,7 +80,7 @@ void check_memory(const std::string& path, std::uint64_t bytes) {
                               static_cast<double>(bytes) / k_gib, static_cast<double>(available) / k_gib));
 }
 
-FileContents::FileContents(const std::string& path, const Progress& progress) {
+FileContents::FileContents(const std::string& path, const Progress& progress, const Look& look) {
   // Without O_NONBLOCK, opening a named pipe would wait for a writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.number() < 0) throw FileError(path, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
@@ -92,23 +93,31 @@ FileContents::FileContents(const std::string& path, const Progress& progress) {
     throw FileError(path, "", "is not a regular file; save the part to a file first");
 
   size_ = static_cast<std::size_t>(status.st_size);
+  std::size_t done = 0;
+  const auto read_to = [&](char* bytes, std::size_t end) {
+    while (done < end) {
+      progress.report("reading", static_cast<double>(done) / static_cast<double>(size_));
+      const ssize_t got = ::read(file.number(), bytes + done, std::min(k_chunk_bytes, end - done));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) {
+        throw FileError(path, fmt::format("byte {}", done),
+                        fmt::format("cannot be read: {}", std::strerror(errno)));
+      }
+      if (got == 0) {
+        throw FileError(path, fmt::format("byte {}", done),
+                        "the file shrank while it was read; try again once it is saved");
+      }
+      done += static_cast<std::size_t>(got);
+    }
+  };
+  std::array<char, FileBeginning::k_most_bytes> first;
+  const std::size_t looked_at = std::min(first.size(), size_);
+  read_to(first.data(), looked_at);
+  if (look) look({{first.data(), looked_at}, size_});
   check_memory(path, size_);
   bytes_ = std::make_unique_for_overwrite<char[]>(size_);
-  std::size_t done = 0;
-  while (done < size_) {
-    progress.report("reading", static_cast<double>(done) / static_cast<double>(size_));
-    const ssize_t got = ::read(file.number(), bytes_.get() + done, std::min(k_chunk_bytes, size_ - done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      throw FileError(path, fmt::format("byte {}", done),
-                      fmt::format("cannot be read: {}", std::strerror(errno)));
-    }
-    if (got == 0) {
-      throw FileError(path, fmt::format("byte {}", done),
-                      "the file shrank while it was read; try again once it is saved");
-    }
-    done += static_cast<std::size_t>(got);
-  }
+  std::copy_n(first.data(), looked_at, bytes_.get());
+  read_to(bytes_.get(), size_);
 }
 
 FileContents::FileContents(std::string_view bytes)

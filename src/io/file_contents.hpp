@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,11 +12,21 @@
 
 namespace moldlight {
 
+/// The first bytes of a file, and how many it has in all.
+struct FileBeginning {
+  static constexpr std::size_t k_most_bytes = 4096;
+  std::string_view bytes;
+  std::uint64_t size = 0;
+};
+
 /// Read, not mapped: a program that saves the part anew while it is read must not end ours.
 class FileContents {
  public:
-  /// Reads the regular file `path`, of any size. Throws FileError where it cannot be read.
-  FileContents(const std::string& path, const Progress& progress);
+  using Look = std::function<void(const FileBeginning& file)>;
+
+  /// Reads the regular file `path`, of any size. `look` gets its beginning before there is any room for the
+  /// rest, and may throw. Throws FileError where it cannot be read.
+  FileContents(const std::string& path, const Progress& progress, const Look& look = {});
   /// A copy of bytes that are in memory already.
   explicit FileContents(std::string_view bytes);
 

@@ -15,14 +15,13 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_looked_at_bytes = 4096;
-
-/// Control characters that no text holds show a binary file.
-bool looks_binary(std::string_view head) {
-  return std::any_of(head.begin(), head.end(), [](char c) {
+/// Place of the first control character that no text holds and that shows a binary file; npos: none.
+std::size_t binary_byte(std::string_view head) {
+  const auto found = std::ranges::find_if(head, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 && (byte < '\t' || byte > '\r') && byte != 0x10 && byte != 0x1a && byte != 0x1b;
   });
+  return found == head.end() ? std::string_view::npos : static_cast<std::size_t>(found - head.begin());
 }
 
 bool looks_utf16(std::string_view head) {
@@ -58,9 +57,16 @@ bool begins_off(Words first, Words) {
   return is_one_of(first, k_keywords);
 }
 
-bool begins_ply(std::string_view bytes) {
-  TextScanner words(bytes.substr(0, k_looked_at_bytes), {.has_comments = true});
+bool begins_ply(const FileBeginning& file) {
+  TextScanner words(file.bytes, {.has_comments = true});
   return words.next() == "ply";
+}
+
+bool begins_zip(const FileBeginning& file) { return file.bytes.starts_with("PK\x03\x04"); }
+
+void refuse_threemf(const std::string& path, const FileBeginning&) {
+  throw FileError(path, "byte 0",
+                  "is a damaged or cut zip archive (it does not begin as one); export the part again");
 }
 
 const PartFormat* by_extension(const std::string& extension, bool binary) {
@@ -79,22 +85,18 @@ std::span<const PartFormat> part_formats() {
   // The size of a binary STL that fits its count is worth more than any word in the header: many begin with
   // "solid". A PLY's header is text, whatever follows.
   static const std::vector<PartFormat> k_formats = {
-      {"STL binary", {"stl"}, true, binary_stl_size_fits, nullptr, read_binary_stl},
-      {"STL ASCII", {"stl"}, false, nullptr, begins_ascii_stl, read_ascii_stl},
-      {"OBJ", {"obj"}, false, nullptr, begins_obj, read_obj},
-      {"PLY", {"ply"}, false, begins_ply, nullptr, read_ply},
-      {"OFF", {"off", "coff"}, false, nullptr, begins_off, read_off},
-      {"3MF",
-       {"3mf"},
-       true,
-       [](std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); },
-       nullptr,
-       read_threemf},
+      {"STL binary", {"stl"}, true, binary_stl_size_fits, nullptr, refuse_binary_stl, read_binary_stl},
+      {"STL ASCII", {"stl"}, false, nullptr, begins_ascii_stl, nullptr, read_ascii_stl},
+      {"OBJ", {"obj"}, false, nullptr, begins_obj, nullptr, read_obj},
+      {"PLY", {"ply"}, false, begins_ply, nullptr, nullptr, read_ply},
+      {"OFF", {"off", "coff"}, false, nullptr, begins_off, nullptr, read_off},
+      {"3MF", {"3mf"}, true, begins_zip, nullptr, refuse_threemf, read_threemf},
       {"STEP",
        {"step", "stp"},
        false,
        nullptr,
        [](Words first, Words) { return first.starts_with("ISO-10303-21"); },
+       nullptr,
        read_step},
   };
   return k_formats;
@@ -126,24 +128,31 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-const PartFormat& detect_format(const std::string& path, std::string_view bytes) {
-  if (bytes.empty()) throw FileError(path, "", "is empty (0 bytes); export the part again");
+const PartFormat& detect_format(const std::string& path, const FileBeginning& file) {
+  if (file.size == 0) throw FileError(path, "", "is empty (0 bytes); export the part again");
   for (const PartFormat& format : part_formats())
-    if (format.magic != nullptr && format.magic(bytes)) return format;
-  if (bytes.starts_with("\x1f\x8b"))
+    if (format.magic != nullptr && format.magic(file)) return format;
+  const std::string_view head = file.bytes;
+  if (head.starts_with("\x1f\x8b"))
     throw FileError(path, "byte 0", "is compressed with gzip; unpack it first");
-
-  const std::string_view head = bytes.substr(0, k_looked_at_bytes);
   if (looks_utf16(head)) throw FileError(path, "byte 0", "is UTF-16 text; save it as UTF-8 or plain ASCII");
   if (head.starts_with("version https://git-lfs")) {
     throw FileError(path, "line 1", "is a Git LFS pointer, not the part itself; run 'git lfs pull' first");
   }
-  const bool binary = looks_binary(head);
+  const std::size_t binary_at = binary_byte(head);
+  const bool binary = binary_at != std::string_view::npos;
   TextScanner words(head, {.has_comments = true});
   const std::string_view first = words.next(), second = words.next();
   for (const PartFormat& format : part_formats())
     if (!binary && format.words != nullptr && format.words(first, second)) return format;
-  if (const PartFormat* named = by_extension(lower_extension(path), binary)) return *named;
+  if (const PartFormat* named = by_extension(lower_extension(path), binary)) {
+    if (named->refuse != nullptr) named->refuse(path, file);
+    if (binary && !named->binary) {
+      throw FileError(path, fmt::format("byte {}", binary_at),
+                      fmt::format("is binary data, and {} is text; export the part again", named->name));
+    }
+    return *named;
+  }
   throw FileError(path, "byte 0",
                   fmt::format("is no part file: none of {} by content or name", part_format_names(" and ")));
 }

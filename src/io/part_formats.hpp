@@ -17,17 +17,18 @@ struct PartFormat {
   std::string_view name;                     // "STL binary"
   std::vector<std::string_view> extensions;  // in lower case; the first in capitals is its name in lists
   bool binary;                               // never text, which tells formats of one extension apart
-  /// Each is null where the format has no such sign. `magic`: the bytes leave no doubt. `words`: a text that
-  /// begins so is one of it.
-  bool (*magic)(std::string_view bytes);
+  /// Each is null where the format has no such sign. `magic`: the beginning leaves no doubt. `words`: a text
+  /// that begins so is one of it. `refuse`: throws FileError for a file that has its name but not its magic.
+  bool (*magic)(const FileBeginning& file);
   bool (*words)(std::string_view first, std::string_view second);
+  void (*refuse)(const std::string& path, const FileBeginning& file);
   Part (*read)(const ReadContext& context);
 };
 
 [[nodiscard]] std::span<const PartFormat> part_formats();
 
 /// Throws FileError for an empty file and for what is no part file of any known format.
-[[nodiscard]] const PartFormat& detect_format(const std::string& path, std::string_view bytes);
+[[nodiscard]] const PartFormat& detect_format(const std::string& path, const FileBeginning& file);
 
 /// "STL, OBJ, PLY" and so on, with `last` before the last one.
 [[nodiscard]] std::string part_format_names(std::string_view last);

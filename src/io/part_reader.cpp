@@ -11,14 +11,15 @@
 namespace moldlight {
 
 Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress) {
-  FileContents contents(path, progress);
+  const PartFormat* format = nullptr;
+  FileContents contents(path, progress,
+                        [&](const FileBeginning& file) { format = &detect_format(path, file); });
   const ReadContext context{path, contents, options, progress};
-  const PartFormat& format = detect_format(path, contents.bytes());
   const std::size_t size_mib = contents.bytes().size() >> 20;
   try {
-    Part part = format.read(context);
+    Part part = format->read(context);
     part.file = path;
-    part.format = format.name;
+    part.format = format->name;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
     repair_part(part, options.repair);

@@ -12,7 +12,9 @@
 namespace moldlight {
 
 /// True where the size is that of a binary STL with the facet count in its header.
-[[nodiscard]] bool binary_stl_size_fits(std::string_view bytes);
+[[nodiscard]] bool binary_stl_size_fits(const FileBeginning& file);
+/// Says what is likely where the size and the count disagree: throws FileError.
+[[noreturn]] void refuse_binary_stl(const std::string& path, const FileBeginning& file);
 /// Binary STL: one body, named by nothing. Coordinates are the file's floats, exactly.
 [[nodiscard]] Part read_binary_stl(const ReadContext& context);
 /// ASCII STL: one body a solid that has facets. Normals are not looked at: the corners' order tells the

@@ -47,13 +47,17 @@ std::string target_of(const PartFormat& format) {
   return found != k_targets.end() ? found->second : "";
 }
 
+FileBeginning beginning_of(std::string_view bytes) {
+  return {bytes.substr(0, FileBeginning::k_most_bytes), bytes.size()};
+}
+
 void add_part(const fs::path& folder, const fs::path& path) {
   std::error_code error;
   if (fs::file_size(path, error) > k_max_seed_bytes || error) return;
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   try {
-    const std::string target = target_of(detect_format(path.string(), bytes));
+    const std::string target = target_of(detect_format(path.string(), beginning_of(bytes)));
     if (!target.empty()) write_seed(folder, target, path.filename().string(), bytes);
   } catch (const FileError&) {
     // No part file by content or name: no seed either.
@@ -144,7 +148,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const fs::path folder = argv[1];
   for (const fuzz::SeedFile& seed : fuzz::seed_files()) {
-    const std::string target = target_of(detect_format(seed.name, seed.bytes));
+    const std::string target = target_of(detect_format(seed.name, beginning_of(seed.bytes)));
     write_seed(folder, target, seed.name, seed.bytes);
   }
   for (const fuzz::SeedFile& seed : fuzz::threemf_model_seeds()) {

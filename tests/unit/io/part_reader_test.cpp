@@ -43,6 +43,32 @@ TEST(PartReader, GoesByContentBeforeName) {
   EXPECT_EQ(test::read_bytes("part.obj", stl).format, "STL ASCII");
 }
 
+TEST(PartReader, KnowsByTheBeginningWhatIsNoPart) {
+  // Read whole, these would take all memory there is.
+  const test::ScratchFolder folder;
+  const auto error_of = [&](const std::string& name, std::string_view beginning) -> std::string {
+    const std::string path = folder.write(name, beginning);
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 40);
+    try {
+      static_cast<void>(read_part(path, {}, Progress()));
+    } catch (const FileError& error) {
+      return std::string(error.what()).substr(path.size());
+    }
+    return "no error";
+  };
+  const std::string zeros(8192, '\0');
+  EXPECT_EQ(
+      error_of("zeros.stl", zeros),
+      ": byte 84: 1099511627692 bytes follow the 0 facets that the header declares; export the part again");
+  EXPECT_EQ(error_of("zeros.obj", zeros), ": byte 0: is binary data, and OBJ is text; export the part again");
+  EXPECT_EQ(error_of("note.off", "some words\x02 and more"),
+            ": byte 10: is binary data, and OFF is text; export the part again");
+  EXPECT_EQ(error_of("zeros.3mf", zeros),
+            ": byte 0: is a damaged or cut zip archive (it does not begin as one); export the part again");
+  EXPECT_EQ(error_of("zeros.dat", zeros),
+            ": byte 0: is no part file: none of STL, OBJ, PLY, OFF, 3MF and STEP by content or name");
+}
+
 TEST(PartReader, SaysWhatCannotBeOpened) {
   const test::ScratchFolder folder;
   const auto error_of = [](const std::string& path) -> std::string {
