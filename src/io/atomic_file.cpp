@@ -2,8 +2,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include <fcntl.h>
@@ -13,6 +18,8 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "io/digest.hpp"
 
 namespace moldlight {
 
@@ -23,10 +30,47 @@ namespace {
 constexpr std::size_t k_buffer_bytes = std::size_t{1} << 20;
 constexpr int k_max_link_hops = 40;
 
-/// A name that no other running program uses.
-std::string temporary_name() {
-  static std::atomic<unsigned> counter = 0;
-  return fmt::format(".moldlight-{}-{}.part", ::getpid(), counter++);
+constexpr std::string_view k_beginning = ".moldlight-", k_ending = ".part";
+/// Nobody writes to a file for so long and goes on later.
+constexpr std::chrono::minutes k_leftover_age(10);
+
+/// Where a process has its number to itself: this run of the machine, and what of its processes ours sees.
+const std::string& place_of_processes() {
+  static const std::string k_place = [] {
+    std::string facts;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> facts;
+    std::error_code ignored;
+    facts += fs::read_symlink("/proc/self/ns/pid", ignored).string();
+    return hex_of(digest_of(facts)).substr(0, 8);
+  }();
+  return k_place;
+}
+
+/// Whether the program that made a file of this name cannot come back to it.
+bool is_left_behind(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (!name.starts_with(k_beginning) || !name.ends_with(k_ending)) return false;
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;
+  const std::string ours = fmt::format("{}{}-", k_beginning, place_of_processes());
+  if (name.starts_with(ours)) {
+    const auto process =
+        number_from<pid_t>(name.substr(ours.size(), name.find('-', ours.size()) - ours.size()));
+    if (process && *process > 0 && ::kill(*process, 0) != 0 && errno == ESRCH) return true;
+  }
+  const auto written = fs::last_write_time(file, error);
+  return !error && fs::file_time_type::clock::now() - written > k_leftover_age;
+}
+
+/// Once a folder, since some get thousands of files.
+void remove_leftovers_once(const std::string& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> done;
+  {
+    const std::lock_guard lock(mutex);
+    if (!done.insert(folder).second) return;
+  }
+  remove_leftovers(folder);
 }
 
 }  // namespace
@@ -60,9 +104,10 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::open_beside_target() {
-  const fs::path folder = fs::path(target_).parent_path();
+  const std::string folder = fs::path(target_).parent_path().string();
+  remove_leftovers_once(folder);
   do {
-    temporary_ = (folder / temporary_name()).string();
+    temporary_ = temporary_path(folder);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail(errno);
@@ -85,10 +130,14 @@ void AtomicFile::flush() {
   buffer_.clear();
 }
 
-void AtomicFile::commit() {
+void AtomicFile::put_on_disk() {
   flush();
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(errno);
+}
+
+void AtomicFile::commit() {
+  put_on_disk();
   if (!temporary_.empty()) {
-    if (::fsync(descriptor_) != 0) fail(errno);
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
   }
@@ -101,6 +150,22 @@ void AtomicFile::fail(int error_number) const {
                        : error_number == ENOSPC ? "; make room or name another place"
                                                 : "";
   throw FileError(path_, "", fmt::format("cannot be written: {}{}", std::strerror(error_number), advice));
+}
+
+std::string temporary_path(const std::string& folder) {
+  static std::atomic<unsigned> counter = 0;
+  return (fs::path(folder) /
+          fmt::format("{}{}-{}-{}{}", k_beginning, place_of_processes(), ::getpid(), counter++, k_ending))
+      .string();
+}
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (is_left_behind(entry->path())) fs::remove(entry->path(), ignored);
+  }
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -17,6 +17,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
+  /// All that was written so far, under its other name: what a full disk refuses is known before commit().
+  void put_on_disk();
   /// Puts everything on the disk and in place of the target. Call once, last.
   void commit();
 
@@ -31,6 +33,13 @@ class AtomicFile {
   std::string buffer_;
   int descriptor_ = -1;
 };
+
+/// A name in this folder that no other running program uses, for a file that is to be renamed once it is
+/// whole.
+[[nodiscard]] std::string temporary_path(const std::string& folder);
+/// Removes files of such names that programs left behind when they were killed: of this machine those whose
+/// program has ended, of others those that nobody has written to for ten minutes.
+void remove_leftovers(const std::string& folder);
 
 /// Replaces the file by `bytes`, whole or not at all.
 void write_file(const std::string& path, std::string_view bytes);

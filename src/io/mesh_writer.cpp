@@ -130,6 +130,7 @@ void write_obj(const std::string& path, const GroupedMesh& grouped) {
                    std::uint64_t{corners[1]} + 1, std::uint64_t{corners[2]} + 1);
     file.write(row);
   }
+  file.put_on_disk();
   library.commit();
   file.commit();
 }

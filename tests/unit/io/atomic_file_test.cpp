@@ -1,11 +1,16 @@
 #include "io/atomic_file.hpp"
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "base/error.hpp"
 #include "support/scratch_folder.hpp"
@@ -20,6 +25,14 @@ using test::ScratchFolder;
 std::size_t entries(const ScratchFolder& folder) {
   return static_cast<std::size_t>(
       std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
+}
+
+/// Whether there is a file that this process was writing.
+bool left_by(const ScratchFolder& folder, pid_t process) {
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (entry.path().filename().string().find(fmt::format("-{}-", process)) != std::string::npos) return true;
+  }
+  return false;
 }
 
 std::string write_error(const std::string& path, std::string_view bytes = "new") {
@@ -47,6 +60,36 @@ TEST(AtomicFile, ReplacesTheTargetOnCommitOnly) {
   file.commit();
   EXPECT_EQ(file_bytes(path), std::string(3'000'000, 'n') + "end");
   EXPECT_EQ(entries(folder), 1u);
+}
+
+TEST(AtomicFile, FilesOfAProgramThatWasKilledGoWithTheNextOne) {
+  const ScratchFolder folder;
+  const std::string target = folder.file("a.txt");
+  const auto write_in_child = [&](bool ends) {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    AtomicFile file(target);
+    file.write("half");
+    file.put_on_disk();
+    if (ends) ::kill(::getpid(), SIGKILL);
+    for (;;) ::pause();
+  };
+  const pid_t killed = write_in_child(true);
+  ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
+  ASSERT_EQ(entries(folder), 1u) << "what it left behind";
+  const pid_t writing = write_in_child(false);
+  for (int tries = 0; tries < 500 && (entries(folder) != 1 || left_by(folder, killed)); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(left_by(folder, killed));
+  EXPECT_TRUE(left_by(folder, writing));
+  static_cast<void>(folder.write(".moldlight-0a1b2c3d-1-0.part", "of another machine, a moment ago"));
+  static_cast<void>(folder.write(".moldlight-notes.txt", "no such file"));
+  remove_leftovers(folder.path().string());
+  EXPECT_EQ(entries(folder), 3u) << "what is being written stays";
+  ::kill(writing, SIGKILL);
+  ASSERT_EQ(::waitpid(writing, nullptr, 0), writing);
+  remove_leftovers(folder.path().string());
+  EXPECT_EQ(entries(folder), 2u);
 }
 
 TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {

@@ -1,10 +1,12 @@
 #include "io/mesh_writer.hpp"
 
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "base/error.hpp"
 #include "io/part_reader.hpp"
@@ -58,6 +60,22 @@ TEST(MeshWriter, WritesObjThatReadsBackTheSame) {
     EXPECT_EQ(material, region_name(regions[facet++]));
   }
   EXPECT_EQ(facet, mesh.facets.size());
+}
+
+TEST(MeshWriter, LeavesNoMaterialsWhereThereIsNoRoomForTheMesh) {
+  const ScratchFolder folder;
+  TriangleMesh mesh = sample_mesh();
+  mesh.vertices.resize(5000, glm::dvec3(1.0 / 3.0));
+  rlimit before = {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small = {10'000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_THROW(write_coloured_mesh(folder.file("part.obj"), {mesh, sample_regions(), Palette::paper, "mm"}),
+               FileError);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  static_cast<void>(std::signal(SIGXFSZ, handler));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(MeshWriter, WritesStlWithColoursInTheAttributes) {
