@@ -7,18 +7,11 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "base/shown_text.hpp"
 
 namespace moldlight {
 
 namespace {
-
-/// What was given, fit for one line of a message.
-std::string shown(std::string_view text) {
-  std::string line(text);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return line;
-}
 
 template <typename T>
 T parse_number(const GivenText& given, std::string_view kind) {
@@ -26,14 +19,14 @@ T parse_number(const GivenText& given, std::string_view kind) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
   const auto value = number_from<T>(text.substr(text.starts_with('+') ? 1 : 0));
-  if (!value) throw UsageError(fmt::format("{}: '{}' is not {}", given.what, shown(text), kind));
+  if (!value) throw UsageError(fmt::format("{}: '{}' is not {}", given.what, shown_text(text), kind));
   return *value;
 }
 
 template <typename T>
 [[noreturn]] void out_of_range(const GivenText& given, T min, T max, std::string_view more = "") {
   throw UsageError(
-      fmt::format("{}: {} is out of range, {} to {}{}", given.what, shown(given.text), min, max, more));
+      fmt::format("{}: {} is out of range, {} to {}{}", given.what, shown_text(given.text), min, max, more));
 }
 
 }  // namespace
@@ -41,7 +34,7 @@ template <typename T>
 double parse_real(const GivenText& given) {
   const double value = parse_number<double>(given, "a number");
   if (!std::isfinite(value))
-    throw UsageError(fmt::format("{}: '{}' is not a finite number", given.what, shown(given.text)));
+    throw UsageError(fmt::format("{}: '{}' is not a finite number", given.what, shown_text(given.text)));
   return value;
 }
 
@@ -54,9 +47,10 @@ double parse_real(const GivenText& given, double min, double max) {
 double parse_positive(const GivenText& given, double max) {
   const double value = parse_real(given);
   if (value <= 0.0)
-    throw UsageError(fmt::format("{}: {} must be greater than 0", given.what, shown(given.text)));
+    throw UsageError(fmt::format("{}: {} must be greater than 0", given.what, shown_text(given.text)));
   if (value > max)
-    throw UsageError(fmt::format("{}: {} is out of range, up to {}", given.what, shown(given.text), max));
+    throw UsageError(
+        fmt::format("{}: {} is out of range, up to {}", given.what, shown_text(given.text), max));
   return value;
 }
 
@@ -69,7 +63,7 @@ int parse_integer(const GivenText& given, int min, int max, bool odd) {
 
 bool parse_switch(const GivenText& given) {
   if (given.text == "on" || given.text == "off") return given.text == "on";
-  throw UsageError(fmt::format("{}: '{}' is neither on nor off", given.what, shown(given.text)));
+  throw UsageError(fmt::format("{}: '{}' is neither on nor off", given.what, shown_text(given.text)));
 }
 
 glm::dvec3 parse_direction(const GivenText& given) {
@@ -88,7 +82,7 @@ glm::dvec3 parse_direction(const GivenText& given) {
     if ((comma == std::string_view::npos) != (axis == 2)) {
       throw UsageError(
           fmt::format("{}: '{}' is not a direction; write three numbers as X,Y,Z, or an axis such as -y",
-                      given.what, shown(given.text)));
+                      given.what, shown_text(given.text)));
     }
     direction[axis] = parse_real({rest.substr(0, comma), given.what});
     rest = axis == 2 ? std::string_view() : rest.substr(comma + 1);
@@ -111,7 +105,7 @@ int parse_word(const GivenText& given, const Words& words) {
   const auto word = std::find(words.begin(), words.end(), given.text);
   if (word != words.end()) return static_cast<int>(word - words.begin());
   throw UsageError(
-      fmt::format("{}: '{}' is none of {}", given.what, shown(given.text), fmt::join(words, ", ")));
+      fmt::format("{}: '{}' is none of {}", given.what, shown_text(given.text), fmt::join(words, ", ")));
 }
 
 Words parse_words(const GivenText& given, const Words& words) {
@@ -122,8 +116,8 @@ Words parse_words(const GivenText& given, const Words& words) {
     const std::string_view name = given.text.substr(begin, end - begin);
     const auto word = std::find(words.begin(), words.end(), name);
     if (word == words.end()) {
-      throw UsageError(
-          fmt::format("{}: '{}' is none of all, none, {}", given.what, shown(name), fmt::join(words, ", ")));
+      throw UsageError(fmt::format("{}: '{}' is none of all, none, {}", given.what, shown_text(name),
+                                   fmt::join(words, ", ")));
     }
     if (std::find(chosen.begin(), chosen.end(), *word) == chosen.end()) chosen.push_back(*word);
   }

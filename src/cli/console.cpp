@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 
 namespace moldlight::cli {
 
@@ -40,10 +41,9 @@ void write_stderr(const std::string& text) { std::fwrite(text.data(), 1, text.si
 
 std::string one_line(std::string_view text) {
   std::string line(text);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; },
-      ' ');
-  return line;
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return shown_text(line);
 }
 
 Console::Console() : drawn_(std::chrono::steady_clock::now()) {

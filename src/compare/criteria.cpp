@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "base/shown_text.hpp"
 #include "classify/figures.hpp"
 
 namespace moldlight {
@@ -23,14 +24,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The text without control characters and of bounded length, for an error.
-std::string shown(std::string_view text) {
-  constexpr std::size_t k_most = 60;
-  std::string clean;
-  for (const char c : text.substr(0, k_most))
-    clean += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-  return text.size() > k_most ? clean + "…" : clean;
-}
+/// For an error.
+std::string shown(std::string_view text) { return shown_text(text, 60); }
 
 Criterion parse_criterion(std::string_view text, std::span<const std::string_view> names) {
   const std::size_t at = text.find('>');

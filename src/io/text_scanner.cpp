@@ -9,7 +9,7 @@
 #include <locale.h>
 
 #include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 
 namespace moldlight {
 
@@ -32,27 +32,11 @@ constexpr std::array<Kind, 256> k_kinds = [] {
 Kind kind_of(char c) { return k_kinds[static_cast<unsigned char>(c)]; }
 bool is_line_end(char c) { return kind_of(c) == Kind::line_end; }
 bool is_blank(char c) { return kind_of(c) == Kind::blank; }
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// The value of a number beyond the range of double: 0 or infinite.
 double out_of_range_value(std::string_view word) {
   static const locale_t k_c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(word).c_str(), nullptr, k_c_locale);
-}
-
-std::string printable(std::string_view text, std::size_t max_bytes) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (result.size() + std::max<std::size_t>(length, 1) > max_bytes) return result + "...";
-    if (length == 0 || is_control(text.front())) {
-      result += '?';
-    } else {
-      result += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
 }
 
 }  // namespace
@@ -165,9 +149,9 @@ bool equals_ignoring_case(std::string_view word, std::string_view lower) {
 
 std::string quoted(std::string_view word) {
   if (word.empty()) return "nothing";
-  return "'" + printable(word, k_max_quoted_bytes) + "'";
+  return "'" + shown_text(word, k_max_quoted_bytes) + "'";
 }
 
-std::string clean_name(std::string_view name) { return printable(name, k_max_name_bytes); }
+std::string clean_name(std::string_view name) { return shown_text(name, k_max_name_bytes); }
 
 }  // namespace moldlight

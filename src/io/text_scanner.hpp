@@ -55,12 +55,10 @@ class TextScanner {
 /// ASCII letters compared without regard to case; `lower` is in lower case.
 [[nodiscard]] bool equals_ignoring_case(std::string_view word, std::string_view lower);
 
-/// A word in quotes for a message: cut after 40 bytes, control characters replaced; "nothing" for an empty
-/// one.
+/// A word in quotes for a message, as shown_text() has it, of 40 bytes at most; "nothing" for an empty one.
 [[nodiscard]] std::string quoted(std::string_view word);
 
-/// A name from a file made fit for messages and JSON: valid UTF-8 without control characters, at most 200
-/// bytes.
+/// A name from a file made fit for messages and JSON: shown_text() of 200 bytes at most.
 [[nodiscard]] std::string clean_name(std::string_view name);
 
 }  // namespace moldlight

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
 #include "base/utf8.hpp"
 #include "io/png.hpp"
 
@@ -32,8 +33,8 @@ std::string html_text(std::string_view text) {
         html += "&#39;";
         break;
       default: {
-        const bool control = (letter < 0x20 && letter != U'\n' && letter != U'\t') || letter == 0x7F;
-        html += utf8_of(std::u32string(1, control ? U'\uFFFD' : letter));
+        const bool obeyed = is_command_letter(letter) && letter != U'\n' && letter != U'\t';
+        html += obeyed ? letter_escape(letter) : utf8_of(std::u32string(1, letter));
       }
     }
   }

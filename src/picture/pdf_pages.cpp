@@ -1,10 +1,14 @@
 #include "picture/pdf_pages.hpp"
 
+#include <algorithm>
+
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
+#include "base/utf8.hpp"
 #include "picture/canvas_surface.hpp"
 
 namespace moldlight {
@@ -18,11 +22,9 @@ cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count
 
 /// UTF-8 that Cairo takes: without what would end a C string, or what it refuses.
 std::string label(std::string_view text) {
-  std::u32string letters = letters_of(text);
-  for (char32_t& letter : letters) {
-    if (letter < 0x20 || letter == 0x7F) letter = U' ';
-    if (!is_assigned(letter)) letter = U'\uFFFD';
-  }
+  std::u32string letters = letters_of(shown_text(text));
+  std::ranges::replace_if(
+      letters, [](char32_t letter) { return !is_assigned(letter); }, U'\uFFFD');
   return utf8_of(letters);
 }
 

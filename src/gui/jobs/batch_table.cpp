@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 
@@ -73,12 +74,7 @@ std::string_view batch_column_name(BatchColumn column) {
 }
 
 std::string batch_cell(const PartResult& row, BatchColumn column) {
-  if (column == BatchColumn::part) {
-    std::string line = row.path;
-    std::ranges::replace_if(
-        line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-    return line;
-  }
+  if (column == BatchColumn::part) return shown_text(row.path);
   if (column == BatchColumn::state) return std::string(batch::state_name(row.state));
   const auto value = value_of(row, column);
   if (!value) return "";

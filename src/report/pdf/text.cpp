@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/shown_text.hpp"
 #include "base/utf8.hpp"
 
 namespace moldlight::report {
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::size_t k_few_lines = 12;
 
-bool is_control(char32_t letter) { return letter < 0x20 || (letter >= 0x7F && letter < 0xA0); }
+bool is_space(char32_t letter) { return letter == U' ' || (letter >= U'\t' && letter <= U'\r'); }
 
 /// Words and line ends of a text, in order; a line end is an empty word.
 std::vector<std::string> words_of(std::string_view text) {
@@ -21,9 +22,10 @@ std::vector<std::string> words_of(std::string_view text) {
     word.clear();
   };
   for (const char32_t letter : letters_of(text)) {
-    if (letter == U' ' || is_control(letter)) end_word();
+    if (is_space(letter)) end_word();
     if (letter == U'\n') words.emplace_back();
-    if (letter != U' ' && !is_control(letter)) word += utf8_of(std::u32string(1, letter));
+    if (is_space(letter)) continue;
+    word += is_command_letter(letter) ? letter_escape(letter) : utf8_of(std::u32string(1, letter));
   }
   end_word();
   return words;
@@ -78,9 +80,10 @@ class LineBreaker {
 }  // namespace
 
 std::string one_line_text(std::string_view text) {
-  std::u32string letters = letters_of(text);
-  std::ranges::replace_if(letters, is_control, U' ');
-  return utf8_of(letters);
+  std::string line(text);
+  std::ranges::replace_if(
+      line, [](char c) { return c >= '\t' && c <= '\r'; }, ' ');
+  return shown_text(line);
 }
 
 std::vector<std::string> lines_of(Canvas& canvas, std::string_view text, const TextStyle& style,

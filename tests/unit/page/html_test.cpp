@@ -7,6 +7,7 @@
 #include "io/digest.hpp"
 #include "page/page.hpp"
 #include "page/page_files.hpp"
+#include "support/hostile_names.hpp"
 
 namespace moldlight::page {
 namespace {
@@ -16,7 +17,9 @@ using Json = nlohmann::ordered_json;
 TEST(Html, TextIsText) {
   EXPECT_EQ(html_text("<b a=\"x\">&'"), "&lt;b a=&quot;x&quot;&gt;&amp;&#39;");
   EXPECT_EQ(html_text("größe\t½\n"), "größe\t½\n");
-  EXPECT_EQ(html_text(std::string("\xFF\x1B\0", 3)), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(html_text(std::string("\xFF\x1B\0", 3)), "\uFFFD\\u001B\\u0000");
+  for (const std::string& name : test::hostile_names())
+    EXPECT_TRUE(test::is_harmless(html_text(name), U"\n\t")) << html_text(name);
 }
 
 TEST(Html, NothingInDataEndsItsScript) {

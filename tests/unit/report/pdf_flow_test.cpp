@@ -3,6 +3,7 @@
 
 #include "report/pdf/flow.hpp"
 #include "report/pdf/text.hpp"
+#include "support/hostile_names.hpp"
 #include "support/random.hpp"
 
 namespace moldlight::report {
@@ -114,7 +115,10 @@ TEST(PdfText, ARoomlessLetterStillStands) {
   EXPECT_EQ(lines_of(canvas, "ab", {.size_px = 10.0}, 0.5), (std::vector<std::string>{"a", "b"}));
 }
 
-TEST(PdfText, ControlsAreSpaces) { EXPECT_EQ(one_line_text("a\nb\x1B[1m\x7F\xFF"), "a b [1m \uFFFD"); }
+TEST(PdfText, WhiteSpaceIsSpacesAndControlsAreShown) {
+  EXPECT_EQ(one_line_text("a\nb\x1B[1m\x7F\xFF"), "a b\\u001B[1m\\u007F\\xFF");
+  for (const std::string& name : test::hostile_names()) EXPECT_TRUE(test::is_harmless(one_line_text(name)));
+}
 
 }  // namespace
 }  // namespace moldlight::report
