@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
+#include "base/utf8.hpp"
 
 namespace moldlight::batch {
 
@@ -81,6 +83,17 @@ std::string csv_field(std::string_view text) {
     quoted += c;
   }
   return quoted + '"';
+}
+
+std::string spreadsheet_text(std::string_view text) {
+  const std::string shown = shown_text(text);
+  // White space and full-width forms are left aside by some programs.
+  const std::u32string letters = letters_of(shown);
+  const auto first = letters.find_first_not_of(U" \u00A0\u3000");
+  const bool formula =
+      first != std::u32string::npos &&
+      std::u32string_view(U"=+-@\uFF1D\uFF0B\uFF0D\uFF20").find(letters[first]) != std::u32string_view::npos;
+  return formula ? "'" + shown : shown;
 }
 
 std::string csv_record(const std::vector<std::string>& fields) {

@@ -35,6 +35,9 @@ class CsvReader {
 
 /// The field as a record holds it, quoted where it has to be.
 [[nodiscard]] std::string csv_field(std::string_view text);
+/// Text that somebody else chose, for a table that people open in a spreadsheet: as shown_text() has it, and
+/// after an apostrophe where the spreadsheet would take it for a formula.
+[[nodiscard]] std::string spreadsheet_text(std::string_view text);
 /// The record with its line end.
 [[nodiscard]] std::string csv_record(const std::vector<std::string>& fields);
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 
@@ -26,12 +26,13 @@ constexpr std::size_t k_name_digits = 12;  // of a digest, in a file's name
 
 std::string manifest_path(const std::string& folder) { return (fs::path(folder) / k_manifest_name).string(); }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw FileError(path, "", "cannot be read");
-  return text.str();
+std::string text_of(const std::string& path) { return std::string(FileContents(path, Progress()).bytes()); }
+
+/// A pipe in its place would be waited for.
+const std::string& if_regular(const std::string& path) {
+  if (!fs::is_regular_file(path))
+    throw FileError(path, "", "cannot be read; the batch has lost its table of parts, plan anew");
+  return path;
 }
 
 Json settings_json(const RowSettings& settings) {
@@ -140,7 +141,7 @@ void write_plan(Manifest& manifest, const std::vector<Row>& rows) {
 RowReader::RowReader(const Manifest& manifest)
     : manifest_(manifest),
       path_((fs::path(manifest.folder) / manifest.rows_file).string()),
-      file_(path_, std::ios::binary),
+      file_(if_regular(path_), std::ios::binary),
       table_(file_, path_) {
   if (!file_) throw FileError(path_, "", "cannot be read; the batch has lost its table of parts, plan anew");
   if (!table_.next(fields_) || fields_ != k_columns) damaged("its columns are not those of a plan");

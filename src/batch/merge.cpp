@@ -27,11 +27,11 @@ class CsvSink : public MergeSink {
 
   void add(const PartResult& result) override {
     std::vector<std::string> fields = {fmt::format("{}", result.row),
-                                       result.path,
-                                       result.settings,
+                                       spreadsheet_text(result.path),
+                                       spreadsheet_text(result.settings),
                                        std::string(state_name(result.state)),
-                                       result.reason,
-                                       result.unit,
+                                       spreadsheet_text(result.reason),
+                                       spreadsheet_text(result.unit),
                                        text_of(result.facets),
                                        !result.closed   ? ""
                                        : *result.closed ? "yes"

@@ -26,6 +26,7 @@ class MergeSink {
 
 /// A line a row.
 [[nodiscard]] std::unique_ptr<MergeSink> csv_sink(const std::string& path);
+/// Text is as shown_text() has it; where a path is not so, `path_bytes` has it as it is.
 /// Tables `batch` and `parts`, `previous` with the parts of the last merge of another plan into this file,
 /// and the views worst, changed, more_than_two_actions and failed. Throws FileError for a file that is there
 /// and no such database.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
 #include "batch/merge.hpp"
 #include "io/atomic_file.hpp"
 #include "page/html.hpp"
@@ -41,24 +42,26 @@ class HtmlSink : public MergeSink {
     const fs::path relative = results.lexically_relative(page_folder);
     file_.write(page::page_begin(frame()));
     file_.write(k_content);
-    file_.write(fmt::format("{{\"results\": {},\n\"about\": {},\n\"rows\": [",
-                            page::script_json(page::url_of(relative.string()) + "/"),
-                            page::script_json(fmt::format("{} of {} parts of {}, planned {} by moldlight {}",
-                                                          manifest.command, manifest.rows, manifest.source,
-                                                          manifest.planned_at, manifest.version))));
+    file_.write(fmt::format(
+        "{{\"results\": {},\n\"about\": {},\n\"rows\": [",
+        page::script_json(page::url_of(relative.string()) + "/"),
+        page::script_json(fmt::format("{} of {} parts of {}, planned {} by moldlight {}", manifest.command,
+                                      manifest.rows, shown_text(manifest.source),
+                                      shown_text(manifest.planned_at), shown_text(manifest.version)))));
   }
 
   void add(const PartResult& result) override {
     const std::string name = hex_of(result.key), beside = name.substr(0, 2) + "/" + name;
-    file_.write(separator_ +
-                page::script_json(
-                    {result.row, result.path, state_name(result.state), result.reason, result.unit,
-                     or_null(result.facets), or_null(result.figure(Figure::area)),
-                     or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
-                     or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
-                     or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
-                     result.settings, result.picture ? beside + ".png" : std::string(),
-                     result.report ? beside + ".html" : std::string(), result.verdict, result.sentence}));
+    file_.write(
+        separator_ +
+        page::script_json(
+            {result.row, shown_text(result.path), state_name(result.state), shown_text(result.reason),
+             shown_text(result.unit), or_null(result.facets), or_null(result.figure(Figure::area)),
+             or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
+             or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
+             or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
+             shown_text(result.settings), result.picture ? beside + ".png" : std::string(),
+             result.report ? beside + ".html" : std::string(), result.verdict, shown_text(result.sentence)}));
     separator_ = ",\n";
   }
 

@@ -11,7 +11,9 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "batch/merge.hpp"
+#include "io/atomic_file.hpp"
 
 namespace moldlight::batch {
 
@@ -101,6 +103,9 @@ class Statement {
   void bind(std::string_view text) {
     sqlite3_bind_text(handle_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
   }
+  void bind_bytes(std::string_view bytes) {
+    sqlite3_bind_blob(handle_, ++bound_, bytes.data(), static_cast<int>(bytes.size()), SQLITE_TRANSIENT);
+  }
   void bind_or_null(std::string_view text) {
     if (text.empty()) return bind_null();
     bind(text);
@@ -137,20 +142,20 @@ bool is_figure_whole(std::size_t figure) {
 class SqliteSink : public MergeSink {
  public:
   SqliteSink(const std::string& path, const Manifest& manifest)
-      : path_(path), temporary_(fmt::format("{}.moldlight-{}.part", path, ::getpid())) {
-    fs::remove(temporary_);
+      : path_(path), temporary_(temporary_path(fs::path(path).parent_path().string())) {
+    remove_leftovers(fs::path(path).parent_path().string());
     try {
       database_ = std::make_unique<Database>(temporary_, path);
       database_->run(
           fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};"
                       "CREATE TABLE batch (name TEXT PRIMARY KEY, value TEXT);"
-                      "CREATE TABLE parts ({}); CREATE TABLE previous ({});",
+                      "CREATE TABLE parts ({}, path_bytes BLOB); CREATE TABLE previous ({});",
                       k_application_id, k_columns, k_columns));
       if (fs::exists(path)) take_previous(manifest);
       database_->run("BEGIN");
       describe(manifest);
       std::string places = "?";
-      for (int k = 1; k < k_column_count; ++k) places += ",?";
+      for (int k = 0; k < k_column_count; ++k) places += ",?";
       insert_ = std::make_unique<Statement>(*database_, "INSERT INTO parts VALUES (" + places + ")");
     } catch (...) {
       clear_away();
@@ -162,15 +167,16 @@ class SqliteSink : public MergeSink {
   void add(const PartResult& result) override {
     Statement& row = *insert_;
     row.bind_whole(static_cast<double>(result.row));
-    row.bind(result.path);
-    row.bind(result.settings);
+    const std::string path = shown_text(result.path);
+    row.bind(path);
+    row.bind(shown_text(result.settings));
     row.bind(state_name(result.state));
-    row.bind_or_null(result.reason);
-    row.bind_or_null(result.unit);
+    row.bind_or_null(shown_text(result.reason));
+    row.bind_or_null(shown_text(result.unit));
     row.bind_whole(result.facets);
     row.bind_whole(result.closed ? std::optional(*result.closed ? 1.0 : 0.0) : std::nullopt);
     row.bind_or_null(result.verdict);
-    row.bind_or_null(result.sentence);
+    row.bind_or_null(shown_text(result.sentence));
     for (std::size_t k = 0; k < 3; ++k)
       row.bind(result.direction ? std::optional((*result.direction)[k]) : std::nullopt);
     for (std::size_t k = 0; k < k_figure_count; ++k)
@@ -180,6 +186,7 @@ class SqliteSink : public MergeSink {
     row.bind_whole(result.tries ? std::optional<double>(*result.tries) : std::nullopt);
     row.bind_or_null(result.content);
     row.bind(hex_of(result.key));
+    path == result.path ? row.bind_null() : row.bind_bytes(result.path);
     row.run();
   }
 
@@ -226,7 +233,9 @@ class SqliteSink : public MergeSink {
       Statement planned(*database_, "SELECT value FROM former.batch WHERE name = 'planned_at'");
       const bool same_plan = planned.text() == manifest.planned_at;
       // A version before this one may have had fewer columns.
-      Statement names(*database_, "SELECT group_concat(name) FROM pragma_table_info('parts', 'former')");
+      Statement names(*database_,
+                      "SELECT group_concat(name) FROM pragma_table_info('parts', 'former') "
+                      "WHERE name IN (SELECT name FROM pragma_table_info('previous', 'main'))");
       const std::string columns = names.text().value_or("");
       database_->run(fmt::format("INSERT INTO previous ({0}) SELECT {0} FROM former.{1}", columns,
                                  same_plan ? "previous" : "parts"));
@@ -239,10 +248,10 @@ class SqliteSink : public MergeSink {
     const std::array<std::pair<const char*, std::string>, 6> facts = {
         {{"planned_at", manifest.planned_at},
          {"merged_at", utc_now()},
-         {"version", manifest.version},
+         {"version", shown_text(manifest.version)},
          {"command", manifest.command},
-         {"source", manifest.source},
-         {"parts_folder", manifest.parts_folder()}}};
+         {"source", shown_text(manifest.source)},
+         {"parts_folder", shown_text(manifest.parts_folder())}}};
     for (const auto& [name, value] : facts) {
       fact.bind(name);
       fact.bind(value);

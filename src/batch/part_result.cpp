@@ -41,27 +41,27 @@ void take_report(const Json& report, const Work& work, PartResult& result) {
   result.closed = member<bool>(*part, "closed");
 }
 
-/// Sets everything but what the row itself says; false for a damaged result, which is set aside.
-bool read_result(const ResultStore& store, const Work& work, PartResult& result) {
-  if (result.state == ResultState::missing) return true;
+/// Sets everything but what the row itself says. Returns why its file is no result, and then sets it aside.
+std::string read_result(const ResultStore& store, const Work& work, PartResult& result) {
+  if (result.state == ResultState::missing) return "";
   std::optional<Json> stored;
   try {
     stored = store.read(result.key, result.state);
-  } catch (const FileError&) {
+  } catch (const FileError& error) {
     store.set_aside(result.key, result.state);
     result.state = ResultState::missing;
-    return false;
+    return error.what();
   }
   if (!stored) {  // it went since the folder was read
     result.state = ResultState::missing;
-    return true;
+    return "";
   }
   result.reason = member<std::string>(*stored, "reason").value_or("");
   result.elapsed_s = member<double>(*stored, "elapsed_s");
   result.tries = member<int>(*stored, "tries");
   const auto report = stored->find("report");
   if (report != stored->end() && report->is_object()) take_report(*report, work, result);
-  return true;
+  return "";
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ std::string settings_text(const std::vector<std::string>& arguments) {
 }
 
 ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress,
-                              const std::function<void(const PartResult&)>& visit) {
+                              const std::function<void(const PartResult&)>& visit, const Shard& shard) {
   const ResultStore store(manifest.folder);
   const ResultIndex there = store.index(progress), pictures = store.those_with(Beside::picture, progress),
                     reports = store.those_with(Beside::report, progress);
@@ -99,13 +99,13 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
   std::vector<std::string> settings;
   for (const RowSettings& one : manifest.settings) settings.push_back(settings_text(one.arguments));
   ReadingCounts counts;
-  std::atomic<std::size_t> damaged = 0;
   RowReader reader(manifest);
   std::vector<PartResult> results;
   for (bool more = true; more;) {
     results.clear();
     Row row;
     while (results.size() < k_rows_at_a_time && (more = reader.next(row))) {
+      if (!shard.has(row.number)) continue;
       PartResult result;
       result.row = row.number;
       result.path = row.path;
@@ -117,11 +117,14 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
       if (found != there.end()) result.state = found->second;
       result.picture = pictures.contains(result.key);
       result.report = reports.contains(result.key);
+      result.shared = row.same_as.has_value();
       results.push_back(std::move(result));
     }
-    tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t k) {
-      if (!read_result(store, manifest.work(), results[k])) ++damaged;
-    });
+    std::vector<std::string> refused(results.size());
+    tbb::parallel_for(std::size_t{0}, results.size(),
+                      [&](std::size_t k) { refused[k] = read_result(store, manifest.work(), results[k]); });
+    std::erase(refused, "");
+    counts.refused.insert(counts.refused.end(), refused.begin(), refused.end());
     for (const PartResult& result : results) {
       ++(result.state == ResultState::done     ? counts.done
          : result.state == ResultState::failed ? counts.failed
@@ -133,7 +136,6 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
       progress.report("reading results", read / static_cast<double>(manifest.rows));
     }
   }
-  counts.damaged = damaged;
   return counts;
 }
 

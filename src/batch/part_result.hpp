@@ -30,6 +30,7 @@ struct PartResult {
   std::optional<double> elapsed_s;
   std::optional<int> tries;
   bool picture = false, report = false;  // whether they lie beside it
+  bool shared = false;                   // with an earlier row of the same content and settings
 
   [[nodiscard]] std::optional<double> figure(Figure which) const {
     return figures[static_cast<std::size_t>(which)];
@@ -44,13 +45,15 @@ struct PartResult {
 
 struct ReadingCounts {
   std::size_t done = 0, failed = 0, missing = 0;
-  std::size_t damaged = 0;  // results among the missing ones that were set aside
+  std::vector<std::string>
+      refused;  // of files that were set aside, since they are no results: which, and why
 };
 
-/// Calls `visit` with every row of the batch in order; reads results on all cores, a few at a time, so that
-/// memory does not grow with the batch but for the names of its results. A damaged result counts as missing
-/// and is set aside, so that the next run makes it anew. Throws FileError, Cancelled.
+/// Calls `visit` with every row of the batch, or of a shard of it, in order; reads results on all cores, a
+/// few at a time, so that memory does not grow with the batch but for the names of its results. What
+/// ResultStore::read() refuses counts as missing and is set aside, so that the next run makes it anew. Throws
+/// FileError, Cancelled.
 ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress,
-                              const std::function<void(const PartResult&)>& visit);
+                              const std::function<void(const PartResult&)>& visit, const Shard& shard = {});
 
 }  // namespace moldlight::batch

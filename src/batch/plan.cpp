@@ -30,9 +30,18 @@ std::string absolute_folder(const fs::path& folder) {
   return text;
 }
 
-PlanSource folder_source(const std::string& folder, const Progress& progress) {
-  PlanSource source{.parts = absolute_folder(folder), .entries = {}};
+/// Whether a link leads out of the folder, to what nobody named.
+bool leads_out(const fs::directory_entry& entry, const fs::path& folder) {
   std::error_code error;
+  if (!entry.is_symlink(error)) return false;
+  const fs::path target = fs::canonical(entry.path(), error);
+  return error || std::ranges::mismatch(folder, target).in1 != folder.end();
+}
+
+PlanSource folder_source(const std::string& folder, const Progress& progress) {
+  PlanSource source{.parts = absolute_folder(folder), .entries = {}, .left_out = 0};
+  std::error_code error;
+  const fs::path folder_itself = fs::canonical(source.parts, error);
   for (fs::recursive_directory_iterator
            entry(source.parts, fs::directory_options::skip_permission_denied, error),
        end;
@@ -43,10 +52,18 @@ PlanSource folder_source(const std::string& folder, const Progress& progress) {
     if (hidden && entry->is_directory(ignored)) entry.disable_recursion_pending();
     if (hidden || !entry->is_regular_file(ignored) || !is_part_file_name(entry->path().filename().string()))
       continue;
+    if (leads_out(*entry, folder_itself)) {
+      ++source.left_out;
+      continue;
+    }
     source.entries.push_back(
         {.path = entry->path().lexically_relative(source.parts).string(), .settings = {}, .place = {}});
   }
   if (error) throw FileError(folder, "", "cannot be read: " + error.message());
+  if (source.entries.empty() && source.left_out > 0) {
+    throw FileError(folder, "",
+                    "holds no part file, only links that lead out of it; write the parts into a list");
+  }
   if (source.entries.empty()) {
     throw FileError(folder, "",
                     fmt::format("holds no part file: none is named as {}", part_format_names(" or ")));
@@ -56,7 +73,7 @@ PlanSource folder_source(const std::string& folder, const Progress& progress) {
 }
 
 PlanSource list_source(const std::string& list, const Progress& progress) {
-  PlanSource source{.parts = absolute_folder(fs::path(list).parent_path()), .entries = {}};
+  PlanSource source{.parts = absolute_folder(fs::path(list).parent_path()), .entries = {}, .left_out = 0};
   std::ifstream file(list, std::ios::binary);
   if (!file) throw FileError(list, "", fmt::format("cannot be read: {}", std::strerror(errno)));
   // Where commas are decimal marks, programs part fields by semicolons.

@@ -25,12 +25,14 @@ struct PlanEntry {
 struct PlanSource {
   std::string parts;  // absolute folder that paths begin in
   std::vector<PlanEntry> entries;
+  std::size_t left_out = 0;  // links that lead out of the folder
 };
 
-/// A folder is read with all folders in it, by the names of part files; a CSV list has a column `path`, whose
-/// relative paths begin in the list's folder, and a column a setting (`unit`, `direction`, …), empty where
-/// the common one holds; everything else is a pattern with *, ? and [ ]. Sorted, a list in its own order.
-/// Throws FileError for what names no part, and for a list that cannot be read.
+/// A folder is read with all folders in it, by the names of part files, but for links that lead out of it; a
+/// CSV list has a column `path`, whose relative paths begin in the list's folder, and a column a setting
+/// (`unit`, `direction`, …), empty where the common one holds; everything else is a pattern with *, ? and [
+/// ]. Sorted, a list in its own order. Throws FileError for what names no part, and for a list that cannot be
+/// read.
 [[nodiscard]] PlanSource read_plan_source(const std::string& source, const Progress& progress);
 
 /// The settings of a row, checked, where `row` goes before what all rows have; throws UsageError.

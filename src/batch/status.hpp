@@ -1,4 +1,4 @@
-// How far a batch is: from the names of its results, and the reasons of those that failed.
+// How far a batch is, and the reasons of the parts that failed.
 #pragma once
 
 #include <string>
@@ -16,6 +16,7 @@ struct BatchStatus {
   /// Reasons of failures with how many rows have each, the most frequent first.
   std::vector<std::pair<std::string, std::size_t>> reasons;
   std::vector<std::pair<std::size_t, std::string>> missing_rows;  // number and path, where asked for
+  std::vector<std::string> refused;                               // as ReadingCounts has it
 };
 
 struct StatusOptions {

@@ -2,21 +2,20 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <sstream>
 
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 
@@ -27,8 +26,34 @@ namespace {
 constexpr std::string_view k_done = ".json", k_failed = ".failed.json", k_damaged = ".damaged";
 constexpr int k_folders = 256;  // a result's is the first two digits of its key
 constexpr std::size_t k_key_digits = 64;
-/// A temporary file that is older was left behind: one that is being written lives for milliseconds.
-constexpr std::chrono::minutes k_leftover_age(10);
+constexpr off_t k_most_bytes = off_t{256} << 20;  // of a result
+constexpr std::string_view k_before_checksum = ",\"checksum\":\"", k_after_checksum = "\"}\n";
+
+/// One line that ends with the checksum of what it would be without it.
+std::string sealed(Json result, const Digest& key) {
+  result.erase("checksum");
+  result["key"] = hex_of(key);
+  std::string text = result.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string checksum = hex_of(digest_of(text));
+  text.pop_back();
+  return text.append(k_before_checksum).append(checksum).append(k_after_checksum);
+}
+
+/// Why this is not what was put under the key; nothing where it is.
+std::string fault_of(std::string_view text, const Digest& key, Json& result) {
+  const std::size_t tail = k_before_checksum.size() + k_key_digits + k_after_checksum.size();
+  if (text.size() <= tail || !text.ends_with(k_after_checksum) ||
+      text.substr(text.size() - tail, k_before_checksum.size()) != k_before_checksum)
+    return "is damaged, since it does not end with its checksum";
+  const std::string_view told = text.substr(text.size() - tail + k_before_checksum.size(), k_key_digits);
+  const std::string whole = std::string(text.substr(0, text.size() - tail)) + "}";
+  if (hex_of(digest_of(whole)) != told) return "was changed, since its checksum is another";
+  result = Json::parse(whole, nullptr, false);
+  if (!result.is_object()) return "is damaged";
+  const auto own = result.find("key");
+  if (own == result.end() || *own != hex_of(key)) return "is the result of another part";
+  return "";
+}
 
 std::string_view ending_of(ResultState state) {
   CHECK(state != ResultState::missing);
@@ -110,28 +135,32 @@ void ResultStore::make_folder(const Digest& key) const {
 void ResultStore::put(const Digest& key, ResultState state, const Json& result) const {
   make_folder(key);
   const std::string file = path(key, ending_of(state));
-  write_file(file, result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(file, sealed(result, key));
   if (state == ResultState::done) ::unlink(path(key, k_failed).c_str());
   sync_folder(fs::path(file).parent_path().string());
 }
 
 std::optional<Json> ResultStore::read(const Digest& key, ResultState state) const {
   const std::string file = path(key, ending_of(state));
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
+  struct stat status = {};
+  if (::lstat(file.c_str(), &status) != 0) {
     if (errno == ENOENT) return std::nullopt;
     throw FileError(file, "", fmt::format("cannot be read: {}", std::strerror(errno)));
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  Json result = Json::parse(text.str(), nullptr, false);
-  if (!result.is_object()) throw FileError(file, "", "is damaged");
+  if (!S_ISREG(status.st_mode)) throw FileError(file, "", "is no regular file");
+  if (status.st_size > k_most_bytes)
+    throw FileError(file, "", fmt::format("is larger than any result ({} MiB)", k_most_bytes >> 20));
+  const FileContents contents(file, Progress());
+  Json result;
+  if (const std::string fault = fault_of(contents.bytes(), key, result); !fault.empty())
+    throw FileError(file, "", fault);
   return result;
 }
 
 void ResultStore::set_aside(const Digest& key, ResultState state) const {
   const std::string file = path(key, ending_of(state));
-  if (::rename(file.c_str(), (file + std::string(k_damaged)).c_str()) != 0)
+  // Another row of the same content may have done it.
+  if (::rename(file.c_str(), (file + std::string(k_damaged)).c_str()) != 0 && errno != ENOENT)
     throw FileError(file, "", fmt::format("cannot be renamed: {}", std::strerror(errno)));
 }
 
@@ -142,15 +171,10 @@ bool ResultStore::has(const Digest& key, Beside what) const {
 }
 
 void ResultStore::remove_leftovers(const Progress& progress) const {
-  const auto now = fs::file_time_type::clock::now();
-  for_each_entry(folder_, progress, [&](const std::string& folder, const char* entry) {
-    const std::string_view name(entry);
-    if (!name.starts_with(".moldlight-")) return;
-    const fs::path file = fs::path(folder) / name;
-    std::error_code error;
-    const auto written = fs::last_write_time(file, error);
-    if (!error && now - written > k_leftover_age) fs::remove(file, error);
-  });
+  for (int k = 0; k < k_folders; ++k) {
+    if (progress.cancelled()) throw Cancelled();
+    moldlight::remove_leftovers(fmt::format("{}/{:02x}", folder_, k));
+  }
 }
 
 }  // namespace moldlight::batch

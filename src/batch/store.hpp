@@ -34,9 +34,11 @@ class ResultStore {
   /// The same with those keys alone that this lies beside.
   [[nodiscard]] ResultIndex those_with(Beside what, const Progress& progress) const;
 
-  /// Puts the result on the disk, whole; a failure that stands under the key goes. Throws FileError.
+  /// Puts the result on the disk, whole, with its key and a checksum of its text; a failure that stands under
+  /// the key goes. Throws FileError.
   void put(const Digest& key, ResultState state, const Json& result) const;
-  /// Nothing where there is none. Throws FileError for one that cannot be read or is damaged.
+  /// Nothing where there is none. Throws FileError for what cannot be read and for what is not what was put
+  /// there: a file of another kind, larger than any result, of another key or with another checksum.
   [[nodiscard]] std::optional<Json> read(const Digest& key, ResultState state) const;
   /// Takes a damaged result out of the way, so that the next run makes it anew.
   void set_aside(const Digest& key, ResultState state) const;
@@ -46,7 +48,7 @@ class ResultStore {
   [[nodiscard]] bool has(const Digest& key, Beside what) const;
   /// Makes the folder that the key's files lie in.
   void make_folder(const Digest& key) const;
-  /// Removes temporary files that a run left behind when it was killed, some time ago.
+  /// Removes temporary files that runs left behind when they were killed.
   void remove_leftovers(const Progress& progress) const;
 
  private:

@@ -93,7 +93,12 @@ BatchBaseline::Row BatchBaseline::row_of(const Columns& columns, const std::vect
     throw FileError(file_, fmt::format("line {}", line), std::string(what));
   };
   if (fields.size() != columns.count) refuse("has not as many fields as the table has columns");
-  Row row{fields[columns.path], fields[columns.settings], fields[columns.state], fields[columns.unit], {}};
+  // Tables of former versions hold text that is not yet as spreadsheet_text() has it.
+  Row row{batch::spreadsheet_text(fields[columns.path]),
+          batch::spreadsheet_text(fields[columns.settings]),
+          fields[columns.state],
+          batch::spreadsheet_text(fields[columns.unit]),
+          {}};
   for (std::size_t k = 0; k < row.figures.size(); ++k) {
     const std::string& text = fields[columns.figures[k]];
     if (text.empty()) continue;
@@ -104,10 +109,11 @@ BatchBaseline::Row BatchBaseline::row_of(const Columns& columns, const std::vect
 }
 
 BatchBaseline::Row* BatchBaseline::earlier(const batch::PartResult& result) {
-  const auto found = rows_of_path_.find(result.path);
+  const auto found = rows_of_path_.find(batch::spreadsheet_text(result.path));
   if (found == rows_of_path_.end()) return nullptr;
+  const std::string settings = batch::spreadsheet_text(result.settings);
   for (const std::size_t k : found->second)
-    if (!rows_[k].found && rows_[k].settings == result.settings) return &rows_[k];
+    if (!rows_[k].found && rows_[k].settings == settings) return &rows_[k];
   Row& first = rows_[found->second.front()];
   return found->second.size() == 1 && !first.found ? &first : nullptr;
 }
@@ -130,8 +136,9 @@ void BatchBaseline::compare(const batch::PartResult& result, const Row& before) 
   const std::string state(batch::state_name(result.state));
   const std::size_t told = told_;
   if (state != before.state) tell(result.path, "state", before.state, state);
-  const bool comparable = result.unit == before.unit && state == before.state;
-  if (result.unit != before.unit && state == before.state)
+  const bool same_unit = batch::spreadsheet_text(result.unit) == before.unit;
+  const bool comparable = same_unit && state == before.state;
+  if (!same_unit && state == before.state)
     tell(result.path, "unit", before.unit.empty() ? "none" : before.unit,
          result.unit.empty() ? "none" : result.unit);
   std::vector<ComparedFigure> figures;

@@ -97,6 +97,11 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
       std::ranges::count_if(rows, [](const Row& row) { return !row.fault.empty(); }));
   const auto shared = static_cast<std::size_t>(
       std::ranges::count_if(rows, [](const Row& row) { return row.same_as && row.fault.empty(); }));
+  if (source.left_out > 0) {
+    console.warning(
+        fmt::format("{} out of the folder and left out; a list of parts may name them",
+                    source.left_out == 1 ? "1 link leads" : fmt::format("{} links lead", source.left_out)));
+  }
   if (faulty > 0) {
     const Row& first = *std::ranges::find_if(rows, [](const Row& row) { return !row.fault.empty(); });
     console.warning(fmt::format("{} cannot be read, and will be recorded as failed; the first is {}: {}",
@@ -209,19 +214,29 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
 
 // --- status and merge
 
+void tell_refused(Console& console, const std::vector<std::string>& refused) {
+  constexpr std::size_t k_most = 5;
+  for (std::size_t k = 0; k < std::min(refused.size(), k_most); ++k)
+    console.warning(refused[k] + "; it is set aside, and the next run makes the result anew");
+  if (refused.size() > k_most)
+    console.warning(fmt::format("{} more files that are no results are set aside", refused.size() - k_most));
+}
+
 int run_status(const StatusFlags& flags, Console& console, const Progress& progress) {
   const Manifest manifest = read_manifest(flags.folder);
   const BatchStatus status = batch_status(
       manifest, {.shard = flags.shard, .reasons = !flags.missing, .missing_rows = flags.missing}, progress);
   if (flags.missing) {
     std::string text = csv_record({"row", "path"});
-    for (const auto& [row, path] : status.missing_rows) text += csv_record({fmt::format("{}", row), path});
+    for (const auto& [row, path] : status.missing_rows)
+      text += csv_record({fmt::format("{}", row), spreadsheet_text(path)});
     console.result(text);
   } else {
     put_report(
         console, flags.json, [&] { return status_json(manifest, status); },
         [&] { return status_text(manifest, status); });
   }
+  tell_refused(console, status.refused);
   if (manifest.version != MOLDLIGHT_VERSION) {
     console.warning(fmt::format("it was planned by moldlight {}, and this is {}", one_line(manifest.version),
                                 MOLDLIGHT_VERSION));
@@ -246,10 +261,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", count_text(manifest.rows, "part"),
                              counts.done, counts.failed, counts.missing) +
                  (baseline ? baseline->table() : ""));
-  if (counts.damaged > 0)
-    console.warning(
-        fmt::format("{} damaged and set aside; the next run makes them anew",
-                    counts.damaged == 1 ? "1 result is" : fmt::format("{} results are", counts.damaged)));
+  tell_refused(console, counts.refused);
   if (counts.missing > 0)
     console.warning(fmt::format("{} no result yet", counts.missing == 1
                                                         ? "1 part has"

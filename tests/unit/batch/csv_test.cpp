@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/hostile_names.hpp"
 
 namespace moldlight::batch {
 namespace {
@@ -32,6 +33,19 @@ TEST(Csv, WhatIsWrittenReadsBackTheSame) {
   std::string text;
   for (const Record& record : written) text += csv_record(record);
   EXPECT_EQ(records_of(text), written);
+}
+
+TEST(Csv, ASpreadsheetFindsNoFormula) {
+  EXPECT_EQ(spreadsheet_text("=cmd|calc!A1.stl"), "'=cmd|calc!A1.stl");
+  EXPECT_EQ(spreadsheet_text(" +1"), "' +1");
+  EXPECT_EQ(spreadsheet_text("\t=1"), "\\u0009=1");
+  EXPECT_EQ(spreadsheet_text("a-b=c@d.stl"), "a-b=c@d.stl");
+  EXPECT_EQ(spreadsheet_text(""), "");
+  for (const std::string& name : test::hostile_names()) {
+    const std::string cell = spreadsheet_text(name);
+    EXPECT_TRUE(test::is_harmless(cell)) << cell;
+    EXPECT_NE(cell.find_first_of("=+-@"), 0u) << cell;
+  }
 }
 
 TEST(Csv, ForeignFormsAreRead) {

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "batch/csv.hpp"
 #include "batch/status.hpp"
+#include "support/hostile_names.hpp"
 #include "unit/batch/small_batch.hpp"
 
 namespace moldlight::batch {
@@ -167,9 +168,53 @@ TEST_F(Merge, ADamagedResultIsSetAsideAndCountsAsMissing) {
           .string();
   fs::resize_file(file, 0);
   const ReadingCounts counts = merge_to({.csv = folder_.file("all.csv"), .sqlite = {}, .html = {}});
-  EXPECT_EQ(counts.damaged, 1u);
+  ASSERT_EQ(counts.refused.size(), 1u);
+  EXPECT_TRUE(counts.refused[0].starts_with(file)) << counts.refused[0];
   EXPECT_EQ(counts.missing, 2u);
   EXPECT_FALSE(fs::exists(file));
+  EXPECT_TRUE(merge_to({.csv = folder_.file("all.csv"), .sqlite = {}, .html = {}}).refused.empty());
+}
+
+TEST_F(Merge, AResultUnderAnotherPartsKeyCountsForNeitherStatusNorMerge) {
+  const auto file_of = [&](std::size_t row) {
+    return fs::path(ResultStore(manifest_.folder).beside(KeyMaker(manifest_)(rows_[row]), Beside::picture))
+        .replace_extension(".json");
+  };
+  fs::create_directories(file_of(3).parent_path());
+  fs::copy_file(file_of(1), file_of(3));
+  const BatchStatus status = batch_status(manifest_, {}, Progress());
+  EXPECT_EQ(status.done, 2u);
+  EXPECT_EQ(status.missing, 1u);
+  ASSERT_EQ(status.refused.size(), 1u);
+  EXPECT_TRUE(status.refused[0].starts_with(file_of(3).string())) << status.refused[0];
+  EXPECT_EQ(status_json(manifest_, status)["refused"], status.refused);
+}
+
+TEST_F(Merge, NoNameIsObeyedByWhatShowsTheTables) {
+  const std::vector<std::string> names = test::hostile_names();
+  plan(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) rows_[k].path = names[k];
+  write_plan(manifest_, rows_);
+  for (std::size_t k = 0; k < names.size(); ++k) put(k, ResultState::failed, test_batch::failed(names[k]));
+  const std::string csv = folder_.file("all.csv"), database = folder_.file("all.db"),
+                    page = folder_.file("all.html");
+  static_cast<void>(merge_to({.csv = csv, .sqlite = database, .html = page}));
+  EXPECT_TRUE(test::is_harmless(file_bytes(csv), U"\n"));
+  EXPECT_TRUE(test::is_harmless(file_bytes(page), U"\n"));
+  const Table table = read_csv(csv);
+  ASSERT_EQ(table.size(), names.size() + 1);
+  for (std::size_t k = 1; k < table.size(); ++k) {
+    for (const std::string& cell : table[k]) EXPECT_NE(cell.find_first_of("=+@"), 0u) << cell;
+  }
+  const Table parts = query(database, "SELECT path, reason, path_bytes FROM parts ORDER BY row");
+  ASSERT_EQ(parts.size(), names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    EXPECT_EQ(parts[k][0], shown_text(names[k]));
+    EXPECT_TRUE(test::is_harmless(parts[k][1])) << parts[k][1];
+    EXPECT_EQ(parts[k][2], parts[k][0] == names[k] ? "NULL" : names[k]);
+  }
+  std::string text = status_text(manifest_, batch_status(manifest_, {}, Progress()));
+  EXPECT_TRUE(test::is_harmless(text, U"\n")) << text;
 }
 
 TEST_F(Merge, StatusCountsByStateAndReason) {

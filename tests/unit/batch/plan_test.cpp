@@ -53,6 +53,21 @@ TEST(PlanSource, AFolderGivesItsPartFilesInOrder) {
   EXPECT_NE(fault_of(folder.file("empty")).find("holds no part file"), std::string::npos);
 }
 
+TEST(PlanSource, AFolderGivesNothingThatLiesOutsideOfIt) {
+  const ScratchFolder folder;
+  for (const char* name : {"in/a.stl", "outside.stl", "inside-out/b.stl"}) {
+    fs::create_directories((folder.path() / name).parent_path());
+    static_cast<void>(folder.write(name, "x"));
+  }
+  fs::create_symlink("a.stl", folder.path() / "in/same.stl");
+  fs::create_symlink("../outside.stl", folder.path() / "in/out.stl");
+  fs::create_symlink("../inside-out/b.stl", folder.path() / "in/beside.stl");
+  fs::create_directory_symlink("../inside-out", folder.path() / "in/folder");
+  const PlanSource source = read_plan_source(folder.file("in"), Progress());
+  EXPECT_EQ(paths_of(source), (std::vector<std::string>{"a.stl", "same.stl"}));
+  EXPECT_EQ(source.left_out, 2u);
+}
+
 TEST(PlanSource, APatternGivesTheFilesThatFit) {
   const ScratchFolder folder;
   for (const char* name : {"one/a.stl", "two/a.stl", "two/b.obj", "one/[a].stl"}) {

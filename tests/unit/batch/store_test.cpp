@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "base/error.hpp"
 #include "support/scratch_folder.hpp"
@@ -66,6 +67,54 @@ TEST(ResultStore, ADamagedResultIsToldAndSetAside) {
   EXPECT_THROW(static_cast<void>(store.read(key, ResultState::done)), FileError);
   store.set_aside(key, ResultState::done);
   EXPECT_EQ(store.state(key), ResultState::missing);
+}
+
+/// What reading the result says is wrong with it; nothing where all is well.
+std::string fault_of(const ResultStore& store, const Digest& key) {
+  try {
+    static_cast<void>(store.read(key, ResultState::done));
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    return text.substr(text.rfind(": ") + 2);
+  }
+  return "";
+}
+
+TEST(ResultStore, AResultProvesWhatItIs) {
+  const ScratchFolder folder;
+  const ResultStore store(folder.path().string());
+  const Digest key = digest_of("a"), other = digest_of("b");
+  const auto file_of = [&](const Digest& of) {
+    return fs::path(store.beside(of, Beside::picture)).replace_extension(".json");
+  };
+  const auto write = [&](const std::string& text) {
+    static_cast<void>(folder.write(fs::relative(file_of(key), folder.path()).string(), text));
+  };
+  const Json result = {{"outcome", "done"}, {"report", {{"area", 12.5}}}};
+  for (const Digest& one : {key, other}) store.put(one, ResultState::done, result);
+  EXPECT_EQ(fault_of(store, key), "");
+  EXPECT_EQ((*store.read(key, ResultState::done))["report"]["area"], 12.5);
+  EXPECT_EQ((*store.read(key, ResultState::done))["key"], hex_of(key));
+
+  const std::string text = test::file_bytes(file_of(key).string());
+  std::string changed = text;
+  changed.replace(changed.find("12.5"), 4, "10.5");
+  write(changed);
+  EXPECT_EQ(fault_of(store, key), "was changed, since its checksum is another");
+  write(result.dump() + "\n");
+  EXPECT_EQ(fault_of(store, key), "is damaged, since it does not end with its checksum");
+  fs::copy_file(file_of(other), file_of(key), fs::copy_options::overwrite_existing);
+  EXPECT_EQ(fault_of(store, key), "is the result of another part");
+  write(text);
+  EXPECT_EQ(fault_of(store, key), "");
+  fs::resize_file(file_of(key), std::uintmax_t{1} << 40);
+  EXPECT_EQ(fault_of(store, key), "is larger than any result (256 MiB)");
+  fs::remove(file_of(key));
+  ASSERT_EQ(::mkfifo(file_of(key).c_str(), 0600), 0);
+  EXPECT_EQ(fault_of(store, key), "is no regular file") << "a pipe is not waited for";
+  fs::remove(file_of(key));
+  fs::create_symlink(file_of(other), file_of(key));
+  EXPECT_EQ(fault_of(store, key), "is no regular file");
 }
 
 TEST(ResultStore, OldTemporaryFilesGoAndYoungOnesStay) {
