@@ -61,6 +61,17 @@ std::string count_text(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Whether they are the same to the bit, so that nothing can be told of one that is not so of the other.
+bool are_equal(const PartModel& a, const PartModel& b) {
+  return a.part.mesh.vertices == b.part.mesh.vertices && a.part.mesh.facets == b.part.mesh.facets &&
+         a.part.facet_source == b.part.facet_source && a.part.unit == b.part.unit;
+}
+
+void compare_plans(const PlannedSide& a, const PlannedSide& b, Comparison& comparison) {
+  comparison.undercuts = match_undercuts(a, b, comparison.surface);
+  comparison.actions = match_actions(a, b, comparison.undercuts, comparison.surface);
+}
+
 }  // namespace
 
 std::span<const Option<CompareSettings>> compare_options() {
@@ -114,6 +125,10 @@ Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
   comparison.a.model = a;
   comparison.b.model = in_unit_of(a, b, comparison.remarks, progress);
   if (!settings.align) return comparison;
+  if (are_equal(*a, *comparison.b.model)) {
+    comparison.alignment.emplace();
+    return comparison;
+  }
   comparison.alignment = align(*a, *comparison.b.model, progress);
   comparison.b.model = moved_part(*comparison.b.model, *comparison.alignment, progress);
   if (comparison.alignment->mirrored) comparison.remarks.push_back("B is about a mirror image of A");
@@ -134,16 +149,24 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   // One lateral tolerance for both, or near-vertical surface would change with the box.
   if (method.tolerance == 0.0 && method.kernel == 0) method.tolerance = lateral_tolerance(method, diagonal);
   comparison.a.result = classify_exact(*a, {query.former, method}, progress, true);
+  if (query.former == query.fresh && are_equal(*a, *comparison.b.model)) {
+    comparison.b.result = comparison.a.result;
+    const OverlaySide side(a, comparison.a.result);
+    comparison.surface = no_surface_change(side, tolerance);
+    if (!settings.with_actions) return;
+    comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
+    comparison.b.plan = comparison.a.plan;
+    const PlannedSide planned{side, *comparison.a.plan};
+    compare_plans(planned, planned, comparison);
+    return;
+  }
   comparison.b.result = classify_exact(*comparison.b.model, {query.fresh, method}, progress, true);
   const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
   comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
-  if (settings.with_actions) {
-    comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
-    comparison.b.plan = find_actions(*comparison.b.model, comparison.b.result, settings.actions, progress);
-    const PlannedSide planned_a{side_a, *comparison.a.plan}, planned_b{side_b, *comparison.b.plan};
-    comparison.undercuts = match_undercuts(planned_a, planned_b, comparison.surface);
-    comparison.actions = match_actions(planned_a, planned_b, comparison.undercuts, comparison.surface);
-  }
+  if (!settings.with_actions) return;
+  comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
+  comparison.b.plan = find_actions(*comparison.b.model, comparison.b.result, settings.actions, progress);
+  compare_plans({side_a, *comparison.a.plan}, {side_b, *comparison.b.plan}, comparison);
 }
 
 std::string comparison_verdict(const Comparison& comparison) {

@@ -320,6 +320,16 @@ void find_regions(const OverlaySide& former, const OverlaySide& fresh, double sp
 
 }  // namespace
 
+SurfaceChange no_surface_change(const OverlaySide& side, const OverlayTolerance& tolerance) {
+  SurfaceChange change;
+  change.tolerance = tolerance;
+  change.chords = 2.0 * side.chords().greatest;
+  for (PieceIndex piece = 0; piece < side.count(); ++piece)
+    change.of_former.shares.push_back({piece, piece, side.area(piece)});
+  change.of_fresh.shares = change.of_former.shares;
+  return change;
+}
+
 SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& fresh,
                                   const OverlayTolerance& tolerance, const Progress& progress) {
   SurfaceChange change;

@@ -47,6 +47,8 @@ struct SurfaceChange {
   [[nodiscard]] bool any() const { return !places.empty() || !regions.empty(); }
 };
 
+/// Of a part and its equal: each piece lies on itself.
+[[nodiscard]] SurfaceChange no_surface_change(const OverlaySide& side, const OverlayTolerance& tolerance);
 /// `apart` is the tolerance in the part's unit, > 0. Throws Cancelled.
 [[nodiscard]] SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& fresh,
                                                 const OverlayTolerance& tolerance, const Progress& progress);
