@@ -36,8 +36,8 @@ class Finder {
         settings_(settings),
         progress_(progress),
         query_(exact_query(model, result.query())),
-        pulls_(model, query_, settings),
-        undercuts_(find_undercuts(model, split_, query_)),
+        pulls_(model, query_, settings, progress),
+        undercuts_(find_undercuts(model, split_, query_, progress)),
         faces_(part_faces(model.part, model.geometry, model.adjacency)),
         unit_per_mm_(unit_per_mm(model.part)) {}
 
@@ -45,7 +45,7 @@ class Finder {
     sample();
     find_pulls();
     progress_.report("looking for threads", 0.4);
-    revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_}, atoms_);
+    revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_, progress_}, atoms_);
     split_the_rest();
     find_inserts();
     std::vector<Column> columns = find_columns();
@@ -212,6 +212,7 @@ class Finder {
 
   void report(ActionPlan& plan) const {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
+      progress_.report("describing undercuts", 0.9);
       UndercutReport told;
       told.undercut = undercuts_.patches[k];
       told.blocked_by = blockers(model_, split_, told.undercut, query_.direction);

@@ -47,8 +47,8 @@ class LeastSet {
     int unproved = 0;
     for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
       progress_.report("choosing the least set", 0.8);
-      const Cover cover =
-          least_cover(atoms_.size(), priced_, clashes_, clashes_.empty() ? k_nodes : k_nodes_with_clashes);
+      const Cover cover = least_cover(atoms_.size(), priced_, clashes_,
+                                      clashes_.empty() ? k_nodes : k_nodes_with_clashes, progress_);
       unproved += cover.optimal ? 0 : 1;
       // Clashes that are not known yet would only make it dearer.
       if (best && cover.cost >= best_cost) {

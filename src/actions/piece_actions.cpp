@@ -40,6 +40,7 @@ class PieceActions {
  private:
   [[nodiscard]] std::int32_t action_for(std::uint32_t piece, const std::vector<std::size_t>& atoms) const {
     constexpr double k_inward = 0.1;
+    pulls_.release().end_if_cancelled();
     const auto& corners = split_.pieces[piece].corners;
     glm::dvec3 middle(0.0);
     for (const VertexIndex corner : corners) middle += split_.vertices[corner] / 3.0;

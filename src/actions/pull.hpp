@@ -38,11 +38,12 @@ struct FreedPart {
 
 class PullFinder {
  public:
-  PullFinder(const PartModel& model, const ExactQuery& query, const ActionSettings& settings)
+  PullFinder(const PartModel& model, const ExactQuery& query, const ActionSettings& settings,
+             const Progress& progress)
       : direction_(query.direction),
         settings_(settings),
         lifter_room_(settings.lifter_room_mm * unit_per_mm(model.part) / model.frame.diagonal),
-        release_(model, query) {}
+        release_(model, query, &progress) {}
 
   [[nodiscard]] const Release& release() const { return release_; }
   /// The parting direction.

@@ -48,10 +48,14 @@ TurnInterval turn_while(const Free& free, double resolved_deg = k_exact_turn_deg
 
 }  // namespace
 
-Release::Release(const PartModel& model, const ExactQuery& query)
-    : model_(model), query_(query), sine_(std::max(std::sin(glm::radians(query.tau_deg)), k_least_sine)) {}
+Release::Release(const PartModel& model, const ExactQuery& query, const Progress* progress)
+    : model_(model),
+      query_(query),
+      sine_(std::max(std::sin(glm::radians(query.tau_deg)), k_least_sine)),
+      progress_(progress) {}
 
 glm::vec3 Release::start(const UndercutSample& sample, const glm::dvec3& pull) const {
+  end_if_cancelled();
   if (std::abs(glm::dot(sample.normal, pull)) >= sine_) return sample.position;
   return lateral_point(sample.position, sample.normal, {.direction = pull, .lateral = query_.lateral});
 }
@@ -76,6 +80,7 @@ double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull
 }
 
 int Release::depth(const glm::dvec3& from, const glm::dvec3& along) const {
+  end_if_cancelled();
   int depth = 0;
   double gone = 0.0;
   for (int crossings = 0; crossings < k_most_passed; ++crossings) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "actions/undercut.hpp"
+#include "base/progress.hpp"
 
 namespace moldlight {
 
@@ -33,10 +34,16 @@ struct LifterWay {
 /// Surface whose draft to a pull is less than tau neither needs to face it nor is in its way: within that
 /// tolerance it is parallel to it. Such a point is tested from beside it, by the lateral tolerance; one that
 /// meets such surface on its way goes on from beside that, so that it never goes deeper into the part than
-/// the lateral tolerance and the sine of tau times its way.
+/// the lateral tolerance and the sine of tau times its way. Throws Cancelled from every question.
 class Release {
  public:
-  Release(const PartModel& model, const ExactQuery& query);
+  /// `progress` may be null: nobody cancels.
+  Release(const PartModel& model, const ExactQuery& query, const Progress* progress = nullptr);
+
+  /// For work beside that asks nothing for long.
+  void end_if_cancelled() const {
+    if (progress_ != nullptr && progress_->cancelled()) throw Cancelled();
+  }
 
   /// Where a point starts: beside it, if its surface is parallel to the pull (unit).
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
@@ -105,6 +112,7 @@ class Release {
   const PartModel& model_;
   ExactQuery query_;
   double sine_;  // of tau
+  const Progress* progress_;
 };
 
 /// `direction` turned about `axis`, both unit.

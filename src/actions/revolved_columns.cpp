@@ -23,6 +23,7 @@ class RevolvedFinder {
         undercuts_(context.undercuts),
         query_(context.query),
         settings_(context.settings),
+        progress_(context.progress),
         atoms_(atoms) {}
 
   std::vector<Column> find() {
@@ -35,6 +36,7 @@ class RevolvedFinder {
     }
     if (threads.size() > 1 && add_thread(threads)) return std::move(found_);
     for (const std::size_t k : stuck) {
+      if (progress_.cancelled()) throw Cancelled();
       const bool turns = atoms_[k].allows(ActionKind::unscrew) && add_thread({k});
       if (!turns && atoms_[k].allows(ActionKind::strip)) add_ring(k);
     }
@@ -84,6 +86,7 @@ class RevolvedFinder {
     add(ActionKind::unscrew, thread->core_side, about, atoms);
     std::vector<std::size_t>& released = found_.back().atoms;
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      if (progress_.cancelled()) throw Cancelled();
       if (!atoms_[k].pulls.empty() && atoms_[k].allows(ActionKind::unscrew) &&
           goes_with(model_, *thread, {samples, atoms_[k].samples}, query_))
         released.push_back(k);
@@ -106,6 +109,7 @@ class RevolvedFinder {
   const Undercuts& undercuts_;
   const ExactQuery& query_;
   const ActionSettings& settings_;
+  const Progress& progress_;
   const std::vector<Atom>& atoms_;
   std::vector<Column> found_;
 };

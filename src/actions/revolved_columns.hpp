@@ -13,11 +13,12 @@ struct RevolvedContext {
   const Undercuts& undercuts;
   const ExactQuery& query;
   const ActionSettings& settings;
+  const Progress& progress;
 };
 
 /// Threads and rings among what no pull releases: all of it together, as the turns of a thread are patches of
 /// their own, then each. What a pull would release goes with a thread as well if it lies about as far from
-/// the axis, faces it alike and gets away by the same turning.
+/// the axis, faces it alike and gets away by the same turning. Throws Cancelled.
 [[nodiscard]] std::vector<Column> revolved_columns(const RevolvedContext& context,
                                                    const std::vector<Atom>& atoms);
 

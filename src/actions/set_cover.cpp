@@ -16,9 +16,10 @@ constexpr double k_saving = 1e-12;
 class Search {
  public:
   Search(std::size_t atoms, std::span<const CoverColumn> columns, std::span<const CoverClash> clashes,
-         std::size_t most_nodes)
+         std::size_t most_nodes, const Progress& progress)
       : columns_(columns),
         most_nodes_(most_nodes),
+        progress_(progress),
         having_(atoms),
         prices_(columns.size()),
         covered_(atoms, 0),
@@ -64,6 +65,7 @@ class Search {
              clashes_no_more(b, a);
     };
     for (std::size_t a = 0; a < columns_.size(); ++a) {
+      if (progress_.cancelled()) throw Cancelled();
       for (std::size_t b = 0; b < columns_.size() && allowed_[a] != 0; ++b) {
         if (a == b || allowed_[b] == 0 || !serves(b, a)) continue;
         if (b < a || !serves(a, b)) allowed_[a] = 0;
@@ -120,6 +122,7 @@ class Search {
   }
 
   void branch(double cost) {
+    if (progress_.cancelled()) throw Cancelled();
     if (++nodes_ > most_nodes_ && !best_.empty()) return;
     std::size_t rarest = having_.size(), fewest = std::numeric_limits<std::size_t>::max();
     for (std::size_t atom = 0; atom < having_.size(); ++atom) {
@@ -153,6 +156,7 @@ class Search {
 
   std::span<const CoverColumn> columns_;
   std::size_t most_nodes_;
+  const Progress& progress_;
   std::vector<std::vector<std::size_t>> having_;       // columns of each atom
   std::vector<std::map<std::size_t, double>> prices_;  // of each column's clashes, by the other column
   std::vector<int> covered_;                           // how often each atom is
@@ -166,8 +170,8 @@ class Search {
 }  // namespace
 
 Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns,
-                  std::span<const CoverClash> clashes, std::size_t most_nodes) {
-  return Search(atoms, columns, clashes, most_nodes).run();
+                  std::span<const CoverClash> clashes, std::size_t most_nodes, const Progress& progress) {
+  return Search(atoms, columns, clashes, most_nodes, progress).run();
 }
 
 }  // namespace moldlight

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
+
 namespace moldlight {
 
 struct CoverColumn {
@@ -28,8 +30,9 @@ struct Cover {
 /// Branch and bound: atoms that one column alone has force it, columns that another covers at no more cost
 /// and no further clash go; the atom with fewest columns is branched on, and atoms that share no column bound
 /// the rest. Gives up after `most_nodes`. The same for the same input; of equal covers that with the earlier
-/// columns. Of several clashes of the same two columns all count.
+/// columns. Of several clashes of the same two columns all count. Throws Cancelled.
 [[nodiscard]] Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns,
-                                std::span<const CoverClash> clashes = {}, std::size_t most_nodes = 200'000);
+                                std::span<const CoverClash> clashes = {}, std::size_t most_nodes = 200'000,
+                                const Progress& progress = {});
 
 }  // namespace moldlight

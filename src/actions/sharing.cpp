@@ -30,6 +30,7 @@ class Sharing {
     std::vector<std::size_t> group = {first};
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (std::size_t k = 0; k < atoms_.size(); ++k) {
+        pulls_.release().end_if_cancelled();
         if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
             !may_share(first, k, pull.direction) || !are_near(group[next], k, pull.direction) ||
             !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))

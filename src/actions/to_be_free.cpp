@@ -35,13 +35,14 @@ struct InTheWay {
 
 class Changes {
  public:
-  Changes(const PartModel& model, const Classification& result, const ActionSettings& settings)
+  Changes(const PartModel& model, const Classification& result, const ActionSettings& settings,
+          const Progress& progress)
       : model_(model),
         split_(*result.split),
         settings_(settings),
         query_(exact_query(model, result.query())),
         frame_(map_frame(query_.direction)),
-        pulls_(model, query_, settings) {}
+        pulls_(model, query_, settings, progress) {}
 
   [[nodiscard]] ToBeFree of(const UndercutReport& told, const SideAction* action) const {
     ToBeFree change;
@@ -215,7 +216,7 @@ std::vector<ToBeFree> find_changes(const PartModel& model, const Classification&
                                    const ActionSettings& settings, const ActionPlan& plan,
                                    const Progress& progress) {
   progress.report("looking for what to change", 0.9);
-  const Changes changes(model, result, settings);
+  const Changes changes(model, result, settings, progress);
   std::vector<ToBeFree> found(plan.patches.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
     if (!progress.cancelled()) found[k] = changes.of(plan.patches[k], action_of(plan, k));

@@ -42,8 +42,10 @@ struct GridCellHash {
   }
 };
 
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
+
 struct Box {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  glm::dvec3 low{k_infinite}, high{-k_infinite};
 
   void take(const glm::dvec3& point) {
     low = glm::min(low, point);
@@ -55,33 +57,68 @@ struct Box {
   }
 };
 
+/// Boxes around patches, by where they begin along x.
+class PatchBoxes {
+ public:
+  PatchBoxes(const std::vector<Box>& boxes, std::vector<std::uint32_t> patches)
+      : boxes_(boxes), patches_(std::move(patches)) {
+    std::ranges::sort(patches_, {}, [&](std::uint32_t patch) { return boxes_[patch].low.x; });
+    for (const std::uint32_t patch : patches_)
+      highest_.push_back(std::max(boxes_[patch].high.x, highest_.empty() ? -k_infinite : highest_.back()));
+  }
+
+  /// Of the other patches that come as near as `reach` to the patch's box.
+  [[nodiscard]] std::vector<Box> near(std::uint32_t patch, double reach) const {
+    const Box& own = boxes_[patch];
+    std::vector<Box> found;
+    auto place = std::ranges::upper_bound(patches_, own.high.x + reach, {},
+                                          [&](std::uint32_t other) { return boxes_[other].low.x; }) -
+                 patches_.begin();
+    while (place-- > 0 && highest_[static_cast<std::size_t>(place)] >= own.low.x - reach) {
+      const std::uint32_t other = patches_[static_cast<std::size_t>(place)];
+      if (other != patch && boxes_[other].meets(own, reach)) found.push_back(boxes_[other]);
+    }
+    return found;
+  }
+
+ private:
+  const std::vector<Box>& boxes_;
+  std::vector<std::uint32_t> patches_;
+  std::vector<double> highest_;  // of this patch's end along x and those before
+};
+
 /// Places in `pieces` of those that come as near as `reach` to the box around another patch: only they may
 /// join two of them.
 std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const PieceIndex> pieces,
-                                       double reach, UnionFind& joined) {
+                                       double reach, UnionFind& joined, const Progress& progress) {
   std::vector<Box> boxes(pieces.size());  // of patches, at their roots
-  std::vector<std::uint32_t> roots;
+  std::vector<std::uint32_t> root_of, roots, order(pieces.size());
   for (std::uint32_t place = 0; place < pieces.size(); ++place) {
-    const auto root = static_cast<std::uint32_t>(joined.find(place));
-    if (root == place) roots.push_back(root);
-    for (std::size_t k = 0; k < 3; ++k) boxes[root].take(corner(split, pieces[place], k));
+    root_of.push_back(static_cast<std::uint32_t>(joined.find(place)));
+    if (root_of[place] == place) roots.push_back(place);
+    for (std::size_t k = 0; k < 3; ++k) boxes[root_of[place]].take(corner(split, pieces[place], k));
+    order[place] = place;
   }
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t place) { return root_of[place]; });
+  const PatchBoxes patches(boxes, std::move(roots));
+  std::vector<Box> others;
   std::vector<std::uint32_t> near;
-  for (std::uint32_t place = 0; place < pieces.size(); ++place) {
-    const auto root = static_cast<std::uint32_t>(joined.find(place));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (progress.cancelled()) throw Cancelled();
+    if (k == 0 || root_of[order[k]] != root_of[order[k - 1]]) others = patches.near(root_of[order[k]], reach);
     Box own;
-    for (std::size_t k = 0; k < 3; ++k) own.take(corner(split, pieces[place], k));
-    if (std::ranges::any_of(
-            roots, [&](std::uint32_t other) { return other != root && boxes[other].meets(own, reach); }))
-      near.push_back(place);
+    for (std::size_t c = 0; c < 3; ++c) own.take(corner(split, pieces[order[k]], c));
+    if (std::ranges::any_of(others, [&](const Box& other) { return other.meets(own, reach); }))
+      near.push_back(order[k]);
   }
+  std::ranges::sort(near);
   return near;
 }
 
 /// Joins pieces whose corners are within `reach` (model units) of each other and face the same way. Cells of
 /// the grid are as large as the reach, so that neighbours of a corner lie in the 27 cells around it.
 void join_near(const PartModel& model, const SplitMesh& split, std::span<const PieceIndex> pieces,
-               double reach, UnionFind& joined) {
+               double reach, UnionFind& joined, const Progress& progress) {
   if (reach <= 0.0) return;
   constexpr double k_same_place = 0.1;  // of the reach
   constexpr double k_same_facing = 0.9;
@@ -95,7 +132,8 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
     return GridCell{static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
                     static_cast<std::int64_t>(cell.z)};
   };
-  for (const std::uint32_t place : near_others(split, pieces, reach, joined)) {
+  for (const std::uint32_t place : near_others(split, pieces, reach, joined, progress)) {
+    if (progress.cancelled()) throw Cancelled();
     const glm::dvec3& normal = model.geometry.normals[split.pieces[pieces[place]].facet];
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 at = corner(split, pieces[place], k);
@@ -170,7 +208,9 @@ bool fits(const SplitMesh& split, const Undercut& patch, double radius) {
 namespace {
 
 /// Without their extents.
-Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query) {
+Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                         const Progress& progress) {
+  progress.report("joining undercuts", 0.0);
   std::vector<PieceIndex> pieces;
   for (PieceIndex piece = 0; piece < split.pieces.size(); ++piece) {
     if (split.pieces[piece].region == Region::undercut) pieces.push_back(piece);
@@ -188,7 +228,7 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
     }
   }
   const double lateral = query.lateral * model.frame.diagonal;
-  join_near(model, split, pieces, 2.0 * lateral, joined);
+  join_near(model, split, pieces, 2.0 * lateral, joined, progress);
 
   std::vector<std::uint32_t> number(pieces.size(), k_none);  // of the patch, at its root
   std::vector<Undercut> all;
@@ -201,7 +241,7 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
     all[patch].pieces.push_back(pieces[place]);
   }
   std::vector<char> kept(all.size(), 0);
-  const Release release(model, query);
+  const Release release(model, query, &progress);
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
     constexpr std::size_t k_asked = 48;
     Undercut& patch = all[k];
@@ -224,9 +264,13 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
 
 }  // namespace
 
-Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query) {
-  Undercuts found = join_undercuts(model, split, query);
-  for (Undercut& patch : found.patches) measure_extents(split, query.direction, patch);
+Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                         const Progress& progress) {
+  Undercuts found = join_undercuts(model, split, query, progress);
+  for (Undercut& patch : found.patches) {
+    if (progress.cancelled()) throw Cancelled();
+    measure_extents(split, query.direction, patch);
+  }
   return found;
 }
 
@@ -239,8 +283,8 @@ UndercutTotals totals_of(const Undercuts& undercuts) {
 
 UndercutTotals count_undercuts(const PartModel& model, const ExactQuery& query,
                                std::span<const FacetIndex> facets, const Progress& progress) {
-  return totals_of(
-      join_undercuts(model, exact_split_around(model.exact(progress), query, facets, progress), query));
+  const SplitMesh split = exact_split_around(model.exact(progress), query, facets, progress);
+  return totals_of(join_undercuts(model, split, query, progress));
 }
 
 std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitMesh& split,

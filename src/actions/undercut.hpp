@@ -30,9 +30,9 @@ struct Undercuts {
 };
 
 /// The undercut pieces of a part split for `query`, connected where they share a vertex or come as near to
-/// each other as twice the lateral tolerance on surface that faces the same way.
+/// each other as twice the lateral tolerance on surface that faces the same way. Throws Cancelled.
 [[nodiscard]] Undercuts find_undercuts(const PartModel& model, const SplitMesh& split,
-                                       const ExactQuery& query);
+                                       const ExactQuery& query, const Progress& progress);
 
 /// What undercuts come to, without the list of them. Areas are in the part's unit squared.
 struct UndercutTotals {

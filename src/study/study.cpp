@@ -53,10 +53,11 @@ std::shared_ptr<const UndercutTotals> Asked<UndercutTotals>::find(Study& study, 
   const auto split = study.known<SplitRegions>();
   const auto regions = study.known<Classification>();
   const auto mesh = split ? split->result.split : regions ? regions->split : nullptr;
-  if (mesh) return shared(totals_of(find_undercuts(model, *mesh, query)));
+  if (mesh) return shared(totals_of(find_undercuts(model, *mesh, query, progress)));
   // Facets told by samples may miss some.
   if (study.questions().query.method.readout != Readout::exact)
-    return shared(totals_of(find_undercuts(model, *study.find<SplitRegions>(progress).result.split, query)));
+    return shared(
+        totals_of(find_undercuts(model, *study.find<SplitRegions>(progress).result.split, query, progress)));
   const FacetFractions& fractions = study.find<Classification>(progress).facet_fractions;
   std::vector<FacetIndex> facets;
   for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {

@@ -304,7 +304,7 @@ TEST(ActionsMotion, OfAFreePointNeverEntersThePart) {
     const Classification result = classify_exact(*model, query, Progress(), true);
     const ExactQuery exact = exact_query(*model, query);
     const Release release(*model, exact);
-    const Undercuts found = find_undercuts(*model, *result.split, exact);
+    const Undercuts found = find_undercuts(*model, *result.split, exact, Progress());
     std::size_t points = 0, free = 0, inside = 0;
     for (std::size_t k = 0; k < std::min(k_patches, found.patches.size()); ++k) {
       for (const UndercutSample& sample : sample_undercut(*model, *result.split, found.patches[k], 40)) {

@@ -37,7 +37,8 @@ class Measurer::Worker {
               : classifier(request).classify(request.query, progress, request.with_split);
       const PartModel& model = *request.model;
       if (const auto& split = outcome.classification->split) {
-        outcome.undercuts = totals_of(find_undercuts(model, *split, exact_query(model, request.query)));
+        outcome.undercuts =
+            totals_of(find_undercuts(model, *split, exact_query(model, request.query), progress));
         outcome.samples =
             std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
       }
