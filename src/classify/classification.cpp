@@ -28,8 +28,9 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
         crossed));
   }
   if (model.health.closed && !result.identity.agrees()) {
-    result.warnings.emplace_back(
-        "The part's shadow has another area from the other side: a body of the part is inside out.");
+    result.warnings.push_back(fmt::format(
+        "The part's shadow has another area from the other side: {}a body of the part is inside out.",
+        crossed > 0 ? "bodies overlap, or " : ""));
   }
 }
 
