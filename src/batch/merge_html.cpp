@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "batch/merge.hpp"
 #include "io/atomic_file.hpp"

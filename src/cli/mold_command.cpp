@@ -3,11 +3,15 @@
 #include <iterator>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/headless.hpp"
+#include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/png.hpp"
 #include "parting/line_files.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_picture.hpp"
 #include "parting/mold_report.hpp"
 #include "sweep/sweep.hpp"
@@ -61,7 +65,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
   const MoldHalves halves =
       make_halves(*model, assignment.direction, {assignment.height, &line}, flags.settings, progress);
-  WrittenMold written = written_mold(halves);
+  WrittenMold written = halves.written;
   const std::string refusal =
       why_not(flags, *model, halves, written,
               halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());

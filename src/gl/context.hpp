@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gl/functions.hpp"
+#include "gl/headless_backend.hpp"
 
 namespace moldlight::gl {
 
@@ -52,8 +53,6 @@ class Context {
   bool draws_on_cpu_ = true;  // until that is known
   std::thread::id owner_;     // the thread on which it is current; none when default-constructed
 };
-
-enum class HeadlessBackend { automatic, egl, osmesa };
 
 /// File names under which the libraries are looked for, the first that opens is taken.
 struct HeadlessLibraries {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gui/jobs/actions_state.hpp"
-#include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/mold_state.hpp"
@@ -23,6 +22,8 @@
 #include "render/camera.hpp"
 
 namespace moldlight::gui {
+
+struct BatchTable;
 
 /// The measured figures and how far they may be trusted.
 struct Figures {

@@ -10,6 +10,7 @@
 #include "classify/figures.hpp"
 #include "classify/view_choice.hpp"
 #include "gui/app.hpp"
+#include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/side_actions.hpp"

@@ -2,6 +2,7 @@
 // onto it.
 #pragma once
 
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,14 @@ class AtomicFile {
   std::string buffer_;
   int descriptor_ = -1;
 };
+
+/// As it lies in memory.
+template <typename T>
+void append_bytes(std::string& bytes, const T& value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
 
 /// Replaces the file by `bytes`, whole or not at all.
 void write_file(const std::string& path, std::string_view bytes);

@@ -57,7 +57,7 @@ class TextScanner {
 
 /// A word in quotes for a message: cut after 40 bytes, control characters replaced; "nothing" for an empty
 /// one.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 /// A name from a file made fit for messages and JSON: valid UTF-8 without control characters, at most 200
 /// bytes.

@@ -5,8 +5,11 @@
 #include <functional>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "actions/action_settings.hpp"
 #include "classify/look_options.hpp"
+#include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/mold_settings.hpp"

@@ -3,10 +3,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "classify/headless.hpp"
 #include "parting/line_files.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_picture.hpp"
 #include "parting/mold_report.hpp"
 #include "python/arrays.hpp"
@@ -54,14 +56,14 @@ void make_mold(PythonMold& mold, bool with_actions, const Progress& progress) {
   mold.line = parting_line(mold.assignment);
   mold.halves = make_halves(model, mold.assignment.direction, {mold.assignment.height, &mold.line},
                             mold.settings, progress);
-  mold.written = written_mold(mold.halves);
+  mold.written = mold.halves.written;
   if (!with_actions || mold.halves.inserts.empty()) return;
   const Classification result = classify_exact(model, mold.query, progress, true);
   mold.plan = find_actions(model, result, {}, progress);
   mold.by_action = actions_of_inserts(mold.halves, *result.split, *mold.plan);
 }
 
-SharedMold find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
+SharedMold find_mold(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("mold", keywords);
   auto mold = std::make_shared<PythonMold>();
@@ -91,7 +93,7 @@ py::list loops(const PythonMold& self) {
   return list;
 }
 
-py::list bodies(const PythonMold& self) {
+py::list bodies_of_mold(const PythonMold& self) {
   py::list list;
   for (const WrittenBody& body : self.written.bodies) {
     const py::tuple mesh = mesh_arrays(body.mesh);
@@ -124,17 +126,13 @@ void write_line(const PythonMold& self, const py::object& path_given) {
         [&](const Progress&) { write_lines(path, lines_to_write(*self.model, self.assignment, self.line)); });
 }
 
-py::array picture(const PythonMold& self, const py::kwargs& keywords) {
+py::array picture_of_mold(const PythonMold& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
     const auto context = create_context(self.query.method.backend);
     return mold_picture(*context, {*self.model, self.assignment, self.line, self.halves}, still, progress);
   }));
-}
-
-auto member(const char* key) {
-  return [key](const PythonMold& self) { return to_python(self.json()[key]); };
 }
 
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
@@ -161,7 +159,8 @@ py::object area_of(const PythonMold& self) {
 }
 
 void add_line(py::class_<PythonMold, SharedMold>& mold) {
-  mold.def_property_readonly("verdict", member("verdict"), "The parting line in a sentence.")
+  mold.def_property_readonly("verdict", report_member<PythonMold>("verdict"),
+                             "The parting line in a sentence.")
       .def_property_readonly("areas", area_of,
                              "What core, cavity and side actions form, in the part's unit squared.")
       .def_property_readonly("loops", loops,
@@ -193,7 +192,7 @@ void add_mold(py::module_& module, PartClass& part) {
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
           "Why there are no halves to write; empty where there are.")
       .def_property_readonly(
-          "bodies", bodies,
+          "bodies", bodies_of_mold,
           "Core, cavity and inserts, as they are written: a dict each with name, vertices, "
           "faces, volume and closed. Empty where there are none.")
       .def_property_readonly(
@@ -209,7 +208,7 @@ void add_mold(py::module_& module, PartClass& part) {
            "them "
            "to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
       .def(
-          "picture", &picture,
+          "picture", &picture_of_mold,
           picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
                       "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonMold& self) {
@@ -217,7 +216,7 @@ void add_mold(py::module_& module, PartClass& part) {
                                    parting_verdict(self.assignment, self.line, self.model->frame.diagonal)));
       });
   add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
-  part.def("mold", &find, py::arg("direction"),
+  part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",
                      .more = "actions=False, progress=None",

@@ -1,5 +1,6 @@
 // The report of a classification.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "report/describe/parts.hpp"
