@@ -51,21 +51,6 @@ TextStyle tag_text(const LegendStyle& style) {
 
 }  // namespace
 
-PictureInks picture_inks(bool dark) {
-  if (dark) {
-    return {.card = {{17, 19, 22}, 0.78},
-            .border = {{255, 255, 255}, 0.09},
-            .strong = {{244, 246, 248}},
-            .normal = {{214, 218, 224}},
-            .faint = {{146, 152, 162}}};
-  }
-  return {.card = {{255, 255, 255}, 0.86},
-          .border = {{20, 30, 48}, 0.12},
-          .strong = {{20, 24, 31}},
-          .normal = {{52, 58, 68}},
-          .faint = {{112, 120, 132}}};
-}
-
 void fill_region(Canvas& canvas, const Box& box, Region region, const LegendStyle& style) {
   const double radius = 0.25 * box.size.y;
   canvas.fill_box(box, {region_colour(region, style.palette)}, radius);

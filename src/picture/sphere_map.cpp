@@ -12,6 +12,7 @@
 
 #include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
+#include "picture/design_space.hpp"
 
 namespace moldlight {
 

@@ -13,7 +13,7 @@
 #include "parting/mold_report.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/errors.hpp"
+#include "python/keywords.hpp"
 #include "python/work.hpp"
 
 namespace moldlight::python {

@@ -6,6 +6,7 @@
 #include "support/classify_mesh.hpp"
 #include "support/map_lookup.hpp"
 #include "support/shapes.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight {
 namespace {

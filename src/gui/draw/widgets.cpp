@@ -413,15 +413,6 @@ bool disclosure(const Ui& ui, std::string_view label, bool open) {
   return row.clicked;
 }
 
-void place_window(const glm::vec2& at, const glm::vec2& pivot) {
-  ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
-}
-
-void heading(const Ui& ui, std::string_view text) {
-  const FontScope strong(ui.fonts.strong);
-  draw_item_text(ui.colours->text, text);
-}
-
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
   const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
   ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));

@@ -58,6 +58,8 @@ void draw_cursor_readout(const PanelContext& context);
 [[nodiscard]] std::string draft_text(double draft_deg);
 /// What a figure has become more or less, with its sign; 0 where it prints as nothing.
 [[nodiscard]] std::string with_sign(const FigureColumn& column, double value);
+/// The line between the places that were clicked, or from the first to the cursor, with what was measured.
+void draw_measuring(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
