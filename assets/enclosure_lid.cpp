@@ -5,16 +5,17 @@
 namespace moldlight::demo {
 namespace {
 
-constexpr double k_height = 22.0, k_wall = 2.0, k_floor = 2.0, k_draft_deg = 1.5;
+constexpr double k_lid_height = 22.0, k_wall = 2.0, k_floor = 2.0, k_draft_deg = 1.5;
 
 TopoDS_Shape shell() {
   const Rectangle outside{.width = 84.0, .depth = 56.0, .radius = 8.0}, inside = grown(outside, -k_wall);
   const TopoDS_Shape body =
-      rounded(drafted_block(outside, 0.0, k_height, k_draft_deg), 2.5, edges_at_height(0.0));
+      rounded(drafted_block(outside, 0.0, k_lid_height, k_draft_deg), 2.5, edges_at_height(0.0));
   const TopoDS_Shape hollow =
-      rounded(drafted_block(inside, k_floor, k_height + 1.0, k_draft_deg), 1.2, edges_at_height(k_floor));
+      rounded(drafted_block(inside, k_floor, k_lid_height + 1.0, k_draft_deg), 1.2, edges_at_height(k_floor));
   // A groove along the rim takes the lip of the other half.
-  const TopoDS_Shape groove = drafted_block(grown(inside, 1.35), k_height - 1.6, k_height + 1.0, k_draft_deg);
+  const TopoDS_Shape groove =
+      drafted_block(grown(inside, 1.35), k_lid_height - 1.6, k_lid_height + 1.0, k_draft_deg);
   return cut(body, {hollow, groove});
 }
 

@@ -20,7 +20,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_beyond = 0.08;           // beyond the part, share of the diagonal
 constexpr double k_thickness = 0.06;        // at most of a body that does not leave sideways, likewise
 constexpr double k_sleeve = 0.25;           // of a radius: thickness of what is unscrewed

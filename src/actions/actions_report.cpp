@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 
 namespace moldlight {
 

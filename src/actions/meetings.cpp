@@ -12,14 +12,14 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_asked = 64;   // samples of an action
-constexpr int k_places = 16;          // on the way of each, where the other may be
-constexpr double k_beyond = 0.08;     // the part, share of the diagonal
-constexpr double k_parallel = 1e-3;   // sine between directions whose ways cannot cross
-constexpr double k_least_met = 0.02;  // share of the samples
-constexpr double k_inside = 1e-6;     // of barycentric coordinates: rounding
+constexpr std::size_t k_way_samples = 64;  // samples of an action
+constexpr int k_places = 16;               // on the way of each, where the other may be
+constexpr double k_way_beyond = 0.08;      // the part, share of the diagonal
+constexpr double k_parallel = 1e-3;        // sine between directions whose ways cannot cross
+constexpr double k_least_met = 0.02;       // share of the samples
+constexpr double k_inside = 1e-6;          // of barycentric coordinates: rounding
 
-struct Reach {
+struct WayReach {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   void take(double value) {
     least = std::min(least, value);
@@ -36,8 +36,8 @@ struct Way {
   double end = 0.0;  // along the direction
   std::vector<UndercutSample> samples;
 
-  [[nodiscard]] Reach extent(const glm::dvec3& along) const {
-    Reach reach;
+  [[nodiscard]] WayReach extent(const glm::dvec3& along) const {
+    WayReach reach;
     for (const UndercutSample& sample : samples) reach.take(glm::dot(glm::dvec3(sample.position), along));
     return reach;
   }
@@ -60,7 +60,7 @@ class Meetings {
       if (surfaces[k].area <= 0.0) continue;
       ways_.push_back({.action = k,
                        .lifts = plan.actions[k].kind == ActionKind::lifter,
-                       .samples = sample_undercut(model, split, surfaces[k], k_asked)});
+                       .samples = sample_undercut(model, split, surfaces[k], k_way_samples)});
       ways_.back() = moved(ways_.back(), move_of(plan.actions[k]));
     }
   }
@@ -104,7 +104,7 @@ class Meetings {
     other.direction = move.direction;
     other.core_side = move.core_side;
     const double from =
-        way.lifts ? way.extent(move.direction).greatest : release_.reach(move.direction) + k_beyond;
+        way.lifts ? way.extent(move.direction).greatest : release_.reach(move.direction) + k_way_beyond;
     other.end = from + (move.travel + move.room) / model_.frame.diagonal;
     return other;
   }
@@ -117,7 +117,7 @@ class Meetings {
     if (parallel && (!one.lifts || glm::dot(one.direction, other.direction) > 0.0)) return false;
     // Across the other's way, in the plane of both directions.
     const glm::dvec3 across = one.direction - glm::dot(one.direction, other.direction) * other.direction;
-    const Reach level = other.extent(normal), wide = other.extent(across);
+    const WayReach level = other.extent(normal), wide = other.extent(across);
     std::size_t met = 0;
     for (const UndercutSample& sample : one.samples) {
       const glm::dvec3 from(release_.start(sample, one.direction));

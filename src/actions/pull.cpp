@@ -12,7 +12,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr std::size_t k_quick_samples = 24;   // which tell soon that a lifter is hopeless
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
 constexpr double k_compared_turn_deg = 0.01;  // of turns that are compared; what is chosen is found anew

@@ -16,16 +16,15 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
-constexpr double k_resolved = 1e-7;    // of a length
-constexpr double k_step_deg = 2.5;     // beyond it a turn goes on in equal steps
-constexpr double k_past = 1e-6;        // behind a facet that is not in the way
-constexpr double k_touching = 1e-6;    // no farther apart than the rounding of coordinates
-constexpr int k_most_passed = 1024;    // such facets along one ray
-constexpr int k_most_glides = 512;     // of them, along a way across the part at a draft of tau
-constexpr double k_least_sine = 1e-7;  // of tau: walls of a file in single precision lean by so much
+constexpr double k_resolved = 1e-7;      // of a length
+constexpr double k_turn_step_deg = 2.5;  // beyond it a turn goes on in equal steps
+constexpr double k_past = 1e-6;          // behind a facet that is not in the way
+constexpr double k_touching = 1e-6;      // no farther apart than the rounding of coordinates
+constexpr int k_most_passed = 1024;      // such facets along one ray
+constexpr int k_most_glides = 512;       // of them, along a way across the part at a draft of tau
+constexpr double k_least_sine = 1e-7;    // of tau: walls of a file in single precision lean by so much
 /// A part lies in a ball of diameter 1 in the unit frame.
-constexpr double k_across = 1.0;
+constexpr double k_glide_across = 1.0;
 
 /// To both sides of 0, as long as `free` holds at an angle in degrees.
 template <typename Free>
@@ -35,7 +34,7 @@ TurnInterval turn_while(const Free& free, double resolved_deg = k_exact_turn_deg
     while (free(sense * bad)) {
       good = bad;
       if (good >= 180.0) return 180.0;
-      bad = std::min(180.0, bad < k_step_deg ? 2.0 * bad : bad + k_step_deg);
+      bad = std::min(180.0, bad < k_turn_step_deg ? 2.0 * bad : bad + k_turn_step_deg);
     }
     while (bad - good > resolved_deg) {
       const double middle = 0.5 * (good + bad);
@@ -62,7 +61,7 @@ glm::vec3 Release::start(const UndercutSample& sample, const glm::dvec3& pull) c
 
 double Release::free_length(const UndercutSample& sample, const glm::dvec3& pull) const {
   if (glm::dot(sample.normal, pull) <= -sine_) return 0.0;
-  const double aside = std::max(query_.lateral, sine_ * k_across / k_most_glides);
+  const double aside = std::max(query_.lateral, sine_ * k_glide_across / k_most_glides);
   glm::dvec3 from(start(sample, pull));
   double gone = 0.0;
   for (int passed = 0; passed < k_most_passed; ++passed) {

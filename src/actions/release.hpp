@@ -1,19 +1,25 @@
 // Whether a straight pull sideways releases an undercut, how far it must go, and how far it may turn.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
 
-#include "actions/undercut.hpp"
+#include "actions/undercut_sample.hpp"
 #include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "mold/exact/exact_regions.hpp"
 
 namespace moldlight {
 
 /// Of an undercut's area so much may stay blocked: specks at its rim, within twice the lateral tolerance of
 /// an edge or of what is free.
 inline constexpr double k_blocked_share = 0.005;
+
+/// The travel of what is never stopped, or never free.
+inline constexpr double k_never = std::numeric_limits<double>::infinity();
 
 /// How finely a turn is found where it is told.
 inline constexpr double k_exact_turn_deg = 1e-4;

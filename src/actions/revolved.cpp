@@ -22,7 +22,7 @@ constexpr double k_most_ratio = 0.03;      // measured: threads are below, other
 constexpr double k_least_rotation = 1e-3;  // of a unit eigenvector: less is a translation
 constexpr double k_most_square =
     0.03;  // mean, of the sine between surface and motion: a dozen sides have that
-constexpr std::size_t k_least_samples = 12;
+constexpr std::size_t k_least_turned_samples = 12;
 constexpr int k_rounds = 12;
 constexpr double k_least_residual = 1e-4;  // of a row; less is no reason to trust it more
 constexpr double k_step_deg = 4.0;         // of the motion that is played
@@ -150,7 +150,7 @@ ScrewMotion screw_out(const Reach& heights, const HelixFit& helix, bool core_sid
 }  // namespace
 
 std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const glm::dvec3& direction) {
-  if (samples.size() < k_least_samples) return std::nullopt;
+  if (samples.size() < k_least_turned_samples) return std::nullopt;
   const MapFrame frame = map_frame(direction);
   glm::dvec3 middle(0.0);
   for (const UndercutSample& sample : samples) middle += glm::dvec3(sample.position);

@@ -12,7 +12,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_least_revolved = 1e-4;  // of the part's area: a smaller patch is neither thread nor ring
 
 class RevolvedFinder {

@@ -13,7 +13,6 @@ namespace moldlight {
 namespace {
 
 constexpr double k_same_cosine = 1.0 - 1e-9;
-constexpr double k_never = std::numeric_limits<double>::infinity();
 
 class Sharing {
  public:

@@ -19,13 +19,13 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_samples = 200;     // of an undercut, for its depth
-constexpr std::size_t k_corners = 64;      // the deepest ones beside them
-constexpr std::size_t k_revolved = 48;     // samples of a thread or ring, each moved on its own
-constexpr std::size_t k_lines = 120;       // along which material in the way is measured
-constexpr double k_past = 1e-6;            // behind a surface, unit frame
-constexpr int k_most_crossings = 1024;     // of a line
-constexpr double k_same_thickness = 1e-3;  // share by which one side must be thinner
+constexpr std::size_t k_depth_samples = 200;   // of an undercut, for its depth
+constexpr std::size_t k_deepest_corners = 64;  // the deepest ones beside them
+constexpr std::size_t k_revolved = 48;         // samples of a thread or ring, each moved on its own
+constexpr std::size_t k_lines = 120;           // along which material in the way is measured
+constexpr double k_past_surface = 1e-6;        // behind a surface, unit frame
+constexpr int k_most_crossings = 1024;         // of a line
+constexpr double k_same_thickness = 1e-3;      // share by which one side must be thinner
 
 /// Material along a line from a point of an undercut, unit frame.
 struct InTheWay {
@@ -57,7 +57,7 @@ class Changes {
 
  private:
   void find_depth(const Undercut& undercut, ToBeFree& change) const {
-    const auto samples = sample_undercut(model_, split_, undercut, k_samples);
+    const auto samples = sample_undercut(model_, split_, undercut, k_depth_samples);
     auto tried = own_pulls(model_, split_, undercut, query_.direction, settings_);
     const auto fan = pull_fan(query_.direction);
     tried.insert(tried.end(), fan.begin(), fan.end());
@@ -65,7 +65,7 @@ class Changes {
     const auto least = std::ranges::min_element(found, {}, &Pull::travel);
     if (least == found.end()) return;
     auto checked = samples;
-    const auto corners = deepest_corners(model_, split_, undercut, least->direction, k_corners);
+    const auto corners = deepest_corners(model_, split_, undercut, least->direction, k_deepest_corners);
     checked.insert(checked.end(), corners.begin(), corners.end());
     const LifterWay way{least->direction, least->core_side ? query_.direction : -query_.direction,
                         least->travel};
@@ -144,11 +144,11 @@ class Changes {
 
   [[nodiscard]] InTheWay in_the_way(const UndercutSample& sample, const glm::dvec3& side) const {
     InTheWay found;
-    const bool wall = std::abs(glm::dot(sample.normal, query_.direction)) < k_past;
+    const bool wall = std::abs(glm::dot(sample.normal, query_.direction)) < k_past_surface;
     const glm::dvec3 from =
         glm::dvec3(sample.position) + (wall ? query_.lateral * sample.normal : glm::dvec3(0));
     int depth = !wall && glm::dot(sample.normal, side) < 0.0 ? 1 : 0;
-    double gone = k_past, entered = 0.0;
+    double gone = k_past_surface, entered = 0.0;
     for (int crossings = 0; crossings < k_most_crossings; ++crossings) {
       const auto hit = model_.rays().first_hit(glm::vec3(from + gone * side), glm::vec3(side), false);
       if (!hit) break;
@@ -160,7 +160,7 @@ class Changes {
         found.thickness += gone - entered;
         found.end = gone;
       }
-      gone += k_past;
+      gone += k_past_surface;
     }
     return found;
   }

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "actions/undercut_sample.hpp"
 #include "classify/part_model.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "mold/exact/split_mesh.hpp"
@@ -47,13 +48,6 @@ struct UndercutTotals {
 /// Cancelled.
 [[nodiscard]] UndercutTotals count_undercuts(const PartModel& model, const ExactQuery& query,
                                              std::span<const FacetIndex> facets, const Progress& progress);
-
-/// A point of an undercut, and the surface there.
-struct UndercutSample {
-  glm::vec3 position{0.0F};  // unit frame
-  glm::dvec3 normal{0.0};    // unit, outward
-  double area = 0.0;         // that it stands for, the part's unit squared
-};
 
 /// At most `count` points spread evenly over the area, each for an equal share of it; in an order in which
 /// each beginning is spread, too, so that few of them tell soon that something is in the way.

@@ -1,6 +1,7 @@
 #include "base/utf8.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace moldlight {
 
@@ -49,6 +50,12 @@ std::string utf8_of(std::u32string_view letters) {
     for (int k = more - 1; k >= 0; --k) byte(0x80U | (letter >> 6 * k & 0x3FU));
   }
   return text;
+}
+
+std::string lower_letters(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
 }
 
 }  // namespace moldlight

@@ -6,6 +6,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -20,8 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view k_schema = "moldlight.batch/1";
-const std::vector<std::string> k_columns = {"path", "settings", "content", "same_as", "fault"};
+constexpr std::string_view k_plan_schema = "moldlight.batch/1";
+const std::vector<std::string> k_row_columns = {"path", "settings", "content", "same_as", "fault"};
 constexpr std::size_t k_name_digits = 12;  // of a digest, in a file's name
 
 std::string manifest_path(const std::string& folder) { return (fs::path(folder) / k_manifest_name).string(); }
@@ -43,7 +44,7 @@ Json settings_json(const RowSettings& settings) {
 Json manifest_json(const Manifest& manifest) {
   Json settings = Json::array();
   for (const RowSettings& one : manifest.settings) settings.push_back(settings_json(one));
-  return {{"schema", k_schema},          {"version", manifest.version}, {"planned_at", manifest.planned_at},
+  return {{"schema", k_plan_schema},     {"version", manifest.version}, {"planned_at", manifest.planned_at},
           {"command", manifest.command}, {"given", manifest.given},     {"source", manifest.source},
           {"parts", manifest.parts},     {"rows", manifest.rows},       {"rows_file", manifest.rows_file},
           {"settings", settings}};
@@ -91,7 +92,7 @@ Manifest read_manifest(const std::string& given) {
   manifest.folder = folder;
   try {
     const Json json = Json::parse(text_of(path));
-    if (const auto schema = json.at("schema").get<std::string>(); schema != k_schema) {
+    if (const auto schema = json.at("schema").get<std::string>(); schema != k_plan_schema) {
       throw FileError(path, "",
                       fmt::format("is written as {}, which this version does not read; plan anew into "
                                   "another folder",
@@ -124,7 +125,7 @@ Manifest read_manifest(const std::string& given) {
 }
 
 void write_plan(Manifest& manifest, const std::vector<Row>& rows) {
-  std::string table = csv_record(k_columns);
+  std::string table = csv_record(k_row_columns);
   for (const Row& row : rows) {
     table += fmt::format("{},{},{},{},{}\n", csv_field(row.path), row.settings,
                          row.fault.empty() ? hex_of(row.content) : "",
@@ -144,7 +145,7 @@ RowReader::RowReader(const Manifest& manifest)
       file_(if_regular(path_), std::ios::binary),
       table_(file_, path_) {
   if (!file_) throw FileError(path_, "", "cannot be read; the batch has lost its table of parts, plan anew");
-  if (!table_.next(fields_) || fields_ != k_columns) damaged("its columns are not those of a plan");
+  if (!table_.next(fields_) || fields_ != k_row_columns) damaged("its columns are not those of a plan");
 }
 
 void RowReader::damaged(const std::string& what) const {
@@ -156,7 +157,7 @@ bool RowReader::next(Row& row) {
     if (number_ != manifest_.rows) damaged(fmt::format("it holds {} of {} rows", number_, manifest_.rows));
     return false;
   }
-  if (fields_.size() != k_columns.size() || number_ == manifest_.rows) damaged("it is damaged");
+  if (fields_.size() != k_row_columns.size() || number_ == manifest_.rows) damaged("it is damaged");
   const auto settings = number_from<std::uint32_t>(fields_[1]);
   const auto content = digest_from(fields_[2]);
   row.fault = fields_[4];

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "batch/csv.hpp"
 #include "batch/work.hpp"
 #include "io/digest.hpp"

@@ -5,17 +5,17 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/option_json.hpp"
 
 namespace moldlight {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
 Json settings_json(const Classification& result) {
   Json settings = options_json(method_options(), result.settings);
@@ -94,6 +94,8 @@ std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
 Json bounds_json(const Bounds& bounds) {
   return {{"min", point_json(bounds.min)}, {"max", point_json(bounds.max)}};

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
@@ -12,6 +12,8 @@
 
 namespace moldlight {
 
+/// [x, y, z].
+[[nodiscard]] nlohmann::ordered_json point_json(const glm::dvec3& point);
 /// {"min": [x, y, z], "max": [x, y, z]}.
 [[nodiscard]] nlohmann::ordered_json bounds_json(const Bounds& bounds);
 

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "classify/classifier.hpp"
 #include "mold/second_depth.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight {
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"

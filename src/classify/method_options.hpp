@@ -2,7 +2,7 @@
 // settings JSON and the window.
 #pragma once
 
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
 #include "classify/settings.hpp"
 #include "io/read_options.hpp"
 

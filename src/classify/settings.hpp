@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "gl/context.hpp"
+#include "gl/headless_backend.hpp"
 #include "mold/direction.hpp"
 
 namespace moldlight {

@@ -16,7 +16,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_samples = 4000;
+constexpr std::size_t k_view_samples = 4000;
 /// Undercuts of less than this share of the part's surface are not worth a view of their own.
 constexpr double k_least_share = 1e-6;
 constexpr std::array k_elevations_deg = {24.0, 38.0, 56.0, -24.0, -42.0};
@@ -70,7 +70,7 @@ glm::dquat revealing_orientation(const PartModel& model,
                                  std::span<const std::shared_ptr<const SplitMesh>> splits,
                                  const glm::dvec3& up) {
   std::vector<Spot> spots;
-  for (const auto& split : splits) spread_spots(model, *split, k_samples / splits.size(), spots);
+  for (const auto& split : splits) spread_spots(model, *split, k_view_samples / splits.size(), spots);
   const glm::dvec3 ahead = std::abs(up.x) > 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(ahead - glm::dot(ahead, up) * up), y = glm::cross(up, x);
   std::vector<glm::dvec3> views;

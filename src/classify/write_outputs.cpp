@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "base/check.hpp"
 #include "classify/classify_report.hpp"
 #include "io/atomic_file.hpp"

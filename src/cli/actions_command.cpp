@@ -4,9 +4,11 @@
 #include <iterator>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/atomic_file.hpp"

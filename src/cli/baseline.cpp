@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
 #include "compare/compare_figures.hpp"
 #include "io/file_contents.hpp"

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/stopwatch.hpp"

@@ -3,9 +3,11 @@
 #include <iterator>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/classifier.hpp"
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "classify/write_outputs.hpp"
 #include "cli/baseline.hpp"

@@ -3,8 +3,9 @@
 #include <iterator>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "compare/compare_figures.hpp"

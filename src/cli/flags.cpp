@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "io/part_formats.hpp"
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "classify/method_options.hpp"
+#include "classify/option_table.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
 #include "compare/criteria.hpp"

@@ -1,6 +1,8 @@
 // moldlight info: the health report of a part.
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/info_report.hpp"
 #include "cli/flags.hpp"
 

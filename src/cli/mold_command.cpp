@@ -3,7 +3,10 @@
 #include <iterator>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/headless.hpp"
+#include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/png.hpp"
@@ -55,14 +58,14 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
-    MoldSolids solids = study.find<MoldSolids>(progress);
-    write_mold(flags.folder, flags.as_3mf, model->part.unit, solids.written);
-    study.keep(std::make_shared<const MoldSolids>(std::move(solids)));  // with the files' names
+    MoldHalves halves = study.find<MoldHalves>(progress);
+    write_mold(flags.folder, flags.as_3mf, model->part.unit, halves.written);
+    study.keep(std::make_shared<const MoldHalves>(std::move(halves)));  // with the files' names
   }
   std::unique_ptr<gl::Context> context;
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   if (!flags.image.empty()) {
-    const MoldScene scene{*model, assignment, line, study.find<MoldSolids>(progress).halves};
+    const MoldScene scene{*model, assignment, line, study.find<MoldHalves>(progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
   if (flags.report.any()) {
@@ -73,10 +76,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
       console, flags.part.json, [&] { return mold_json(study, progress); },
       [&] { return mold_text(study, progress); });
   if (flags.folder.empty() || refusal.empty()) return 0;
-  console.failure(refusal.starts_with("no halves:")
-                      ? refusal
-                      : refusal +
-                            "; --fill-undercut leaves them to inserts, moldlight actions finds side actions");
+  console.failure(refusal);
   return k_criterion_failed;
 }
 

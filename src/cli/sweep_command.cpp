@@ -7,10 +7,12 @@
 #include <optional>
 #include <tuple>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
 #include "classify/figures.hpp"
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/baseline.hpp"
 #include "cli/flags.hpp"

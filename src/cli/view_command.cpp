@@ -3,11 +3,12 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "classify/frame_benchmark.hpp"
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "gui/screenshot.hpp"
 #include "gui/store/files.hpp"

@@ -27,7 +27,7 @@ constexpr int k_most_steps = 60;
 /// Shares of the diagonal: points farther off than that have no part in a step; the last is above rounding.
 constexpr double k_first_reach = 0.05, k_last_reach = 1e-6, k_reach_shrinks = 0.7;
 /// Moments nearer to each other than this share do not tell axes apart.
-constexpr double k_alike = 0.02;
+constexpr double k_alike_moments = 0.02;
 constexpr int k_turns = 24;
 
 struct Placement {
@@ -82,7 +82,7 @@ std::vector<glm::dmat3> starts(const Frame& a, const Frame& b) {
     }
   };
   const auto alike = [&](std::size_t i, std::size_t k) {
-    return std::abs(a.moments[i] - a.moments[k]) <= k_alike * a.moments[2];
+    return std::abs(a.moments[i] - a.moments[k]) <= k_alike_moments * a.moments[2];
   };
   const bool low = alike(0, 1), high = alike(1, 2);
   if (!low && !high) add(to_a);

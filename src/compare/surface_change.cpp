@@ -18,7 +18,7 @@ namespace {
 /// decides.
 constexpr double k_same_draft_deg = 0.01;
 /// Surface that faces farther apart is not the same, whatever its region.
-constexpr double k_least_facing = 0.5;
+constexpr double k_least_same_facing = 0.5;
 
 /// Share of a face's area above which all of its changes are one.
 constexpr double k_changed_face = 0.3;
@@ -249,7 +249,7 @@ class RegionChanges {
     bool found = false;
     visit_pieces(fresh_, centre, reach, [&](PieceIndex piece) {
       if (found || fresh_.region(piece) != was) return;
-      if (glm::dot(fresh_.normal(piece), former_.normal(one.piece)) < k_least_facing) return;
+      if (glm::dot(fresh_.normal(piece), former_.normal(one.piece)) < k_least_same_facing) return;
       found = glm::distance(nearest_in_triangle(centre, fresh_.corners(piece)), centre) <= reach;
     });
     return !found;

@@ -24,16 +24,16 @@ std::vector<std::uint32_t> patch_of_piece(const PlannedSide& side) {
 }
 
 /// How well one of each fits the other.
-struct Fit {
+struct Match {
   std::size_t former = 0, fresh = 0;
   double score = 0.0;
 };
 
 /// The best fit first, each once; adds what is matched.
-void match_best(std::vector<Fit> fits, std::vector<std::optional<std::size_t>>& of_former,
+void match_best(std::vector<Match> fits, std::vector<std::optional<std::size_t>>& of_former,
                 std::vector<bool>& taken) {
-  std::ranges::stable_sort(fits, std::greater(), &Fit::score);
-  for (const Fit& fit : fits) {
+  std::ranges::stable_sort(fits, std::greater(), &Match::score);
+  for (const Match& fit : fits) {
     if (of_former[fit.former] || taken[fit.fresh]) continue;
     of_former[fit.former] = fit.fresh;
     taken[fit.fresh] = true;
@@ -68,21 +68,21 @@ Touched touched_patches(const PlannedSide& former, const PlannedSide& fresh, con
   return touched;
 }
 
-std::vector<Fit> shared_surface(const PlannedSide& former, const PlannedSide& fresh,
-                                const SurfaceChange& surface) {
+std::vector<Match> shared_surface(const PlannedSide& former, const PlannedSide& fresh,
+                                  const SurfaceChange& surface) {
   const auto of_former = patch_of_piece(former), of_fresh = patch_of_piece(fresh);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
   for (const PieceShare& share : surface.of_former.shares) {
     const std::uint32_t a = of_former[share.piece], b = of_fresh[share.other];
     if (a != k_no_patch && b != k_no_patch) areas[{a, b}] += share.area;
   }
-  std::vector<Fit> fits;
+  std::vector<Match> fits;
   for (const auto& [pair, area] : areas) fits.push_back({pair.first, pair.second, area});
   return fits;
 }
 
-std::vector<Fit> near_centres(const PlannedSide& former, const PlannedSide& fresh) {
-  std::vector<Fit> fits;
+std::vector<Match> near_centres(const PlannedSide& former, const PlannedSide& fresh) {
+  std::vector<Match> fits;
   for (std::size_t a = 0; a < former.plan.patches.size(); ++a) {
     for (std::size_t b = 0; b < fresh.plan.patches.size(); ++b) {
       const Undercut &one = former.plan.patches[a].undercut, &other = fresh.plan.patches[b].undercut;
@@ -137,7 +137,7 @@ std::vector<MatchedChange> match_actions(const PlannedSide& former, const Planne
     if (undercut.former) now[*undercut.former] = undercut.fresh;
   const auto& actions_a = former.plan.actions;
   const auto& actions_b = fresh.plan.actions;
-  std::vector<Fit> fits;
+  std::vector<Match> fits;
   for (std::size_t a = 0; a < actions_a.size(); ++a) {
     for (std::size_t b = 0; b < actions_b.size(); ++b) {
       double shared = 0.0;

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
+#include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"
@@ -16,7 +17,6 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
 
 /// Settings that are lengths keep their size when the part's unit becomes another one.
@@ -378,7 +378,8 @@ void App::sweep_by_itself(bool query_changed) {
 }
 
 void App::plan_next_frame() {
-  next_frame_s_ = std::min({controls_wake_s_, measurer_.wake_s(), sweep_.wake_s(), k_never});
+  next_frame_s_ = std::min(
+      {controls_wake_s_, measurer_.wake_s(), sweep_.wake_s(), std::numeric_limits<double>::infinity()});
   for (const Toast& toast : state_.toasts) next_frame_s_ = std::min(next_frame_s_, toast.until_s);
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || glow_.at(now_s_) > 0.0)

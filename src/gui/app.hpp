@@ -15,6 +15,7 @@
 #include "gui/draw/imgui_session.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "gui/jobs/action_finder.hpp"
+#include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/mold_finder.hpp"

@@ -8,21 +8,22 @@
 #include <vector>
 
 #include "gui/jobs/actions_state.hpp"
-#include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/mold_state.hpp"
 #include "gui/jobs/revision_state.hpp"
 #include "gui/jobs/sweep_state.hpp"
-#include "gui/panels/measure_tool.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/settings.hpp"
 #include "gui/store/user_state.hpp"
+#include "gui/view/measuring.hpp"
 #include "gui/view/surface.hpp"
 #include "mold/map_frame.hpp"
 #include "render/camera.hpp"
 
 namespace moldlight::gui {
+
+struct BatchTable;
 
 /// The measured figures and how far they may be trusted.
 struct Figures {

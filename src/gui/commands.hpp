@@ -24,7 +24,7 @@ struct MoldPaths {
 };
 
 /// Everything that the window can be asked to do beside changing a value. What each touches stands in
-/// commands.cpp, with the keys.
+/// part_commands.cpp, mold_commands.cpp and revision_commands.cpp.
 struct Commands {
   App& app;
 

@@ -19,7 +19,7 @@ namespace moldlight::gui {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 using Play = std::function<void(OffscreenWindow&)>;
 
 // What a script may ask for.
@@ -43,7 +43,7 @@ int key_code(const std::string& name) {
   throw UsageError(fmt::format("there is no key '{}'", name));
 }
 
-double number(const Json& json, double least, double most) {
+double number(const PlainJson& json, double least, double most) {
   if (!json.is_number()) throw UsageError("there is a number missing");
   const auto value = json.get<double>();
   if (!(value >= least && value <= most))
@@ -51,7 +51,7 @@ double number(const Json& json, double least, double most) {
   return value;
 }
 
-glm::vec2 pair(const Json& json, double least = -k_farthest_px, double most = k_farthest_px) {
+glm::vec2 pair(const PlainJson& json, double least = -k_farthest_px, double most = k_farthest_px) {
   if (!json.is_array() || json.size() != 2) throw UsageError("write two numbers, [x, y]");
   return {number(json[0], least, most), number(json[1], least, most)};
 }
@@ -69,7 +69,7 @@ struct Place {
   }
 };
 
-Place place(const Json& json) {
+Place place(const PlainJson& json) {
   Place place;
   if (!json.is_string()) {
     place.at = pair(json);
@@ -88,7 +88,7 @@ Place place(const Json& json) {
 
 /// `whole` is the event, `value` what stands under its name.
 struct Event {
-  const Json &whole, &value;
+  const PlainJson &whole, &value;
 };
 
 int button_of(const Event& event) {
@@ -122,7 +122,7 @@ Play drag(const Event& event) {
   if (!event.value.is_array() || event.value.size() < 2)
     throw UsageError("a drag goes through two places at least");
   std::vector<Place> path;
-  for (const Json& json : event.value) path.push_back(place(json));
+  for (const PlainJson& json : event.value) path.push_back(place(json));
   const bool release = event.whole.value("release", true);
   return [button = button_of(event), path = std::move(path), release](OffscreenWindow& window) {
     constexpr int k_steps = 6;  // frames from place to place
@@ -171,7 +171,7 @@ Play press(const Event& event) {
 Play hold(const Event& event) {
   constexpr std::array<std::string_view, 3> k_names = {"ctrl", "shift", "alt"};
   std::array<bool, 3> held{};
-  for (const Json& name : event.value) {
+  for (const PlainJson& name : event.value) {
     const auto found = std::find(k_names.begin(), k_names.end(), name);
     if (found == k_names.end()) throw UsageError(fmt::format("there is no modifier {}", name.dump()));
     held[static_cast<std::size_t>(found - k_names.begin())] = true;
@@ -239,7 +239,7 @@ constexpr EventKind k_events[] = {
     {"screenshot", with_text<write_screenshot>, false},
 };
 
-Play parse_event(const Json& event) {
+Play parse_event(const PlainJson& event) {
   if (!event.is_object()) throw UsageError("an event is an object");
   for (const EventKind& kind : k_events) {
     if (!event.contains(kind.name)) continue;
@@ -260,15 +260,15 @@ UsageError complaint(const std::string& event, std::string_view what) {
 }  // namespace
 
 Script parse_script(std::string_view text) {
-  const Json events = parse_json(text);
+  const PlainJson events = parse_json(text);
   if (!events.is_array() || events.empty()) throw UsageError("--script: not a JSON list of events");
   Script script;
-  for (const Json& event : events) {
+  for (const PlainJson& event : events) {
     try {
       script.push_back({event.dump(), parse_event(event)});
     } catch (const UsageError& error) {
       throw complaint(event.dump(), error.what());
-    } catch (const Json::exception&) {
+    } catch (const PlainJson::exception&) {
       throw complaint(event.dump(), "a value has the wrong type");
     }
   }

@@ -16,7 +16,7 @@
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 #include "classify/headless.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "gl/colour_target.hpp"
 #include "gl/headless_backends.hpp"
 #include "gui/app.hpp"

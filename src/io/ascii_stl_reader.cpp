@@ -157,7 +157,8 @@ void AsciiStlParser::parse_vertex() {
     const auto value = parse_number(word);
     if (!value) fail_expected("a number", word);
     if (!is_usable_coordinate(*value)) {
-      context_.fail(place(), "a coordinate of facet {} is {}; export the part again", facet_, quoted(word));
+      context_.fail(place(), "a coordinate of facet {} is {}; export the part again", facet_,
+                    in_quotes(word));
     }
     point[axis] = *value;
   }
@@ -182,8 +183,8 @@ void AsciiStlParser::fail_expected(std::string_view expected, std::string_view f
     context_.fail(place(), "the file ends where {} should follow (facet {}); export the part again", expected,
                   facet_);
   }
-  context_.fail(place(), "expected {}, found {} (facet {}); export the part again", expected, quoted(found),
-                facet_);
+  context_.fail(place(), "expected {}, found {} (facet {}); export the part again", expected,
+                in_quotes(found), facet_);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // onto it.
 #pragma once
 
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,14 @@ class AtomicFile {
 /// Removes files of such names that programs left behind when they were killed: of this machine those whose
 /// program has ended, of others those that nobody has written to for ten minutes.
 void remove_leftovers(const std::string& folder);
+
+/// As it lies in memory.
+template <typename T>
+void append_bytes(std::string& bytes, const T& value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
 
 /// Replaces the file by `bytes`, whole or not at all.
 void write_file(const std::string& path, std::string_view bytes);

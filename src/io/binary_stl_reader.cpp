@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t k_header_bytes = 84;
 constexpr std::size_t k_facet_bytes = 50;
 constexpr std::size_t k_normal_bytes = 12;
-constexpr std::size_t k_facets_between_reports = 1 << 18;
+constexpr std::size_t k_binary_facets_between_reports = 1 << 18;
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
 
@@ -69,7 +69,7 @@ Part read_binary_stl(const ReadContext& context) {
   std::vector<glm::dvec3> corners;
   corners.reserve(3 * count);
   for (std::size_t facet = 0; facet < count; ++facet) {
-    if (facet % k_facets_between_reports == 0) {
+    if (facet % k_binary_facets_between_reports == 0) {
       context.progress.report("reading facets", static_cast<double>(facet) / static_cast<double>(count));
     }
     float xyz[9];

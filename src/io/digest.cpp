@@ -15,7 +15,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_chunk_bytes = std::size_t{1} << 18;
+constexpr std::size_t k_hash_bytes = std::size_t{1} << 18;
 
 /// SHA-256 of what is added.
 class Sum {
@@ -64,7 +64,7 @@ FileDigest digest_of_file(const std::string& path, const Progress& progress) {
   if (::fstat(descriptor, &status) != 0) return {{}, errno};
   if (!S_ISREG(status.st_mode)) return {{}, S_ISDIR(status.st_mode) ? EISDIR : EINVAL};
   Sum sum;
-  std::vector<char> chunk(k_chunk_bytes);
+  std::vector<char> chunk(k_hash_bytes);
   for (;;) {
     if (progress.cancelled()) throw Cancelled();
     const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());

@@ -51,7 +51,7 @@ std::uint64_t free_by_own_limit() {
   return difference(limit.rlim_cur, pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
 }
 
-constexpr std::size_t k_chunk_bytes = std::size_t{8} << 20;
+constexpr std::size_t k_read_bytes = std::size_t{8} << 20;
 
 /// Closes a file descriptor at the end of its scope.
 class Descriptor {
@@ -97,7 +97,7 @@ FileContents::FileContents(const std::string& path, const Progress& progress, co
   const auto read_to = [&](char* bytes, std::size_t end) {
     while (done < end) {
       progress.report("reading", static_cast<double>(done) / static_cast<double>(size_));
-      const ssize_t got = ::read(file.number(), bytes + done, std::min(k_chunk_bytes, end - done));
+      const ssize_t got = ::read(file.number(), bytes + done, std::min(k_read_bytes, end - done));
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) {
         throw FileError(path, fmt::format("byte {}", done),

@@ -24,13 +24,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY and STL are written as numbers lie in memory");
 
-template <typename T>
-void append_bytes(std::string& bytes, const T& value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
 /// The regions as groups: number k is k_regions[k].
 class RegionGroups {
  public:

@@ -85,7 +85,7 @@ void ObjParser::parse_statement(std::string_view keyword) {
     if (keyword == "surf") ++surfaces_;
     words_.rest_of_line();
   } else {
-    context_.fail(place(), "{} is no statement of an OBJ file; export the part again", quoted(keyword));
+    context_.fail(place(), "{} is no statement of an OBJ file; export the part again", in_quotes(keyword));
   }
 }
 
@@ -98,7 +98,7 @@ void ObjParser::parse_vertex() {
       context_.fail(place(), "a vertex has {} coordinates, not three; export the part again", axis);
     const auto value = parse_number(word);
     if (!value)
-      context_.fail(place(), "expected a coordinate, found {}; export the part again", quoted(word));
+      context_.fail(place(), "expected a coordinate, found {}; export the part again", in_quotes(word));
     point[axis] = *value;
   }
   if (!is_usable_point(point)) {
@@ -133,7 +133,7 @@ std::uint32_t ObjParser::parse_corner(std::string_view word) {
     const bool left_out = number.empty() && part > 0;
     if ((!value && !left_out) || (part == 2 && slash != std::string_view::npos)) {
       context_.fail(place(), "expected a corner such as 7 or 7/1/3, found {}; export the part again",
-                    quoted(word));
+                    in_quotes(word));
     }
     if (part == 0) index = *value;
     if (slash == std::string_view::npos) break;

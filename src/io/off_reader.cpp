@@ -8,7 +8,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::uint64_t k_lines_between_reports = 1 << 16;
+constexpr std::uint64_t k_off_lines_between_reports = 1 << 16;
 
 class OffParser {
  public:
@@ -59,7 +59,8 @@ Part OffParser::parse() {
 void OffParser::parse_keyword() {
   const std::string_view keyword = words_.next();
   if (!keyword.ends_with("OFF") || keyword.find_first_not_of("STCNOF") != std::string_view::npos) {
-    context_.fail(place(), "expected 'OFF', found {}; export the part in three dimensions", quoted(keyword));
+    context_.fail(place(), "expected 'OFF', found {}; export the part in three dimensions",
+                  in_quotes(keyword));
   }
   const TextScanner before = words_;
   if (words_.next_on_line() == "BINARY") context_.fail(place(), "is binary OFF; export the part as text");
@@ -70,13 +71,13 @@ std::uint64_t OffParser::parse_count(std::string_view word) {
   const auto count = parse_integer(word);
   if (!count || *count < 0) {
     context_.fail(place(), "expected a count of vertices or faces, found {}; export the part again",
-                  quoted(word));
+                  in_quotes(word));
   }
   return static_cast<std::uint64_t>(*count);
 }
 
 void OffParser::report(std::uint64_t row) {
-  if (row % k_lines_between_reports != 0) return;
+  if (row % k_off_lines_between_reports != 0) return;
   const auto total = static_cast<double>(context_.bytes().size());
   context_.progress.report("reading lines", static_cast<double>(words_.offset()) / total);
 }
@@ -88,7 +89,7 @@ void OffParser::parse_vertex() {
     const auto value = parse_number(word);
     if (!value) {
       context_.fail(place(), "expected three coordinates of vertex {}, found {}; export the part again",
-                    builder_.vertex_count(), quoted(word));
+                    builder_.vertex_count(), in_quotes(word));
     }
     point[axis] = *value;
   }
@@ -105,7 +106,7 @@ void OffParser::parse_face() {
   const auto count = parse_integer(count_word);
   if (!count) {
     context_.fail(place(), "expected the corner count of face {}, found {}; export the part again",
-                  builder_.polygon_count(), quoted(count_word));
+                  builder_.polygon_count(), in_quotes(count_word));
   }
   if (*count < 3) {
     context_.fail(place(), "face {} has {} corners, it needs three; export the part again",
@@ -117,7 +118,7 @@ void OffParser::parse_face() {
     const auto index = parse_integer(word);
     if (!index) {
       context_.fail(place(), "expected {} vertex numbers of face {}, found {}; export the part again", *count,
-                    builder_.polygon_count(), quoted(word));
+                    builder_.polygon_count(), in_quotes(word));
     }
     if (*index < 0 || static_cast<std::uint64_t>(*index) >= vertices_) {
       context_.fail(place(),

@@ -66,7 +66,7 @@ PlyHeader PlyHeaderParser::parse() {
     } else if (keyword.empty()) {
       context_.fail(place(), "the PLY header ends without 'end_header'; export the part again");
     } else if (keyword != "comment" && keyword != "obj_info") {
-      context_.fail(place(), "{} is no statement of a PLY header; export the part again", quoted(keyword));
+      context_.fail(place(), "{} is no statement of a PLY header; export the part again", in_quotes(keyword));
     }
     words_.rest_of_line();
   }
@@ -88,7 +88,7 @@ void PlyHeaderParser::parse_format() {
     header_.encoding = PlyEncoding::big_endian;
   } else {
     context_.fail(place(), "expected a PLY format such as 'ascii', found {}; export the part again",
-                  quoted(name));
+                  in_quotes(name));
   }
 }
 
@@ -98,7 +98,7 @@ void PlyHeaderParser::parse_element() {
   const std::string_view word = words_.next_on_line();
   const auto count = parse_integer(word);
   if (!count || *count < 0) {
-    context_.fail(place(), "expected a count of elements, found {}; export the part again", quoted(word));
+    context_.fail(place(), "expected a count of elements, found {}; export the part again", in_quotes(word));
   }
   element.count = static_cast<std::uint64_t>(*count);
   header_.elements.push_back(std::move(element));
@@ -126,7 +126,7 @@ PlyType PlyHeaderParser::parse_type() {
     if (word == name) return type;
   }
   context_.fail(place(), "expected a PLY type such as 'float', found {}; export the part again",
-                quoted(word));
+                in_quotes(word));
 }
 
 /// No row is shorter than its values, or in text than a digit and a space for each.
@@ -139,12 +139,13 @@ void PlyHeaderParser::check_counts() const {
       row += header_.encoding == PlyEncoding::ascii ? 2 : ply_type_size(first);
     }
     if (row == 0 && element.count > 0) {
-      context_.fail("", "the PLY element {} has no properties; export the part again", quoted(element.name));
+      context_.fail("", "the PLY element {} has no properties; export the part again",
+                    in_quotes(element.name));
     }
     if (element.count > 0 && element.count > left / row) {
       context_.fail(fmt::format("byte {}", context_.bytes().size()),
                     "the file ends before the {} elements {} that its header declares; export the part again",
-                    element.count, quoted(element.name));
+                    element.count, in_quotes(element.name));
     }
     left -= element.count * row;
   }

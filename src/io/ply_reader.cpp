@@ -62,7 +62,7 @@ double PlyValues::next_word() {
   const std::string_view word = words_.next();
   if (word.empty()) fail("the file ends inside it");
   const auto value = parse_number(word);
-  if (!value) fail("expected a number, found {}", quoted(word));
+  if (!value) fail("expected a number, found {}", in_quotes(word));
   return *value;
 }
 

@@ -16,13 +16,6 @@ namespace moldlight {
 
 namespace {
 
-template <typename T>
-void append_bytes(std::string& bytes, const T& value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
 std::string_view unit_word(const std::string& unit) {
   constexpr std::pair<std::string_view, std::string_view> k_words[] = {
       {"um", "micron"}, {"cm", "centimeter"}, {"m", "meter"}, {"in", "inch"}, {"ft", "foot"}};

@@ -147,7 +147,7 @@ bool equals_ignoring_case(std::string_view word, std::string_view lower) {
   return true;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   if (word.empty()) return "nothing";
   return "'" + shown_text(word, k_max_quoted_bytes) + "'";
 }

@@ -56,7 +56,7 @@ class TextScanner {
 [[nodiscard]] bool equals_ignoring_case(std::string_view word, std::string_view lower);
 
 /// A word in quotes for a message, as shown_text() has it, of 40 bytes at most; "nothing" for an empty one.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 /// A name from a file made fit for messages and JSON: shown_text() of 200 bytes at most.
 [[nodiscard]] std::string clean_name(std::string_view name);

@@ -79,12 +79,12 @@ void ModelParser::start_model(std::string_view name, const XmlAttributes& attrib
   core_prefix_ = name.substr(0, bar == std::string_view::npos ? 0 : bar + 1);
   if (name.substr(core_prefix_.size()) != "model") {
     context().fail(place(), "expected a 3MF model, found the element {}; export the part again",
-                   quoted(name));
+                   in_quotes(name));
   }
   in_root_ = true;
   if (const auto word = attributes.find("unit")) {
     const auto unit = find_length_unit(*word);
-    if (!unit) context().fail(place(), "the unit {} is unknown; export the part again", quoted(*word));
+    if (!unit) context().fail(place(), "the unit {} is unknown; export the part again", in_quotes(*word));
     model_.unit = unit->name;
     model_.unit_mm = unit->mm;
   }
@@ -118,7 +118,7 @@ void ModelParser::add_vertex(const XmlAttributes& attributes) {
         attribute(attributes, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
     const auto value = parse_number(word);
     if (!value)
-      context().fail(place(), "expected a coordinate, found {}; export the part again", quoted(word));
+      context().fail(place(), "expected a coordinate, found {}; export the part again", in_quotes(word));
     point[axis] = *value;
   }
   if (!is_usable_point(point)) {
@@ -165,7 +165,7 @@ ThreemfTransform ModelParser::parse_transform(std::string_view text) {
       const auto value = parse_number(word);
       if (!value || !is_usable_coordinate(*value)) {
         context().fail(place(), "expected twelve numbers of a transform, found {}; export the part again",
-                       quoted(word));
+                       in_quotes(word));
       }
       row[column] = *value;
     }
@@ -175,7 +175,7 @@ ThreemfTransform ModelParser::parse_transform(std::string_view text) {
 
 std::string_view ModelParser::attribute(const XmlAttributes& attributes, std::string_view name) {
   const auto value = attributes.find(name);
-  if (!value) context().fail(place(), "the attribute {} is missing; export the part again", quoted(name));
+  if (!value) context().fail(place(), "the attribute {} is missing; export the part again", in_quotes(name));
   return *value;
 }
 
@@ -183,8 +183,8 @@ std::uint64_t ModelParser::identifier(const XmlAttributes& attributes, std::stri
   const std::string_view word = attribute(attributes, name);
   const auto value = parse_integer(word);
   if (!value || *value < 0) {
-    context().fail(place(), "expected a number from 0 as {}, found {}; export the part again", quoted(name),
-                   quoted(word));
+    context().fail(place(), "expected a number from 0 as {}, found {}; export the part again",
+                   in_quotes(name), in_quotes(word));
   }
   return static_cast<std::uint64_t>(*value);
 }

@@ -112,7 +112,7 @@ std::string ThreemfAssembler::find_root() {
   archive_.read(relationships, [&](std::string_view chunk) { parser.feed(chunk); });
   parser.finish();
   if (parser.root_model().empty()) {
-    context_.fail(quoted(relationships),
+    context_.fail(in_quotes(relationships),
                   "names no 3D model: the archive is no 3MF package; export the part again");
   }
   return parser.root_model();
@@ -162,7 +162,7 @@ void ThreemfAssembler::visit(const Visit& visit, std::vector<Visit>& pending) {
   const auto found = model.objects.find(use.object);
   if (found == model.objects.end()) {
     context_.fail(use.place, "there is no object {} in {}; export the part again", use.object,
-                  quoted(document));
+                  in_quotes(document));
   }
   if (visit.depth > k_max_depth) {
     context_.fail(use.place, "objects are nested more than {} deep, or in a ring; export the part again",
@@ -207,7 +207,7 @@ void ThreemfAssembler::add_mesh(const ThreemfObject& object, const ThreemfTransf
     const glm::dvec3 point = transform.apply(vertex);
     if (!is_usable_point(point)) {
       context_.fail("", "a transform puts a vertex of the object {} at ({}, {}, {}); export the part again",
-                    quoted(name), point.x, point.y, point.z);
+                    in_quotes(name), point.x, point.y, point.z);
     }
     mesh.vertices.push_back(point);
   }

@@ -72,7 +72,7 @@ XmlParser::~XmlParser() = default;
 void XmlParser::start_namespace(std::string_view, std::string_view) {}
 
 std::string XmlParser::place() const {
-  return fmt::format("{} line {}", quoted(document_), XML_GetCurrentLineNumber(parser_.get()));
+  return fmt::format("{} line {}", in_quotes(document_), XML_GetCurrentLineNumber(parser_.get()));
 }
 
 void XmlParser::parse(std::string_view text, bool last) {

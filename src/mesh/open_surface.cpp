@@ -15,14 +15,14 @@ namespace moldlight {
 
 namespace {
 
-constexpr VertexIndex k_none = std::numeric_limits<VertexIndex>::max();
+constexpr VertexIndex k_no_vertex = std::numeric_limits<VertexIndex>::max();
 
 /// Side k of triangle t, from its corner k to the next, is 3 t + k, as that corner is.
 using Side = std::uint32_t;
 
 Side next_corner(Side corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-/// For each side the one across it, k_none at the border.
+/// For each side the one across it, k_no_vertex at the border.
 std::vector<Side> pair_sides(std::span<const std::array<VertexIndex, 3>> triangles) {
   std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Side>> at_edge;
   const auto corner = [&](Side side) { return triangles[side / 3][side % 3]; };
@@ -31,7 +31,7 @@ std::vector<Side> pair_sides(std::span<const std::array<VertexIndex, 3>> triangl
     const std::pair ends = std::minmax({corner(side), corner(next_corner(side))});
     at_edge[ends].push_back(side);
   }
-  std::vector<Side> across(count, k_none);
+  std::vector<Side> across(count, k_no_vertex);
   for (const auto& [ends, sides] : at_edge) {
     if (sides.size() != 2 || corner(sides[0]) == corner(sides[1])) continue;
     across[sides[0]] = sides[1];
@@ -47,15 +47,15 @@ OpenSurface open_surface(std::span<const glm::dvec3> vertices,
   const std::vector<Side> across = pair_sides(triangles);
   UnionFind fans(across.size());
   for (Side side = 0; side < across.size(); ++side) {
-    if (across[side] == k_none) continue;
+    if (across[side] == k_no_vertex) continue;
     fans.join(side, next_corner(across[side]));
     fans.join(next_corner(side), across[side]);
   }
   OpenSurface surface;
-  std::vector<VertexIndex> number(across.size(), k_none);
+  std::vector<VertexIndex> number(across.size(), k_no_vertex);
   const auto vertex_of = [&](Side corner) {
     VertexIndex& known = number[fans.find(corner)];
-    if (known == k_none) {
+    if (known == k_no_vertex) {
       known = static_cast<VertexIndex>(surface.mesh.vertices.size());
       surface.sources.push_back(triangles[corner / 3][corner % 3]);
       surface.mesh.vertices.push_back(vertices[surface.sources.back()]);
@@ -66,15 +66,15 @@ OpenSurface open_surface(std::span<const glm::dvec3> vertices,
     surface.mesh.facets.push_back({vertex_of(first), vertex_of(first + 1), vertex_of(first + 2)});
 
   // A fan that is not closed has one side of the border that leaves its vertex and one that comes to it.
-  std::vector<VertexIndex> next(surface.mesh.vertices.size(), k_none);
+  std::vector<VertexIndex> next(surface.mesh.vertices.size(), k_no_vertex);
   for (Side side = 0; side < across.size(); ++side) {
-    if (across[side] == k_none) next[vertex_of(side)] = vertex_of(next_corner(side));
+    if (across[side] == k_no_vertex) next[vertex_of(side)] = vertex_of(next_corner(side));
   }
   for (VertexIndex first = 0; first < next.size(); ++first) {
     std::vector<VertexIndex> border;
-    for (VertexIndex at = first; next[at] != k_none;) {
+    for (VertexIndex at = first; next[at] != k_no_vertex;) {
       border.push_back(at);
-      at = std::exchange(next[at], k_none);
+      at = std::exchange(next[at], k_no_vertex);
     }
     if (!border.empty()) surface.borders.push_back(std::move(border));
   }

@@ -20,7 +20,7 @@ constexpr int k_subtexel_bits = 8, k_subtexel = 1 << k_subtexel_bits, k_half_tex
 constexpr float k_greatest_height = (1 << 24) - 1, k_height_margin = 64.0F,
                 k_height_scale = k_greatest_height - 2.0F * k_height_margin;
 constexpr int k_rows_a_task = 64;
-constexpr std::size_t k_grain = 4096;
+constexpr std::size_t k_depth_grain = 4096;
 
 /// A triangle's edge: which columns of a row lie inside of it.
 struct Edge {
@@ -59,12 +59,13 @@ void SecondDepthMaps::draw(const SecondDepthPart& part, const MapFrame& frame,
                            std::span<const FacetClass> classes, double edge_thickness) {
   CHECK(classes.size() == part.mesh.facets.size());
   corners_.resize(part.positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners_.size(), k_grain), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k < range.end(); ++k)
-      corners_[k] = corner(glm::dvec3(part.positions[k]), frame);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners_.size(), k_depth_grain),
+                    [&](const auto& range) {
+                      for (std::size_t k = range.begin(); k < range.end(); ++k)
+                        corners_[k] = corner(glm::dvec3(part.positions[k]), frame);
+                    });
   rows_.resize(part.mesh.facets.size());
-  tbb::parallel_for(tbb::blocked_range<FacetIndex>(0, static_cast<FacetIndex>(rows_.size()), k_grain),
+  tbb::parallel_for(tbb::blocked_range<FacetIndex>(0, static_cast<FacetIndex>(rows_.size()), k_depth_grain),
                     [&](const auto& range) {
                       for (FacetIndex facet = range.begin(); facet < range.end(); ++facet)
                         rows_[facet] = rows_of(triangle_of(part.mesh, facet));

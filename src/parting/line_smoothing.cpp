@@ -14,7 +14,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_most_rounds = 12;
+constexpr int k_most_smoothings = 12;
 constexpr double k_least_gain = 1e-3;   // of a loop's length with its climb
 constexpr double k_off_surface = 1e-4;  // of the diagonal
 
@@ -133,7 +133,7 @@ std::vector<glm::dvec3> LineSmoother::smoothed(const Loop& loop) const {
     if (movable[k] != 0 || movable[(k + 1) % count] != 0 || movable[(k + count - 1) % count] != 0)
       near[k] = around(loop.vertices[k]);
   }
-  for (int round = 0; round < k_most_rounds; ++round) {
+  for (int round = 0; round < k_most_smoothings; ++round) {
     double gained = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       if (movable[k] == 0) continue;

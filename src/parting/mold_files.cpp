@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double k_most_fold = 1e-8;  // of the block's rectangle
+constexpr double k_most_written_fold = 1e-8;  // of the block's rectangle
 /// So many steps of rounding may a surface move where needles are taken out of it.
 constexpr double k_rounding_steps = 2.0;
 
@@ -136,7 +136,7 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     }
     half.undercut = rectangle > 0.0 ? fold_of(half.mesh, lid, rectangle) : 1.0;
     half.leaning = leaning_of(half.mesh, lid, top);
-    if (half.undercut > k_most_fold) {
+    if (half.undercut > k_most_written_fold) {
       mold.refused_at = in_part(folded_at(half.mesh, lid, top));
       return fmt::format("in single precision {:.2g} of the {} would fold over itself", half.undercut,
                          half.name);

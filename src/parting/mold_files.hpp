@@ -8,27 +8,7 @@
 
 namespace moldlight {
 
-/// A body as it goes to a file.
-struct WrittenBody {
-  std::string name;  // "core", "cavity", "insert_1"
-  std::string file;  // path; empty where nothing was written
-  TriangleMesh mesh;
-  double volume = 0.0;
-  bool closed = false;
-  std::size_t crowded_edges = 0;  // in which it touches itself; the mesh has them apart
-  double undercut = 0.0;  // of a half: what faces away from its pull, as a share of the block's rectangle
-  double leaning = 0.0;   // of a half: what leans so by more than 0.01 degrees, as a share of its area
-};
-
-/// The bodies in the frame of the files, rounded to single precision and tested in it. In the part's own
-/// frame where the direction is one of its axes and the coordinates keep what the halves need; else in the
-/// mold's, the parting direction upward, about the part's centre.
-struct WrittenMold {
-  std::vector<WrittenBody> bodies;  // core, cavity, inserts
-  bool part_frame = false;
-  std::string refusal;                   // why they cannot be written; empty where they can
-  std::optional<glm::dvec3> refused_at;  // in the part's coordinates
-};
+/// The bodies as files have them; make_halves() keeps those of its halves.
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.

@@ -32,6 +32,28 @@ struct MoldBody {
   double leaning = 0.0;  // share of its area that leans along its pull by more than 0.01 degrees
 };
 
+/// A body as it goes to a file.
+struct WrittenBody {
+  std::string name;  // "core", "cavity", "insert_1"
+  std::string file;  // path; empty where nothing was written
+  TriangleMesh mesh;
+  double volume = 0.0;
+  bool closed = false;
+  std::size_t crowded_edges = 0;  // in which it touches itself; the mesh has them apart
+  double undercut = 0.0;  // of a half: what faces away from its pull, as a share of the block's rectangle
+  double leaning = 0.0;   // of a half: what leans so by more than 0.01 degrees, as a share of its area
+};
+
+/// The bodies in the frame of the files, rounded to single precision and tested in it. In the part's own
+/// frame where the direction is one of its axes and the coordinates keep what the halves need; else in the
+/// mold's, the parting direction upward, about the part's centre.
+struct WrittenMold {
+  std::vector<WrittenBody> bodies;  // core, cavity, inserts
+  bool part_frame = false;
+  std::string refusal;                   // why they cannot be written; empty where they can
+  std::optional<glm::dvec3> refused_at;  // in the part's coordinates
+};
+
 /// Faces given to a half by hand that it does not form.
 struct MissedFaces {
   double area = 0.0;
@@ -67,6 +89,7 @@ struct MoldHalves {
   double contact_area = 0.0;
   std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
   double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal
+  WrittenMold written;                // what was certified of them
 
   /// What a certified half may have of faults by rounding.
   [[nodiscard]] std::size_t blemishes() const {
@@ -85,18 +108,5 @@ struct MoldHalves {
 
 /// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
 [[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);
-
-/// Where the halves are to meet on walls that either could form.
-struct MeetingPlace {
-  double height = 0.0;                // along the direction, in the part's coordinates
-  const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
-};
-
-/// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
-/// have them, outweigh the place. Throws UsageError for faces that the part has not and for a margin without
-/// bounds, Cancelled.
-[[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
-                                     const MeetingPlace& place, const MoldSettings& settings,
-                                     const Progress& progress);
 
 }  // namespace moldlight

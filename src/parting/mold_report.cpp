@@ -6,19 +6,18 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 
 namespace moldlight {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 Json loop_json(const PartingLoop& loop) {
   Json points = Json::array();

@@ -57,8 +57,8 @@ cairo_surface_t* surface_of(const Image& image) {
 }  // namespace
 
 Canvas::Canvas(int width, int height) : Canvas(empty_image(width, height)) {}
-Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>(surface_of(image))) {}
-Canvas::Canvas(std::unique_ptr<Surface> surface) : surface_(std::move(surface)) {}
+Canvas::Canvas(const Image& image) : surface_(std::make_unique<CanvasSurface>(surface_of(image))) {}
+Canvas::Canvas(std::unique_ptr<CanvasSurface> surface) : surface_(std::move(surface)) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;

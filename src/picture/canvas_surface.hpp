@@ -10,7 +10,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/utf8.hpp"
-#include "picture/canvas.hpp"
+#include "picture/strokes.hpp"
 #include "picture/letters.hpp"
 
 namespace moldlight {
@@ -20,14 +20,14 @@ constexpr bool is_assigned(char32_t letter) {
   return (letter & 0xFFFE) != 0xFFFE && (letter < 0xFDD0 || letter > 0xFDEF);
 }
 
-struct Canvas::Surface {
-  explicit Surface(cairo_surface_t* owned) : target(owned), cairo(cairo_create(owned)) {}
-  ~Surface() {
+struct CanvasSurface {
+  explicit CanvasSurface(cairo_surface_t* owned) : target(owned), cairo(cairo_create(owned)) {}
+  ~CanvasSurface() {
     cairo_destroy(cairo);
     cairo_surface_destroy(target);
   }
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
+  CanvasSurface(const CanvasSurface&) = delete;
+  CanvasSurface& operator=(const CanvasSurface&) = delete;
 
   void set(const Ink& ink) const {
     cairo_set_source_rgba(cairo, ink.colour.r / 255.0, ink.colour.g / 255.0, ink.colour.b / 255.0,

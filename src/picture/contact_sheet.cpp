@@ -6,6 +6,7 @@
 #include <span>
 
 #include "picture/design_space.hpp"
+#include "picture/legend.hpp"
 
 namespace moldlight {
 

@@ -10,6 +10,21 @@ constexpr double k_title_px = 24.0, k_figure_px = 15.0, k_small_px = 13.0;
 
 Colour picture_ground(bool dark) { return dark ? Colour{27, 30, 34} : Colour{248, 249, 250}; }
 
+PictureInks picture_inks(bool dark) {
+  if (dark) {
+    return {.card = {{17, 19, 22}, 0.78},
+            .border = {{255, 255, 255}, 0.09},
+            .strong = {{244, 246, 248}},
+            .normal = {{214, 218, 224}},
+            .faint = {{146, 152, 162}}};
+  }
+  return {.card = {{255, 255, 255}, 0.86},
+          .border = {{20, 30, 48}, 0.12},
+          .strong = {{20, 24, 31}},
+          .normal = {{52, 58, 68}},
+          .faint = {{112, 120, 132}}};
+}
+
 DesignSpace::DesignSpace(Canvas& canvas, const glm::dvec2& design, bool dark)
     : canvas_(canvas),
       inks_(picture_inks(dark)),

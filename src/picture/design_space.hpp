@@ -8,12 +8,17 @@
 #include <glm/vec2.hpp>
 
 #include "picture/canvas.hpp"
-#include "picture/legend.hpp"
 
 namespace moldlight {
 
 /// What lies behind a page.
 [[nodiscard]] Colour picture_ground(bool dark);
+
+/// The colours that text and boxes on a picture take.
+struct PictureInks {
+  Ink card, border, strong, normal, faint;
+};
+[[nodiscard]] PictureInks picture_inks(bool dark);
 
 /// Places and lengths are those of the design; it stands in the middle of the canvas, as large as it can be.
 class DesignSpace {

@@ -10,10 +10,10 @@ namespace {
 
 // Lengths at scale 1, on a grid of four pixels.
 constexpr double k_width = 324.0, k_padding = 20.0, k_radius = 12.0;
-constexpr double k_title_px = 17.0, k_text_px = 14.0, k_small_px = 12.0;
-constexpr double k_title_line = 24.0, k_small_line = 18.0, k_row = 26.0;
-constexpr double k_bar_height = 8.0, k_bar_gap = 16.0;
-constexpr double k_swatch = 12.0, k_name_left = 22.0, k_percent_right = 160.0;
+constexpr double k_legend_title_px = 17.0, k_text_px = 14.0, k_small_line_px = 12.0;
+constexpr double k_title_line = 24.0, k_small_line = 18.0, k_region_row = 26.0;
+constexpr double k_share_bar_height = 8.0, k_bar_gap = 16.0;
+constexpr double k_region_swatch = 12.0, k_name_left = 22.0, k_percent_right = 160.0;
 
 /// A place given at scale 1 from the legend's inner corner.
 glm::dvec2 inner(double x, double y) { return {k_padding + x, k_padding + y}; }
@@ -22,7 +22,7 @@ double inner_width() { return k_width - 2.0 * k_padding; }
 
 double inner_height(const LegendContent& content) {
   double height = k_title_line + k_small_line * static_cast<double>(content.lines.size());
-  height += k_bar_gap + k_bar_height + 12.0 + k_row * k_region_count;
+  height += k_bar_gap + k_share_bar_height + 12.0 + k_region_row * k_region_count;
   if (!content.note.empty()) height += 8.0 + k_small_line;
   return height - 6.0;
 }
@@ -37,34 +37,19 @@ void draw_bar(DesignSpace& at, double top, const LegendContent& content, const L
     const double share = content.shares[static_cast<std::size_t>(region)];
     if (share <= 0.0) continue;
     const double width = least + room * share;
-    fill_region(at.canvas(), at.box(inner(left, top), {width, k_bar_height}), region, style);
+    fill_region(at.canvas(), at.box(inner(left, top), {width, k_share_bar_height}), region, style);
     left += width + gap;
   }
 }
 
 TextStyle tag_text(const LegendStyle& style) {
-  return {.size_px = k_small_px * style.scale,
+  return {.size_px = k_small_line_px * style.scale,
           .weight = FontWeight::medium,
           .ink = picture_inks(style.dark).normal,
           .align = Align::centre};
 }
 
 }  // namespace
-
-PictureInks picture_inks(bool dark) {
-  if (dark) {
-    return {.card = {{17, 19, 22}, 0.78},
-            .border = {{255, 255, 255}, 0.09},
-            .strong = {{244, 246, 248}},
-            .normal = {{214, 218, 224}},
-            .faint = {{146, 152, 162}}};
-  }
-  return {.card = {{255, 255, 255}, 0.86},
-          .border = {{20, 30, 48}, 0.12},
-          .strong = {{20, 24, 31}},
-          .normal = {{52, 58, 68}},
-          .faint = {{112, 120, 132}}};
-}
 
 void fill_region(Canvas& canvas, const Box& box, Region region, const LegendStyle& style) {
   const double radius = 0.25 * box.size.y;
@@ -103,22 +88,22 @@ void draw_legend(Canvas& canvas, const glm::dvec2& corner, const LegendContent& 
     return TextStyle{
         .size_px = style.scale * size, .weight = weight, .ink = ink, .align = align, .tabular = true};
   };
-  at.elided(inner(0.0, 14.0), content.title, text(k_title_px, inks.strong, Align::left, FontWeight::semibold),
-            inner_width());
+  at.elided(inner(0.0, 14.0), content.title,
+            text(k_legend_title_px, inks.strong, Align::left, FontWeight::semibold), inner_width());
   double y = k_title_line;
-  const TextStyle small = text(k_small_px, inks.faint, Align::left);
+  const TextStyle small = text(k_small_line_px, inks.faint, Align::left);
   for (const std::string& line : content.lines) {
     at.elided(inner(0.0, y + 11.0), line, small, inner_width());
     y += k_small_line;
   }
   y += k_bar_gap - 4.0;
   draw_bar(at, y, content, style);
-  y += k_bar_height + 12.0;
+  y += k_share_bar_height + 12.0;
 
   for (const Region region : k_regions) {
     const auto index = static_cast<std::size_t>(region);
     const bool undercut = region == Region::undercut;
-    fill_region(canvas, at.box(inner(0.0, y + 5.0), {k_swatch, k_swatch}), region, style);
+    fill_region(canvas, at.box(inner(0.0, y + 5.0), {k_region_swatch, k_region_swatch}), region, style);
     const FontWeight weight = undercut ? FontWeight::semibold : FontWeight::regular;
     const Ink& ink = undercut ? inks.strong : inks.normal;
     const TextStyle figure = text(k_text_px, ink, Align::right, weight);
@@ -126,8 +111,8 @@ void draw_legend(Canvas& canvas, const glm::dvec2& corner, const LegendContent& 
     at.text(inner(k_percent_right - 14.0, y + 16.0), content.percents[index], figure);
     at.text(inner(k_percent_right - 10.0, y + 16.0), "%", small);
     at.text(inner(inner_width() - 30.0, y + 16.0), content.areas[index], figure);
-    at.text(inner(inner_width(), y + 16.0), content.unit, text(k_small_px, inks.faint, Align::right));
-    y += k_row;
+    at.text(inner(inner_width(), y + 16.0), content.unit, text(k_small_line_px, inks.faint, Align::right));
+    y += k_region_row;
   }
   if (!content.note.empty()) at.elided(inner(0.0, y + 8.0 + 9.0), content.note, small, inner_width());
 }

@@ -24,12 +24,6 @@ struct LegendContent {
   std::string note = {};                               // a last line; empty for none
 };
 
-/// The colours that text and boxes on a picture take.
-struct PictureInks {
-  Ink card, border, strong, normal, faint;
-};
-[[nodiscard]] PictureInks picture_inks(bool dark);
-
 struct LegendStyle {
   bool dark = true;
   Palette palette = Palette::paper;

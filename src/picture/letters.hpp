@@ -10,7 +10,7 @@
 
 #include <cairo.h>
 
-#include "picture/canvas.hpp"
+#include "picture/strokes.hpp"
 
 namespace moldlight {
 

@@ -41,7 +41,7 @@ cairo_surface_t* pdf_surface(std::string& bytes, const glm::dvec2& size_pt, std:
 }  // namespace
 
 PdfPages::PdfPages(const glm::dvec2& size_pt, std::string_view title)
-    : canvas_(std::make_unique<Canvas::Surface>(pdf_surface(bytes_, size_pt, title))) {}
+    : canvas_(std::make_unique<CanvasSurface>(pdf_surface(bytes_, size_pt, title))) {}
 
 void PdfPages::next_page() {
   cairo_show_page(canvas_.surface_->cairo);

@@ -12,6 +12,7 @@
 
 #include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
+#include "picture/design_space.hpp"
 
 namespace moldlight {
 
@@ -52,7 +53,7 @@ constexpr Colour k_dark{24, 16, 20}, k_light{255, 255, 255};
 constexpr Colour k_open{255, 196, 64};  // what a proof left open
 // Lengths at scale 1.
 constexpr double k_best_radius = 9.0, k_listed_radius = 4.0;
-constexpr double k_axis_gap = 20.0, k_axis_px = 15.0, k_small_px = 11.0, k_label_px = 12.0;
+constexpr double k_axis_gap = 20.0, k_axis_px = 15.0, k_remark_px = 11.0, k_label_px = 12.0;
 constexpr double k_hatch_pitch = 7.0;
 /// A circle that is hardly wider than its mark would only blur it.
 constexpr double k_least_circle_px = 13.0;
@@ -220,7 +221,7 @@ std::vector<Box> draw_axes(Canvas& canvas, const MapPlace& place, const LegendSt
 
 /// How far from +z the circles are, written on them where least is in the way.
 void draw_degrees(Canvas& canvas, const MapPlace& place, double scale) {
-  const TextStyle small{.size_px = k_small_px * scale,
+  const TextStyle small{.size_px = k_remark_px * scale,
                         .weight = FontWeight::medium,
                         .ink = {k_dark, 0.75},
                         .align = Align::centre};

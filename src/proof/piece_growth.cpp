@@ -10,7 +10,7 @@ namespace {
 /// Of the half width of a cell's cone where something hides an element: for shorter elements the quarters of
 /// the cell do more than a cut.
 constexpr double k_worth_cutting = 2.0;
-constexpr std::size_t k_between_looks = 64;  // elements between two looks whether to stop
+constexpr std::size_t k_pieces_between_looks = 64;  // elements between two looks whether to stop
 /// Of a facet in more pieces each is likely to have points of its own.
 constexpr std::uint32_t k_most_pieces_of_neighbour = 2;
 
@@ -24,7 +24,7 @@ class Growing {
 
   void run() {
     std::size_t asked = 0;
-    while (known_.certain < growth_.wanted && (asked++ % k_between_looks != 0 || !growth_.stop())) {
+    while (known_.certain < growth_.wanted && (asked++ % k_pieces_between_looks != 0 || !growth_.stop())) {
       if (next_open_ < open_.size()) {
         sort_in(open_[next_open_++]);
       } else if (next_piece_ < pieces_.size()) {

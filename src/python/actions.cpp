@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "actions/action_body.hpp"
 #include "actions/actions_files.hpp"
@@ -37,7 +38,8 @@ struct PythonActions {
 };
 using SharedActions = std::shared_ptr<PythonActions>;
 
-SharedActions find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
+SharedActions find_side_actions(const PythonPart& self, const py::object& direction,
+                                const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("actions", keywords);
   Questions questions{.with_actions = true};
@@ -49,13 +51,13 @@ SharedActions find(const PythonPart& self, const py::object& direction, const py
   return watched(progress_given, [&](const Progress& progress) {
     questions.query.direction = asked.find(self.model, questions.query.method, progress);
     Study study(self.model, questions);
-    actions_report(study, progress);
-    study.verdict(progress);
+    static_cast<void>(actions_report(study, progress));
+    static_cast<void>(study.verdict(progress));
     return std::make_shared<PythonActions>(std::move(study));
   });
 }
 
-py::list bodies(const PythonActions& self, const py::object& progress_given) {
+py::list bodies_of_actions(const PythonActions& self, const py::object& progress_given) {
   std::vector<std::optional<TriangleMesh>> meshes;
   watch(progress_given, [&](const Progress& progress) {
     const std::size_t count = self.plan().actions.size();
@@ -78,7 +80,7 @@ py::list bodies(const PythonActions& self, const py::object& progress_given) {
   return list;
 }
 
-py::array picture(const PythonActions& self, const py::kwargs& keywords) {
+py::array picture_of_actions(const PythonActions& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
@@ -86,10 +88,6 @@ py::array picture(const PythonActions& self, const py::kwargs& keywords) {
     const auto pulled = pulled_bodies(self.report());
     return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
   }));
-}
-
-auto member(const char* key) {
-  return [key](const PythonActions& self) { return to_python(self.json()[key]); };
 }
 
 constexpr std::string_view k_actions_text =
@@ -103,16 +101,17 @@ void add_actions(py::module_& module, PartClass& part) {
       module, "Actions", "What part.actions() finds. Lengths and areas are in the part's unit.");
   found
       .def_property_readonly(
-          "actions", member("actions"),
+          "actions", report_member<PythonActions>("actions"),
           "A dict each, the largest area first: kind, direction, travel, the undercuts that "
           "it releases, and the rest of the report.")
       .def_property_readonly(
-          "undercuts", member("patches"),
+          "undercuts", report_member<PythonActions>("patches"),
           "A dict each, the largest first: area, depth, where it is, and what to change to do "
           "without an action.")
-      .def_property_readonly("verdict", member("verdict"),
+      .def_property_readonly("verdict", report_member<PythonActions>("verdict"),
                              "What is said of the part first: a dict with state, sentence and reasons.")
-      .def_property_readonly("unreleased", member("unreleased"), "What nothing releases.")
+      .def_property_readonly("unreleased", report_member<PythonActions>("unreleased"),
+                             "What nothing releases.")
       .def_property_readonly(
           "direction", [](const PythonActions& self) { return to_python(self.result().direction); },
           "Of length one.")
@@ -121,19 +120,19 @@ void add_actions(py::module_& module, PartClass& part) {
           "No cheaper set of the actions that were tried releases as much.")
       .def_property_readonly(
           "warnings", [](const PythonActions& self) { return to_python(Json(self.result().warnings)); })
-      .def("bodies", &bodies, py::arg("progress") = py::none(),
+      .def("bodies", &bodies_of_actions, py::arg("progress") = py::none(),
            "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
            "closed: "
            "a dict each with name, action\n(its place in actions), vertices and faces. Some actions have "
            "none.")
-      .def("picture", &picture,
+      .def("picture", &picture_of_actions,
            picture_doc("Draws the part with the bodies of its actions, pulled out: height x width x 4 uint8. "
                        "Needs\nOpenGL, no display."))
       .def("__repr__", [](const PythonActions& self) {
         return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan())));
       });
   add_report(found, "The report", "actions", [](const PythonActions& self) { return self.json(); });
-  part.def("actions", &find, py::arg("direction"),
+  part.def("actions", &find_side_actions, py::arg("direction"),
            call_doc({.name = "actions",
                      .arguments = "self, direction",
                      .more = "progress=None",

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <pybind11/pybind11.h>
 
 #include "classify/classification.hpp"
@@ -44,6 +44,15 @@ void add_report(Bound& bound, const std::string& what, const std::string& comman
   bound.def(
       "to_dict", [json](const Type& self) { return to_python(json(self)); },
       fmt::format("to_dict(self)\n--\n\n{} as a dict.", what).c_str());
+}
+
+/// Reads a member of an object's report, as to_dict() has it; None where the report is without it.
+template <typename Type>
+auto report_member(const char* key) {
+  return [key](const Type& self) {
+    const auto json = self.json();
+    return json.contains(key) ? to_python(json[key]) : pybind11::object(pybind11::none());
+  };
 }
 
 /// A direction, or that it is to be found. Throws UsageError.

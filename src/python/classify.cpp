@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
@@ -93,7 +94,7 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
     if (splits) study.find<SplitRegions>(progress);
     study.find<Classification>(progress);
     if (draft_settings.required_deg > 0.0) study.find<DraftCheck>(progress);
-    study.verdict(progress);
+    static_cast<void>(study.verdict(progress));
     return std::make_shared<PythonClassification>(std::move(study));
   });
 }
@@ -144,7 +145,7 @@ std::shared_ptr<PythonSplit> split_mesh(const PythonClassification& self, const 
   return split;
 }
 
-py::array picture(const PythonClassification& self, const py::kwargs& keywords) {
+py::array picture_of_classification(const PythonClassification& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
@@ -152,11 +153,6 @@ py::array picture(const PythonClassification& self, const py::kwargs& keywords) 
     const auto context = create_context(whole.settings.backend);
     return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
   }));
-}
-
-/// A member of the report as a dict.
-auto member(const char* key) {
-  return [key](const PythonClassification& self) { return to_python(self.json()[key]); };
 }
 
 /// An array over the pieces, whose numbers lie in the pieces themselves.
@@ -219,7 +215,8 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
       .def_property_readonly(
           "areas", [](const C& self) { return region_dict(self.result().areas); },
           "The area of each region, in the part's unit squared.")
-      .def_property_readonly("fractions", member("fractions"), "Shares of each region in the surface.")
+      .def_property_readonly("fractions", report_member<PythonClassification>("fractions"),
+                             "Shares of each region in the surface.")
       .def_property_readonly(
           "verdict", [](const C& self) { return to_python(self.verdict()); },
           "What is said of the part first: a dict with state, sentence, undercuts and reasons.")
@@ -229,9 +226,9 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
       .def_property_readonly(
           "undercut_uncertainty", [](const C& self) { return self.result().uncertainty.total(); },
           "How far the undercut's area may be off.")
-      .def_property_readonly("uncertainty_parts", member("uncertainty_parts"),
+      .def_property_readonly("uncertainty_parts", report_member<PythonClassification>("uncertainty_parts"),
                              "Of what that is made: rounding, mesh, readout.")
-      .def_property_readonly("identity", member("identity"),
+      .def_property_readonly("identity", report_member<PythonClassification>("identity"),
                              "The part's shadow found in two ways, and whether they agree.")
       .def_property_readonly("projected_area", [](const C& self) { return self.result().shadow_area; })
       .def_property_readonly("projected_undercut",
@@ -240,7 +237,8 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
                              [](const C& self) { return self.result().lateral_tolerance; })
       .def_property_readonly(
           "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
-      .def_property_readonly("settings", member("settings"), "Every setting with its value.")
+      .def_property_readonly("settings", report_member<PythonClassification>("settings"),
+                             "Every setting with its value.")
       .def_property_readonly(
           "warnings", [](const C& self) { return to_python(Json(self.result().warnings)); },
           "What puts figures in doubt, a sentence each.")
@@ -276,7 +274,7 @@ void add_classify(py::module_& module, PartClass& part) {
            "split_mesh(self, progress=None)\n--\n\nThe part's mesh, split at the borders of the exact "
            "regions: "
            "a SplitMesh.")
-      .def("picture", &picture,
+      .def("picture", &picture_of_classification,
            picture_doc("Draws the part in the colours of its regions: height x width x 4 uint8, red, green, "
                        "blue,\nalpha, rows from above. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonClassification& self) {

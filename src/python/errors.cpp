@@ -1,6 +1,5 @@
 #include "python/errors.hpp"
 
-#include <cctype>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -64,11 +63,6 @@ void translate(std::exception_ptr failure) {
   }
 }
 
-bool is_flag_letter(char c) {
-  return std::islower(static_cast<unsigned char>(c)) != 0 ||
-         std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
-}
-
 }  // namespace
 
 void add_errors(py::module_& module) {
@@ -86,23 +80,6 @@ void add_errors(py::module_& module) {
   types.cancelled =
       make_type(module, "Cancelled", "The progress callback ended the work.", under_error(nullptr));
   py::register_exception_translator(translate);
-}
-
-std::string with_keywords(std::string_view text) {
-  std::string with;
-  while (!text.empty()) {
-    const std::size_t begin = text.find("--");
-    with += text.substr(0, begin);
-    if (begin == std::string_view::npos) break;
-    const bool apart = begin == 0 || text[begin - 1] == ' ' || text[begin - 1] == '(';
-    text.remove_prefix(begin);
-    std::size_t end = 2;
-    while (end < text.size() && is_flag_letter(text[end])) ++end;
-    const std::string_view keyword = apart ? keyword_of_flag(text.substr(0, end)) : std::string_view();
-    with += keyword.empty() ? text.substr(0, end) : keyword;
-    text.remove_prefix(end);
-  }
-  return with;
 }
 
 }  // namespace moldlight::python

@@ -1,9 +1,6 @@
 // The program's failures as Python's exceptions.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include <pybind11/pybind11.h>
 
 namespace moldlight::python {
@@ -12,8 +9,5 @@ namespace moldlight::python {
 /// program's text, in which keywords stand for the flags of the command line. Memory that is not there is a
 /// MemoryError.
 void add_errors(pybind11::module_& module);
-
-/// A text of the program with the keyword for every flag that is a setting's.
-[[nodiscard]] std::string with_keywords(std::string_view text);
 
 }  // namespace moldlight::python

@@ -1,16 +1,19 @@
 #include "python/keywords.hpp"
 
 #include <array>
+#include <cctype>
 #include <deque>
 #include <functional>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "actions/action_settings.hpp"
 #include "classify/look_options.hpp"
+#include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/mold_settings.hpp"
-#include "python/errors.hpp"
 #include "sweep/sweep_settings.hpp"
 
 namespace moldlight::python {
@@ -148,6 +151,11 @@ std::string keyword_help(const Keyword& keyword) {
   return fmt::format("{}{}: {}", keyword.key, facts.empty() ? "" : " (" + facts + ")", keyword.help);
 }
 
+bool is_flag_letter(char c) {
+  return std::islower(static_cast<unsigned char>(c)) != 0 ||
+         std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
+}
+
 }  // namespace
 
 void Given::take(MethodSettings& method) {
@@ -222,6 +230,23 @@ std::string_view keyword_of_flag(std::string_view flag) {
   }();
   const auto found = k_keys.find(flag);
   return found == k_keys.end() ? std::string_view() : found->second;
+}
+
+std::string with_keywords(std::string_view text) {
+  std::string with;
+  while (!text.empty()) {
+    const std::size_t begin = text.find("--");
+    with += text.substr(0, begin);
+    if (begin == std::string_view::npos) break;
+    const bool apart = begin == 0 || text[begin - 1] == ' ' || text[begin - 1] == '(';
+    text.remove_prefix(begin);
+    std::size_t end = 2;
+    while (end < text.size() && is_flag_letter(text[end])) ++end;
+    const std::string_view keyword = apart ? keyword_of_flag(text.substr(0, end)) : std::string_view();
+    with += keyword.empty() ? text.substr(0, end) : keyword;
+    text.remove_prefix(end);
+  }
+  return with;
 }
 
 const char* call_doc(const CallText& call) {

@@ -92,6 +92,9 @@ class Given {
 /// The keyword that stands for a flag of the command line; empty where none does.
 [[nodiscard]] std::string_view keyword_of_flag(std::string_view flag);
 
+/// A text of the program with the keyword for every flag that is a setting's.
+[[nodiscard]] std::string with_keywords(std::string_view text);
+
 /// A docstring that begins with the signature as Python reads it from there: `name(arguments, *, keywords)`;
 /// `more` are keyword arguments that are no settings, with their defaults; `text` comes before the settings'
 /// own help. It lives as long as the program.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "classify/headless.hpp"
@@ -10,7 +11,7 @@
 #include "parting/mold_picture.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/errors.hpp"
+#include "python/keywords.hpp"
 #include "python/work.hpp"
 #include "study/study_reports.hpp"
 
@@ -29,8 +30,8 @@ struct PythonMold {
   [[nodiscard]] const PartModel& model() const { return study.model(); }
   [[nodiscard]] const Assignment& assignment() const { return study.known<MoldLine>()->assignment; }
   [[nodiscard]] const PartingLine& line() const { return study.known<MoldLine>()->line; }
-  [[nodiscard]] const MoldHalves& halves() const { return study.known<MoldSolids>()->halves; }
-  [[nodiscard]] const WrittenMold& written() const { return study.known<MoldSolids>()->written; }
+  [[nodiscard]] const MoldHalves& halves() const { return *study.known<MoldHalves>(); }
+  [[nodiscard]] const WrittenMold& written() const { return halves().written; }
   [[nodiscard]] Json json() const {
     Study shared = study;
     return mold_json(shared, Progress());
@@ -43,7 +44,7 @@ struct PythonMold {
 };
 using SharedMold = std::shared_ptr<PythonMold>;
 
-SharedMold find(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
+SharedMold find_mold(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("mold", keywords);
   Questions questions;
@@ -56,8 +57,8 @@ SharedMold find(const PythonPart& self, const py::object& direction, const py::k
   return watched(progress_given, [&](const Progress& progress) {
     questions.query.direction = asked.find(self.model, questions.query.method, progress);
     Study study(self.model, questions);
-    mold_report(study, progress);
-    study.verdict(progress);
+    static_cast<void>(mold_report(study, progress));
+    static_cast<void>(study.verdict(progress));
     return std::make_shared<PythonMold>(std::move(study));
   });
 }
@@ -74,7 +75,7 @@ py::list loops(const PythonMold& self) {
   return list;
 }
 
-py::list bodies(const PythonMold& self) {
+py::list bodies_of_mold(const PythonMold& self) {
   py::list list;
   for (const WrittenBody& body : self.written().bodies) {
     const py::tuple mesh = mesh_arrays(body.mesh);
@@ -108,7 +109,7 @@ void write_line(const PythonMold& self, const py::object& path_given) {
   });
 }
 
-py::array picture(const PythonMold& self, const py::kwargs& keywords) {
+py::array picture_of_mold(const PythonMold& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   return image_array(watched(progress_given, [&](const Progress& progress) {
@@ -116,10 +117,6 @@ py::array picture(const PythonMold& self, const py::kwargs& keywords) {
     return mold_picture(*context, {self.model(), self.assignment(), self.line(), self.halves()}, still,
                         progress);
   }));
-}
-
-auto member(const char* key) {
-  return [key](const PythonMold& self) { return to_python(self.json()[key]); };
 }
 
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
@@ -146,9 +143,10 @@ py::object area_of(const PythonMold& self) {
 }
 
 void add_line(py::class_<PythonMold, SharedMold>& mold) {
-  mold.def_property_readonly("verdict", member("verdict"),
+  mold.def_property_readonly("verdict", report_member<PythonMold>("verdict"),
                              "What is said of the part first: a dict with state, sentence and reasons.")
-      .def_property_readonly("parting_line", member("parting_line"), "The parting line in a sentence.")
+      .def_property_readonly("parting_line", report_member<PythonMold>("parting_line"),
+                             "The parting line in a sentence.")
       .def_property_readonly("areas", area_of,
                              "What core, cavity and side actions form, in the part's unit squared.")
       .def_property_readonly("loops", loops,
@@ -180,7 +178,7 @@ void add_mold(py::module_& module, PartClass& part) {
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
           "Why there are no halves to write; empty where there are.")
       .def_property_readonly(
-          "bodies", bodies,
+          "bodies", bodies_of_mold,
           "Core, cavity and inserts, as they are written: a dict each with name, vertices, "
           "faces, volume and closed. Empty where there are none.")
       .def_property_readonly(
@@ -196,7 +194,7 @@ void add_mold(py::module_& module, PartClass& part) {
            "them "
            "to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
       .def(
-          "picture", &picture,
+          "picture", &picture_of_mold,
           picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
                       "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonMold& self) {
@@ -204,7 +202,7 @@ void add_mold(py::module_& module, PartClass& part) {
                                                                            self.model().frame.diagonal)));
       });
   add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
-  part.def("mold", &find, py::arg("direction"),
+  part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",
                      .more = "actions=False, progress=None",

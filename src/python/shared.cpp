@@ -1,5 +1,6 @@
 // What the classes of the Python module share.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <pybind11/numpy.h>
 
 #include "base/error.hpp"

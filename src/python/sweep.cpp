@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "classify/figures.hpp"
@@ -70,7 +71,7 @@ py::array scored_directions(const PythonSweep& self) {
   return copy_of(directions);
 }
 
-py::array picture(const PythonSweep& self, const py::kwargs& keywords) {
+py::array picture_of_sweep(const PythonSweep& self, const py::kwargs& keywords) {
   py::object progress_given;
   const StillSettings still = picture_settings(keywords, progress_given);
   validate(still);
@@ -82,13 +83,6 @@ py::array picture(const PythonSweep& self, const py::kwargs& keywords) {
 py::object best(const PythonSweep& self) {
   if (self.result.candidates.empty()) return py::none();
   return to_python(self.result.candidates.front().classification.direction);
-}
-
-auto member(const char* key) {
-  return [key](const PythonSweep& self) {
-    const Json json = self.json();
-    return json.contains(key) ? to_python(json[key]) : py::object(py::none());
-  };
 }
 
 std::string text(const PythonSweep& self) {
@@ -112,14 +106,16 @@ void add_sweep(py::module_& module, PartClass& part) {
       .def_property_readonly("best_direction", best,
                              "The first of those listed, of length one; None of none.")
       .def_property_readonly(
-          "candidates", member("candidates"),
+          "candidates", report_member<PythonSweep>("candidates"),
           "The directions listed, best first: a dict each, with direction, areas, tilt and "
           "the other figures of the report.")
       .def_property_readonly(
-          "verdict", member("verdict"),
+          "verdict", report_member<PythonSweep>("verdict"),
           "What is said of the best direction first: a dict with state, sentence and reasons.")
-      .def_property_readonly("proof", member("proof"), "What prove asked for, as a dict; else None.")
-      .def_property_readonly("all_free", member("all_free"), "What all_free asked for, as a dict; else None.")
+      .def_property_readonly("proof", report_member<PythonSweep>("proof"),
+                             "What prove asked for, as a dict; else None.")
+      .def_property_readonly("all_free", report_member<PythonSweep>("all_free"),
+                             "What all_free asked for, as a dict; else None.")
       .def_property_readonly(
           "remarks", [](const PythonSweep& self) { return to_python(Json(self.result.remarks)); },
           "What there is to say of the directions, a sentence each.")
@@ -137,7 +133,7 @@ void add_sweep(py::module_& module, PartClass& part) {
           [](const PythonSweep& self) { return scored(self, &EvaluatedDirection::undercut_error); },
           "k float64: how far that may be off (95 %).")
       .def(
-          "picture", &picture,
+          "picture", &picture_of_sweep,
           picture_doc("Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only "
                       "size\nand theme count. With sweep(thorough=True) every figure of it is scored to the "
                       "end."))

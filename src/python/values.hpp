@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <pybind11/pybind11.h>
 
 #include "mold/direction.hpp"

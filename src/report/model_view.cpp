@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include "base/check.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "mesh/triangle_mesh.hpp"
 #include "mold/region.hpp"

@@ -77,7 +77,7 @@ struct LegendItem {
 };
 
 std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) {
-  constexpr double k_gap_pt = 14.0, k_mark_pt = 11.0, k_height_pt = 12.5;
+  constexpr double k_item_gap_pt = 14.0, k_mark_pt = 11.0, k_line_height_pt = 12.5;
   const TextStyle name{.size_px = k_small_pt, .ink = k_ink}, aside{.size_px = k_small_pt, .ink = k_faint};
   std::vector<std::vector<LegendItem>> rows(1);
   double at = 0.0;
@@ -93,14 +93,14 @@ std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) 
       at = 0.0;
     }
     item.left = at;
-    at += width + k_gap_pt;
+    at += width + k_item_gap_pt;
     rows.back().push_back(std::move(item));
   }
   std::vector<Piece> pieces;
   for (const std::vector<LegendItem>& row : rows) {
     if (row.empty()) continue;
     pieces.push_back(
-        {.height = k_height_pt, .draw = [row, name, aside](Canvas& canvas, const glm::dvec2& corner) {
+        {.height = k_line_height_pt, .draw = [row, name, aside](Canvas& canvas, const glm::dvec2& corner) {
            for (const LegendItem& item : row) {
              glm::dvec2 base = corner + glm::dvec2(item.left, k_baseline * k_small_pt);
              draw_mark(canvas, item.mark, base - glm::dvec2(0.0, 6.4), 7.0);

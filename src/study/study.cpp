@@ -1,5 +1,7 @@
 #include "study/study.hpp"
 
+#include "parting/make_halves.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -91,23 +93,20 @@ std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progre
   return shared(std::move(found));
 }
 
-Asked<MoldSolids>::Inputs Asked<MoldSolids>::inputs(const Study& study) {
+Asked<MoldHalves>::Inputs Asked<MoldHalves>::inputs(const Study& study) {
   return {study.questions().query, of_solids(study.questions().mold)};
 }
-std::shared_ptr<const MoldSolids> Asked<MoldSolids>::find(Study& study, const Progress& progress) {
+std::shared_ptr<const MoldHalves> Asked<MoldHalves>::find(Study& study, const Progress& progress) {
   const MoldLine& line = study.find<MoldLine>(progress);
-  MoldSolids found{make_halves(study.model(), line.assignment.direction, {line.assignment.height, &line.line},
-                               study.questions().mold, progress),
-                   {}};
-  found.written = written_mold(found.halves);
-  return shared(std::move(found));
+  return shared(make_halves(study.model(), line.assignment.direction, {line.assignment.height, &line.line},
+                            study.questions().mold, progress));
 }
 
 Asked<InsertPlan>::Inputs Asked<InsertPlan>::inputs(const Study& study) {
-  return {Asked<MoldSolids>::inputs(study), Asked<ActionPlan>::inputs(study)};
+  return {Asked<MoldHalves>::inputs(study), Asked<ActionPlan>::inputs(study)};
 }
 std::shared_ptr<const InsertPlan> Asked<InsertPlan>::find(Study& study, const Progress& progress) {
-  const MoldHalves& halves = study.find<MoldSolids>(progress).halves;
+  const MoldHalves& halves = study.find<MoldHalves>(progress);
   if (halves.inserts.empty()) return shared(InsertPlan{});
   const ActionPlan& plan = study.find<ActionPlan>(progress);
   return shared(

@@ -43,11 +43,7 @@ struct MoldLine {
   Assignment assignment;
   PartingLine line;
 };
-/// The halves, and the bodies as they are written.
-struct MoldSolids {
-  MoldHalves halves;
-  WrittenMold written;
-};
+
 /// Which side actions form the inserts between the halves.
 struct InsertPlan {
   std::vector<InsertActions> of_inserts;
@@ -96,14 +92,14 @@ struct Asked<MoldLine> {
   static std::shared_ptr<const MoldLine> find(Study& study, const Progress& progress);
 };
 template <>
-struct Asked<MoldSolids> {
+struct Asked<MoldHalves> {
   using Inputs = std::pair<Query, MoldSettings>;
   static Inputs inputs(const Study& study);
-  static std::shared_ptr<const MoldSolids> find(Study& study, const Progress& progress);
+  static std::shared_ptr<const MoldHalves> find(Study& study, const Progress& progress);
 };
 template <>
 struct Asked<InsertPlan> {
-  using Inputs = std::pair<Asked<MoldSolids>::Inputs, Asked<ActionPlan>::Inputs>;
+  using Inputs = std::pair<Asked<MoldHalves>::Inputs, Asked<ActionPlan>::Inputs>;
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const InsertPlan> find(Study& study, const Progress& progress);
 };
@@ -166,7 +162,7 @@ class Study {
   std::shared_ptr<const PartModel> model_;
   Questions questions_;
   std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
-             Kept<MoldLine>, Kept<MoldSolids>, Kept<InsertPlan>, Kept<DraftCheck>>
+             Kept<MoldLine>, Kept<MoldHalves>, Kept<InsertPlan>, Kept<DraftCheck>>
       kept_;
 };
 

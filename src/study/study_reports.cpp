@@ -33,7 +33,7 @@ ActionsReport actions_report(Study& study, const Progress& progress) {
 
 MoldReport mold_report(Study& study, const Progress& progress) {
   static const std::vector<InsertActions> k_no_actions;
-  const MoldSolids& solids = study.find<MoldSolids>(progress);
+  const MoldHalves& halves = study.find<MoldHalves>(progress);
   const MoldLine& line = study.find<MoldLine>(progress);
   const bool with_actions = study.questions().with_actions;
   return {study.model(),
@@ -41,25 +41,27 @@ MoldReport mold_report(Study& study, const Progress& progress) {
           study.questions().mold,
           line.assignment,
           line.line,
-          solids.halves,
-          solids.written,
+          halves,
+          halves.written,
           with_actions ? &study.find<ActionPlan>(progress) : nullptr,
           with_actions ? study.find<InsertPlan>(progress).of_inserts : k_no_actions};
 }
 
 std::string mold_refusal(Study& study, const Progress& progress) {
-  const auto& [halves, written] = study.find<MoldSolids>(progress);
+  const MoldHalves& halves = study.find<MoldHalves>(progress);
   const PartingLine& line = study.find<MoldLine>(progress).line;
-  if (!written.refusal.empty())
-    return refusal_text(study.model(), halves, written,
+  if (!halves.written.refusal.empty())
+    return refusal_text(study.model(), halves, halves.written,
                         halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
   const std::string unfilled = unfilled_text(study.model(), study.questions().mold, halves);
-  return unfilled.empty() ? "" : "no halves are written: " + unfilled;
+  if (unfilled.empty()) return {};
+  return "no halves are written: " + unfilled +
+         "; --fill-undercut leaves them to inserts, moldlight actions finds side actions";
 }
 
 Verdict mold_verdict(Study& study, const Progress& progress) {
   Verdict verdict = study.verdict(progress);
-  if (!study.find<MoldSolids>(progress).written.refusal.empty())
+  if (!study.find<MoldHalves>(progress).written.refusal.empty())
     verdict.reasons.push_back(sentence_of(mold_refusal(study, progress)));
   return verdict;
 }

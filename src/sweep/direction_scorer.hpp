@@ -28,10 +28,13 @@ struct DirectionScore {
   [[nodiscard]] double pessimistic() const { return undercut() + undercut_error; }
 };
 
+/// Undercut area above which nothing is given up.
+inline constexpr double k_no_limit = std::numeric_limits<double>::infinity();
+
 /// A direction to score, and the undercut area above which it may be given up early.
 struct ScoringTask {
   glm::dvec3 direction{0, 0, 1};
-  double give_up_above = std::numeric_limits<double>::infinity();
+  double give_up_above = k_no_limit;
   /// A direction nearby, scored by the same samples: the two differ in few of them, so that it is soon
   /// certain which one has more undercut.
   const DirectionScore* beside = nullptr;

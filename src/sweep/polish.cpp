@@ -22,16 +22,15 @@ struct Ring {
 };
 constexpr std::array k_rings = {Ring{2.4, 12}, Ring{1.2, 12}, Ring{0.6, 12},
                                 Ring{0.3, 6},  Ring{0.15, 6}, Ring{0.07, 6}};
-constexpr int k_most_rounds = 20;
-constexpr double k_first_step_deg = 0.025, k_last_step_deg = 5e-5, k_step_ratio = 0.25;
+constexpr int k_most_polish_rounds = 20;
+constexpr double k_first_polish_deg = 0.025, k_last_polish_deg = 5e-5, k_step_ratio = 0.25;
 constexpr int k_step_probes = 6;
 constexpr double k_least_across = 0.02;        // of the part's area: planes that fix the direction
 constexpr double k_gain = 1e-9;                // of the objective; less is rounding
 constexpr double k_across_cosine = 0.9999995;  // within 0.06 degrees
-constexpr double k_same_direction_deg = 0.1;
+constexpr double k_same_feature_deg = 0.1;
 /// Of the part's area: for less undercut than this a direction of a feature is not left.
 constexpr double k_feature_share = 2e-5;
-constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 class Descent {
  public:
@@ -44,16 +43,16 @@ class Descent {
     const PlanesAcross planes = planes_across();
     try_directions({planes.mean});
     bool moved = true;
-    for (int round = 0; moved && round < k_most_rounds; ++round) {
+    for (int round = 0; moved && round < k_most_polish_rounds; ++round) {
       moved = false;
       for (const Ring& ring : k_rings) moved |= try_ring(ring.deg, ring.probes, round % 2 != 0);
     }
     // The surface of undercut areas is creased: a turned ring finds the way out of a crease that the first
     // one missed.
     const double last_step_deg =
-        planes.share > k_least_across ? k_first_step_deg * k_step_ratio : k_last_step_deg;
+        planes.share > k_least_across ? k_first_polish_deg * k_step_ratio : k_last_polish_deg;
     bool turned = false;
-    for (double step_deg = k_first_step_deg; step_deg > last_step_deg; turned = !turned) {
+    for (double step_deg = k_first_polish_deg; step_deg > last_step_deg; turned = !turned) {
       if (!try_ring(step_deg, k_step_probes, turned)) step_deg *= k_step_ratio;
     }
     return best_;
@@ -160,7 +159,7 @@ std::optional<Contender> polish(const Polishing& polishing, const Contender& sta
   const double angle_deg = line_angle_deg(start.candidate.direction, best.candidate.direction);
   if (angle_deg == 0.0) return std::nullopt;
   CandidateSource& source = best.candidate.sources.front();
-  const bool left_feature = angle_deg > k_same_direction_deg && source.kind != CandidateKind::refined;
+  const bool left_feature = angle_deg > k_same_feature_deg && source.kind != CandidateKind::refined;
   const double gain = start.figures.value - best.figures.value;
   if (left_feature &&
       gain < polishing.rating.value_of_undercut(k_feature_share * polishing.model.geometry.total_area)) {

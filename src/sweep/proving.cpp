@@ -19,7 +19,7 @@ namespace moldlight {
 namespace {
 
 // Better directions that a proof leads to are followed, and it begins anew, so many times at most.
-constexpr int k_most_rounds = 3;
+constexpr int k_most_proof_rounds = 3;
 constexpr std::size_t k_most_open_tried = 16, k_most_caps_measured = 200;
 
 std::optional<double> least_undercut(std::span<const Contender> contenders) {
@@ -75,7 +75,7 @@ void Prover::prove_best(std::optional<SweepProof>& proof) {
   };
   // By samples first, whatever the grade: it is soon known whether anything better was missed.
   prove_again(ProofGrade::samples);
-  for (int round = 0; round < k_most_rounds && proof->complete && found_better(*proof); ++round)
+  for (int round = 0; round < k_most_proof_rounds && proof->complete && found_better(*proof); ++round)
     prove_again(ProofGrade::samples);
   if (settings_.proof_grade == ProofGrade::area) prove_again(ProofGrade::area);
 }

@@ -41,7 +41,6 @@ constexpr std::size_t k_measured_together = 8;
 // seconds.
 constexpr std::size_t k_with_actions_per_listed = 2;
 constexpr std::size_t k_most_polished = 3;
-constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 /// The regions of what is listed are exact, whatever the readout that one's classifications have.
 SweepSettings with_exact_figures(SweepSettings settings) {

@@ -4,10 +4,12 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/option_json.hpp"
 #include "io/atomic_file.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_texts.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "classify/frame_benchmark.hpp"
-#include "gl/context.hpp"
+#include "gl/headless_context.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"
 

@@ -15,18 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_time_limit_s = 5.0;
-constexpr std::size_t k_memory_limit = std::size_t{1} << 30;
+constexpr std::size_t k_bad_file_memory = std::size_t{1} << 30;
 
 void expect_clear_end(const std::string& file) {
   for (const char* command : {"info", "classify"}) {
     std::vector<std::string> arguments = {command, file};
     if (arguments.front() == "classify") arguments.insert(arguments.end(), {"--direction", "0,0,1"});
     test::ProcessSettings settings;
-    settings.address_space_limit = 4 * k_memory_limit;
+    settings.address_space_limit = 4 * k_bad_file_memory;
     const auto run = test::run_moldlight(arguments, settings);
     if (!test::built_with_sanitizers()) {
       EXPECT_LT(run.seconds, k_time_limit_s) << file;
-      EXPECT_LT(run.peak_memory, k_memory_limit) << file;
+      EXPECT_LT(run.peak_memory, k_bad_file_memory) << file;
     }
     if (run.exit_code == 1) {
       EXPECT_EQ(run.error_lines(), 1u) << run.err;

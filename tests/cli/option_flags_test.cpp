@@ -2,9 +2,10 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "cli/small_part.hpp"
 
 namespace moldlight {

@@ -5,11 +5,13 @@
 #include <cstdint>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "classify/look_options.hpp"
 #include "classify/method_options.hpp"
+#include "classify/option_json.hpp"
 #include "gui/store/files.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/user_state.hpp"

@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "classify/look_options.hpp"
 #include "classify/method_options.hpp"
+#include "classify/option_json.hpp"
 #include "fuzz/seed_files.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/user_state.hpp"

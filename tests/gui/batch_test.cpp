@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "cli/small_parts.hpp"
+#include "gui/jobs/batch_table.hpp"
 #include "gui/window_with_part.hpp"
 
 namespace moldlight::gui::test {

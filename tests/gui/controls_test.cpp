@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/window_with_part.hpp"
 #include "sweep/direction_figures.hpp"

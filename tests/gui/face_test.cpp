@@ -8,14 +8,14 @@ namespace moldlight::gui::test {
 namespace {
 
 /// A box of six quadrangles, which are its faces.
-constexpr const char* k_box =
+constexpr const char* k_box_file =
     "OFF\n8 6 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
-class Faces : public WindowWithPart {
+class ChosenFaces : public WindowWithPart {
  protected:
   void open_box() {
-    window.app().open(part.folder().write("box.off", k_box));
+    window.app().open(part.folder().write("box.off", k_box_file));
     window.wait_until_loaded();
     window.wait_until_measured();
   }
@@ -34,7 +34,7 @@ class Faces : public WindowWithPart {
   }
 };
 
-TEST_F(Faces, AClickChoosesTheWholeFace) {
+TEST_F(ChosenFaces, AClickChoosesTheWholeFace) {
   open_box();
   const std::vector<std::uint8_t> bare = settled_pixels();
   move_to(place_of({12, 9, 10}));
@@ -71,7 +71,7 @@ TEST_F(Faces, AClickChoosesTheWholeFace) {
   EXPECT_EQ(settled_pixels(), bare);
 }
 
-TEST_F(Faces, ADragChoosesNothingAndTheBackgroundClears) {
+TEST_F(ChosenFaces, ADragChoosesNothingAndTheBackgroundClears) {
   open_box();
   const glm::vec2 place = place_of({12, 9, 10});
   drag(place, place + glm::vec2(40, 10));
@@ -85,7 +85,7 @@ TEST_F(Faces, ADragChoosesNothingAndTheBackgroundClears) {
   EXPECT_FALSE(state().face);
 }
 
-TEST_F(Faces, OfAPartThatNamesNoneAreFoundByHowItBends) {
+TEST_F(ChosenFaces, OfAPartThatNamesNoneAreFoundByHowItBends) {
   move_to({640, 360});
   ASSERT_TRUE(state().hover);
   ASSERT_TRUE(state().model->part.facet_source.empty());
@@ -97,7 +97,7 @@ TEST_F(Faces, OfAPartThatNamesNoneAreFoundByHowItBends) {
   EXPECT_NE(window.pixels(), hovered);
 }
 
-TEST_F(Faces, ThePartingLineIsDrawn) {
+TEST_F(ChosenFaces, ThePartingLineIsDrawn) {
   const std::vector<std::uint8_t> bare = settled_pixels();
   click("Parting line");
   EXPECT_TRUE(state().settings.look.parting_line);

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include <nlohmann/json.hpp>
+
 #include "classify/classifier.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/headless.hpp"

@@ -11,6 +11,7 @@
 #include "gui/panels/mold_panel.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/window_with_part.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_report.hpp"
 
 namespace moldlight::gui::test {
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* k_box =
+constexpr const char* k_box_part =
     "OFF\n8 6 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n0 0 10\n30 0 10\n30 20 10\n0 20 10\n"
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 constexpr const char* k_open_box =
@@ -67,7 +68,7 @@ std::string bytes_of(const fs::path& path) {
 }
 
 TEST_F(Mold, TellsTheLineAsTheCommandDoes) {
-  open(k_box);
+  open(k_box_part);
   ASSERT_TRUE(mold().line);
   const Assignment assignment = same_assignment();
   const PartingLine line = parting_line(assignment);
@@ -83,7 +84,7 @@ TEST_F(Mold, TellsTheLineAsTheCommandDoes) {
 }
 
 TEST_F(Mold, DrawsTheLineAndFliesToALoop) {
-  open(k_box);
+  open(k_box_part);
   const auto bare = window.pixels();
   unfold();
   window.move_mouse({640, 60});
@@ -145,7 +146,7 @@ TEST_F(Mold, ALoopIsChosenOnThePart) {
 }
 
 TEST_F(Mold, OpensAsSolidsThatFitThePart) {
-  open(k_box);
+  open(k_box_part);
   key({.key = 'O'});
   window.wait_until_measured();
   window.settle();
@@ -179,7 +180,7 @@ TEST_F(Mold, OpensAsSolidsThatFitThePart) {
 }
 
 TEST_F(Mold, IsCutClosed) {
-  open(k_box);
+  open(k_box_part);
   const double margin = block_margin(asked(), state().model->frame.diagonal);
   click("Section=x");
   window.move_mouse({640, 60});
@@ -197,7 +198,7 @@ TEST_F(Mold, IsCutClosed) {
 }
 
 TEST_F(Mold, TakesAHeightByHand) {
-  open(k_box);
+  open(k_box_part);
   unfold();
   const double found = parting_height(state());
   const glm::vec2 grip = window.control("parting height handle").centre();
@@ -240,7 +241,7 @@ TEST_F(Mold, TakesAHeightByHand) {
 }
 
 TEST_F(Mold, MovesAFaceToTheOtherHalf) {
-  open(k_box);
+  open(k_box_part);
   const glm::vec2 wall = pixel_of({15, 0, 5});  // as the usual view shows it
   move_to(wall);
   ASSERT_TRUE(state().hover);
@@ -294,7 +295,7 @@ TEST_F(Mold, SaysWhichFacesTheHalvesCannotFormAsAsked) {
   PartNotes notes;
   notes.settings.mold.cosmetic = cosmetic_with(cosmetic_with("", 3, true), 2, false);
   window.app().set_notes(notes);
-  open(k_box);
+  open(k_box_part);
   unfold();
   ASSERT_TRUE(mold().solids) << mold().error;
   const auto missed = missed_lines(*state().model, mold().solids->halves);
@@ -305,7 +306,7 @@ TEST_F(Mold, SaysWhichFacesTheHalvesCannotFormAsAsked) {
 }
 
 TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
-  open(k_box);
+  open(k_box_part);
   unfold();
   click("export mold");
   click("svg");
@@ -355,7 +356,7 @@ TEST_F(Mold, IsRefusedWithWhatStandsInTheWay) {
 }
 
 TEST_F(Mold, LoopsGoByKeys) {
-  open(k_box);
+  open(k_box_part);
   unfold();
   for (int k = 0; k < 120 && window.app().focused() != "loops"; ++k) key({.key = k_tab});
   ASSERT_EQ(window.app().focused(), "loops");

@@ -19,7 +19,7 @@ using Of = RevisionChange::Of;
 constexpr double k_hole = 3.0;
 constexpr glm::vec2 k_second(640.0F, 0.0F);  // where the second picture shows what the first one shows
 
-void write_mesh(const std::string& path, const TriangleMesh& mesh) {
+void write_revision(const std::string& path, const TriangleMesh& mesh) {
   const std::vector<Region> regions(mesh.facets.size(), Region::core);
   write_coloured_mesh(path, {mesh, regions});
 }
@@ -29,8 +29,8 @@ class Revisions : public WindowWithPart {
   Revisions() {
     a = part.output("before.stl");
     b = part.output("after.stl");
-    write_mesh(a, plate_mesh({}));
-    write_mesh(b, plate_mesh({.hole_radius = k_hole}));
+    write_revision(a, plate_mesh({}));
+    write_revision(b, plate_mesh({.hole_radius = k_hole}));
     window.app().open(a);
     window.wait_until_loaded();
     settle();
@@ -106,7 +106,7 @@ TEST_F(Revisions, TellWhatChangedAndNothingElse) {
 TEST_F(Revisions, OfAMovedBossTellTheBossAlone) {
   PlateWithBoss moved;
   moved.boss.x += 2.0;
-  write_mesh(b, plate_mesh(moved));
+  write_revision(b, plate_mesh(moved));
   compare(b);
   ASSERT_FALSE(result().changes.empty());
   for (const RevisionChange& change : result().changes) {
@@ -243,7 +243,7 @@ TEST_F(Revisions, AFileThatCannotBeReadIsToldInOneLine) {
 
 TEST_F(Revisions, AChangedFileIsComparedAgain) {
   compare(b);
-  write_mesh(b, plate_mesh({}));
+  write_revision(b, plate_mesh({}));
   const auto start = std::chrono::steady_clock::now();
   while (!result().changes.empty()) {
     window.frame();

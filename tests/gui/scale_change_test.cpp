@@ -12,8 +12,8 @@ namespace moldlight::gui {
 namespace {
 
 TEST(ScaleChange, LeavesTheRendererInOrder) {
-  const test::ScratchFolder folder;
-  const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {3, 2, 1});
+  const moldlight::test::ScratchFolder folder;
+  const TriangleMesh mesh = moldlight::test::box_mesh({0, 0, 0}, {3, 2, 1});
   const std::vector<Region> regions(mesh.facets.size(), Region::both);
   write_coloured_mesh(folder.file("box.stl"), {.mesh = mesh, .regions = regions});
   OffscreenWindow window(
@@ -38,8 +38,8 @@ std::map<std::string, ScreenBox> panels(OffscreenWindow& window) {
 }
 
 TEST(ScaleChange, PanelsMakeRoomForEachOtherAndComeBackToTheirPlaces) {
-  const test::ScratchFolder folder;
-  const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {3, 2, 1});
+  const moldlight::test::ScratchFolder folder;
+  const TriangleMesh mesh = moldlight::test::box_mesh({0, 0, 0}, {3, 2, 1});
   const std::vector<Region> regions(mesh.facets.size(), Region::both);
   write_coloured_mesh(folder.file("box.stl"), {.mesh = mesh, .regions = regions});
   OffscreenOptions options;

@@ -3,14 +3,13 @@
 #include <iostream>
 #include <string>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include "gui/window_with_part.hpp"
 #include "support/random.hpp"
-
-// After the GL's own names.
-#include <GLFW/glfw3.h>
 
 namespace moldlight::gui::test {
 namespace {

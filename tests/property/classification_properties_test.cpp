@@ -15,7 +15,7 @@ namespace {
 constexpr int k_cases = 6;
 // Turning, scaling and moving round the coordinates anew, in double: far from the origin a coordinate has
 // ten digits after the part's size.
-constexpr double k_rounding = 1e-9;  // of the part's area
+constexpr double k_area_rounding = 1e-9;  // of the part's area
 
 Query query_for(const test::Shape& shape) {
   Query query;
@@ -27,7 +27,7 @@ Query query_for(const test::Shape& shape) {
 
 void expect_same_areas(const Classification& a, const Classification& b, const std::string& name) {
   for (const Region region : k_regions) {
-    EXPECT_NEAR(a.areas[region], b.areas[region], k_rounding * a.total_area)
+    EXPECT_NEAR(a.areas[region], b.areas[region], k_area_rounding * a.total_area)
         << name << ", " << region_name(region);
   }
 }

@@ -30,7 +30,7 @@ constexpr double k_most_doubt = 1e-6;  // walls tilted by the rounding of files 
 constexpr const char* k_partly_double = "3mf_cube_gears_17parts.3mf";
 constexpr double k_identity_of_double = 1e-6;
 
-struct Totals {
+struct SplitTotals {
   std::size_t splits = 0, closed = 0, facets = 0, pieces = 0, rays = 0, unclear = 0, borders = 0;
   double worst_ratio = 0.0;  // pieces over facets
   void print() const {
@@ -43,7 +43,7 @@ struct Totals {
 
 void check_split(const test::ExactModel& model, const glm::dvec3& direction,
                  const test::ShapeSettings& settings, std::size_t rays, const std::string& part,
-                 Totals& totals) {
+                 SplitTotals& totals) {
   char name[200];
   std::snprintf(name, sizeof name, "%s along (%.3g, %.3g, %.3g)", part.c_str(), direction.x, direction.y,
                 direction.z);
@@ -83,7 +83,7 @@ void check_split(const test::ExactModel& model, const glm::dvec3& direction,
 }
 
 TEST(ExactSplit, OfOurOwnShapesIsSound) {
-  Totals totals;
+  SplitTotals totals;
   for (const test::Shape& shape : test::all_shapes({})) {
     const test::ExactModel model(shape.mesh);
     check_split(model, shape.direction, shape.settings, 2000, shape.name, totals);
@@ -95,7 +95,7 @@ TEST(ExactSplit, OfOurOwnShapesIsSound) {
 }
 
 TEST(ExactSplit, OfPilesIsSound) {
-  Totals totals;
+  SplitTotals totals;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const test::BoxPile pile = test::random_pile(seed, seed % 4 == 3);
     const glm::dquat rotation = seed % 3 == 0 ? glm::dquat(1, 0, 0, 0) : test::random_rotation(seed);
@@ -111,7 +111,7 @@ TEST(ExactSplit, OfPilesIsSound) {
   EXPECT_LE(static_cast<double>(totals.unclear), k_most_unclear * static_cast<double>(totals.rays));
 }
 
-void check_part(const std::string& path, const std::string& name, Totals& totals) {
+void check_part(const std::string& path, const std::string& name, SplitTotals& totals) {
   const auto part = load_part(path, ReadOptions{}, Progress{});
   const test::ExactModel model(part->part.mesh);
   for (const glm::dvec3& direction : test::five_directions())
@@ -119,7 +119,7 @@ void check_part(const std::string& path, const std::string& name, Totals& totals
 }
 
 TEST(ExactSplit, OfShippedPartsIsSound) {
-  Totals totals;
+  SplitTotals totals;
   for (const char* name : {"bottle_cap.stl", "cable_clip.stl", "enclosure_lid.stl", "tilted_bracket.stl"})
     check_part((test::asset_folder() / "parts" / name).string(), name, totals);
   totals.print();
@@ -130,7 +130,7 @@ TEST(ExactSplit, OfShippedPartsIsSound) {
 TEST(ExactSplit, OfSharedPartsIsSound) {
   const auto shared = test::shared_folder();
   if (!shared) GTEST_SKIP() << "no folder of real parts";
-  Totals totals;
+  SplitTotals totals;
   std::size_t parts = 0;
   for (const test::ManifestRow& row : test::read_manifest()) {
     if (row.file.starts_with("bad/")) continue;

@@ -17,6 +17,7 @@
 #include "classify/part_model.hpp"
 #include "mesh/health.hpp"
 #include "parting/loops.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
 #include "support/exact_crossing.hpp"
 #include "support/known_pulls.hpp"

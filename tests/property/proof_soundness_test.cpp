@@ -21,7 +21,7 @@
 namespace moldlight {
 namespace {
 
-constexpr std::size_t k_samples = 10'000, k_guides = 5'000;
+constexpr std::size_t k_proof_samples = 10'000, k_guides = 5'000;
 constexpr std::size_t k_rays_per_direction = 100, k_grid_per_direction = 4;
 constexpr double k_level_95 = 2.0;       // standard errors
 constexpr double k_better_share = 5e-5;  // of the part's area: less better is rounding
@@ -69,9 +69,9 @@ Proofs prove_third_of_median(const test::ProofModel& model) {
   const double total = model.part().geometry.total_area, share = undercuts[7] / (3.0 * total);
   const ProofTask task{
       .query = model.query(), .bound = share * total, .finest_deg = 4.0, .finest_length = 0.02};
-  return {.samples = prove_directions(model.part(), model.samples(k_samples), task),
+  return {.samples = prove_directions(model.part(), model.samples(k_proof_samples), task),
           .area = prove_directions(model.part(), model.pieces(k_guides), task),
-          .sampling_error = k_level_95 * total * std::sqrt(share * (1.0 - share) / k_samples)};
+          .sampling_error = k_level_95 * total * std::sqrt(share * (1.0 - share) / k_proof_samples)};
 }
 
 const ProofCell& cell_of(const DirectionProof& proof, const glm::dvec3& direction) {
@@ -133,7 +133,7 @@ TEST(ProofSoundness, WhatIsCertainIsBlockedForRays) {
   for (const auto& path : parts(20)) {
     const test::ProofModel model(load_part(path.string(), {}, Progress{}));
     const std::size_t wanted = k_rays_per_direction * directions_wanted();
-    for (const auto& elements : {model.samples(k_samples), model.pieces(0).pieces}) {
+    for (const auto& elements : {model.samples(k_proof_samples), model.pieces(0).pieces}) {
       const test::RaysChecked rays = test::check_certain(model, elements, wanted / 2, 8, 23);
       EXPECT_EQ(rays.wrong, 0U) << path << ", of " << rays.certain;
       std::cout << path.filename().string() << ": " << rays.certain << " rays, wrong " << rays.wrong

@@ -17,14 +17,14 @@
 namespace moldlight {
 namespace {
 
-constexpr std::uint64_t k_samples = 20'000;
+constexpr std::uint64_t k_scored_samples = 20'000;
 
 /// A part with its samples; scores one task after the other.
 class Scored {
  public:
   explicit Scored(const TriangleMesh& mesh)
       : model_(test::model_of(mesh)),
-        samples_(sample_surface_evenly(model_->part.mesh, model_->geometry, model_->frame, k_samples)),
+        samples_(sample_surface_evenly(model_->part.mesh, model_->geometry, model_->frame, k_scored_samples)),
         scorer_({model_->rays(), model_->geometry, samples_}, 1.0, 1.0 / 2048.0) {}
 
   DirectionScore operator()(const ScoringTask& task) { return scorer_.score({&task, 1}).front(); }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double k_allowed_share = 5e-5;  // of the part's area
 constexpr std::size_t k_even_directions = 1000;
-constexpr std::uintmax_t k_most_bytes = 4'000'000;
+constexpr std::uintmax_t k_most_grid_bytes = 4'000'000;
 
 /// 16 directions on each of 8 rings from 0.05 to 2.5 degrees.
 std::vector<ScoringTask> tasks_around(const glm::dvec3& direction, double give_up_above) {
@@ -68,7 +68,7 @@ TEST(SweepAgainstGrid, NothingIsBetterThanTheBestOfTheSharedParts) {
   for (const auto& entry : std::filesystem::directory_iterator(*test::shared_folder() / "parts")) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".stl" && extension != ".obj" && extension != ".ply" && extension != ".off") continue;
-    if (entry.file_size() > k_most_bytes) continue;
+    if (entry.file_size() > k_most_grid_bytes) continue;
     SCOPED_TRACE(entry.path().string());
     expect_nothing_better(entry.path());
     ++parts;

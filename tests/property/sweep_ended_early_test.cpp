@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"

@@ -6,16 +6,17 @@
 #include "support/classify_mesh.hpp"
 #include "support/map_lookup.hpp"
 #include "support/shapes.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight {
 namespace {
 
-struct Drawn {
+struct DrawnByBackend {
   std::vector<std::uint32_t> plus, minus;
   Classification samples, facet_ids, symmetric;
 };
 
-Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
+DrawnByBackend draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   const auto context = gl::create_headless_context(backend);
   Classifier classifier(*context, test::model_of(shape.mesh));
   Query query;
@@ -23,7 +24,7 @@ Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
   query.method.resolution = 512;
   query.method.samples = 100'000;
   query.method.readout = Readout::samples;
-  Drawn drawn;
+  DrawnByBackend drawn;
   drawn.samples = classifier.classify(query, Progress{});
   drawn.plus = classifier.maps().read(true);
   drawn.minus = classifier.maps().read(false);
@@ -37,13 +38,14 @@ Drawn draw(gl::HeadlessBackend backend, const test::Shape& shape) {
 
 TEST(Backends, AgreeToTheBit) {
   for (const test::Shape& shape : {test::snap_hook({}), test::spool({}), test::cup_with_side_hole({})}) {
-    const Drawn egl = draw(gl::HeadlessBackend::egl, shape);
-    const Drawn osmesa = draw(gl::HeadlessBackend::osmesa, shape);
+    const DrawnByBackend egl = draw(gl::HeadlessBackend::egl, shape);
+    const DrawnByBackend osmesa = draw(gl::HeadlessBackend::osmesa, shape);
     ASSERT_NE(egl.samples.backend, osmesa.samples.backend);
     EXPECT_EQ(egl.plus, osmesa.plus) << shape.name;
     EXPECT_EQ(egl.minus, osmesa.minus) << shape.name;
     EXPECT_GT(std::count_if(egl.plus.begin(), egl.plus.end(), [](auto texel) { return texel != 0; }), 1000);
-    for (const auto member : {&Drawn::samples, &Drawn::facet_ids, &Drawn::symmetric}) {
+    for (const auto member :
+         {&DrawnByBackend::samples, &DrawnByBackend::facet_ids, &DrawnByBackend::symmetric}) {
       EXPECT_EQ((egl.*member).facet_fractions, (osmesa.*member).facet_fractions) << shape.name;
       EXPECT_EQ((egl.*member).areas.values, (osmesa.*member).areas.values) << shape.name;
       EXPECT_EQ((egl.*member).uncertainty.total(), (osmesa.*member).uncertainty.total()) << shape.name;

@@ -15,6 +15,7 @@
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
 #include "support/sight_line.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight {
 namespace {

@@ -19,10 +19,10 @@ namespace moldlight {
 namespace {
 
 constexpr glm::ivec2 k_size(320, 240);
-constexpr double k_most_differing =
+constexpr double k_most_other_texels =
     2e-3;  // of the part's pixels: along region borders, by roundings of a texel
 
-constexpr float k_depth_rounding =
+constexpr float k_map_rounding =
     1.0F / 1024;  // unit frame: corners are snapped, which moves steep facets up or down
 
 class Moving : public testing::TestWithParam<KernelShape> {};
@@ -62,7 +62,8 @@ TEST_P(Moving, ShowsTheRegionsOfMapsDrawnByTheGl) {
       }
     }
     EXPECT_GT(pixels, 10'000U) << shape.name;
-    EXPECT_LE(static_cast<double>(differing), k_most_differing * static_cast<double>(pixels)) << shape.name;
+    EXPECT_LE(static_cast<double>(differing), k_most_other_texels * static_cast<double>(pixels))
+        << shape.name;
   }
 }
 
@@ -171,7 +172,7 @@ TEST_P(Moving, HasTheDepthsOfMapsDrawnByTheGl) {
       std::size_t covered = 0, differing = 0;
       for (std::size_t i = 0; i < found.size(); ++i) {
         covered += expected[i] < 1.0F ? 1 : 0;
-        differing += std::abs(found[i] - expected[i]) > k_depth_rounding ? 1 : 0;
+        differing += std::abs(found[i] - expected[i]) > k_map_rounding ? 1 : 0;
       }
       EXPECT_GT(covered, 1000U);
       EXPECT_LE(differing, covered / 50) << "edges of facets round to either side of a texel's centre";

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/context.hpp"
+#include "gl/headless_context.hpp"
 #include "render/shadow_maps.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/map_lookup.hpp"

@@ -16,7 +16,7 @@ constexpr double k_in_plane = 1e-10;
 /// Heights above a plane that are rounding, as a share of the bodies' size.
 constexpr double k_on_plane = 1e-12;
 
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -27,7 +27,7 @@ Loop2 hull(std::vector<glm::dvec2> points) {
   for (int half = 0; half < 2; ++half) {
     const std::size_t first = loop.size();
     for (const glm::dvec2& point : points) {
-      while (loop.size() >= first + 2 && turn(loop[loop.size() - 2], loop.back(), point) <= 0.0)
+      while (loop.size() >= first + 2 && turn_of(loop[loop.size() - 2], loop.back(), point) <= 0.0)
         loop.pop_back();
       loop.push_back(point);
     }
@@ -44,7 +44,7 @@ Loop2 clipped(Loop2 loop, const Loop2& by) {
     Loop2 kept;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-      const double at_a = turn(from, to, a), at_b = turn(from, to, b);
+      const double at_a = turn_of(from, to, a), at_b = turn_of(from, to, b);
       if (at_a >= 0.0) kept.push_back(a);
       if ((at_a > 0.0 && at_b < 0.0) || (at_a < 0.0 && at_b > 0.0))
         kept.push_back(a + at_a / (at_a - at_b) * (b - a));
@@ -127,7 +127,7 @@ double union_area(const std::vector<Loop2>& polygons) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
       const Edge2 &e = edges[i], &f = edges[j];
       if (e.polygon == f.polygon || e.high.x <= f.low.x || f.high.x <= e.low.x) continue;
-      const double at_low = turn(e.low, e.high, f.low), at_high = turn(e.low, e.high, f.high);
+      const double at_low = turn_of(e.low, e.high, f.low), at_high = turn_of(e.low, e.high, f.high);
       if ((at_low > 0.0) == (at_high > 0.0)) continue;
       stops.push_back(f.low.x + at_low / (at_low - at_high) * (f.high.x - f.low.x));
     }

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-#include <glm/common.hpp>
-
-#include "gui/draw/widgets.hpp"
+#include <glm/vector_relational.hpp>
 
 namespace moldlight::gui {
 
@@ -66,7 +63,8 @@ void Popups::begin_frame() {
   depth_ = 0;
   if (!ImGui::IsMouseClicked(0) && !ImGui::IsMouseClicked(1) && !ImGui::IsMouseClicked(2)) return;
   just_closed_ = 0;
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const glm::vec2 mouse(at.x, at.y);
   while (!open_.empty()) {
     const ScreenBox& box = open_.back().box;
     if (glm::all(glm::greaterThanEqual(mouse, box.min)) && glm::all(glm::lessThan(mouse, box.max))) return;
@@ -85,50 +83,6 @@ bool Popups::close_one() {
   if (open_.empty()) return false;
   open_.pop_back();
   return true;
-}
-
-void open_popup_below_item(const Ui& ui, const char* id) {
-  const glm::vec2 gap(0.0F, ui.px(4));
-  ui.memory->popups.open(ImGui::GetID(id),
-                         {from_im(ImGui::GetItemRectMin()) - gap, from_im(ImGui::GetItemRectMax()) + gap});
-}
-
-void open_popup_at_mouse(const Ui& ui, const char* id) {
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
-  ui.memory->popups.open(ImGui::GetID(id), {mouse, mouse});
-}
-
-bool begin_popup(const Ui& ui, const char* id, float width) {
-  Popups& popups = ui.memory->popups;
-  const ImGuiID popup = ImGui::GetID(id);
-  if (popups.depth_ >= popups.open_.size() || popups.open_[popups.depth_].id != popup) return false;
-  Popups::Open& open = popups.open_[popups.depth_++];
-  const glm::vec2 size = open.box.max - open.box.min, window = from_im(ImGui::GetIO().DisplaySize);
-  glm::vec2 at(open.beside.min.x, open.beside.max.y);
-  if (at.y + size.y > window.y && open.beside.min.y > size.y) at.y = open.beside.min.y - size.y;
-  place_window(glm::max(glm::min(at, window - size), glm::vec2(0.0F)), glm::vec2(0.0F));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width > 0.0F ? width : window.x, window.y));
-  // Not in the style of a window that it is opened from.
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(12), ui.px(8)));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-  ImGui::Begin(fmt::format("Popup {:08x}", popup).c_str(), nullptr,
-               k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize);
-  ImGui::PopStyleVar(3);
-  ImGui::PopStyleColor();
-  const glm::vec2 corner = from_im(ImGui::GetWindowPos());
-  open.box = {corner, corner + from_im(ImGui::GetWindowSize())};
-  ui.memory->keyboard.enter_layer();
-  ui.memory->keyboard.enter_layer();  // above the dialogs, too
-  return true;
-}
-
-void end_popup(const Ui& ui) {
-  ui.memory->keyboard.leave_layer();
-  ui.memory->keyboard.leave_layer();
-  ImGui::End();
-  --ui.memory->popups.depth_;
 }
 
 }  // namespace moldlight::gui

@@ -1,4 +1,4 @@
-// Which control has the keyboard, and the small windows that open over the panels: menus, lists, options.
+// Which control has the keyboard, and which popups are open.
 #pragma once
 
 #include <cstdint>
@@ -101,13 +101,5 @@ class Popups {
   std::size_t depth_ = 0;  // of the one that is being drawn
   ImGuiID just_closed_ = 0;
 };
-
-/// Opens a popup below the item just drawn, or at the mouse.
-void open_popup_below_item(const Ui& ui, const char* id);
-void open_popup_at_mouse(const Ui& ui, const char* id);
-/// Begins the popup's window if it is open; call end_popup() then. `width` in pixels, 0: as wide as its
-/// contents. Escape and a click elsewhere close it, and that click does what it does there.
-[[nodiscard]] bool begin_popup(const Ui& ui, const char* id, float width = 0.0F);
-void end_popup(const Ui& ui);
 
 }  // namespace moldlight::gui

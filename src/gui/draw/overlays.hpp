@@ -1,4 +1,4 @@
-// What lies over the panels: dialogs and tooltips. Popups are in keyboard.hpp.
+// What lies over the panels: dialogs, tooltips, and popups: menus, lists, options.
 #pragma once
 
 #include <string_view>
@@ -19,5 +19,13 @@ void tooltip(const Ui& ui, std::string_view title, std::string_view text);
 /// The same for what is drawn before end_tooltip(), which is called where this is true.
 [[nodiscard]] bool begin_tooltip(const Ui& ui);
 void end_tooltip();
+
+/// Opens a popup below the item just drawn, or at the mouse.
+void open_popup_below_item(const Ui& ui, const char* id);
+void open_popup_at_mouse(const Ui& ui, const char* id);
+/// Begins the popup's window if it is open; call end_popup() then. `width` in pixels, 0: as wide as its
+/// contents. Escape and a click elsewhere close it, and that click does what it does there.
+[[nodiscard]] bool begin_popup(const Ui& ui, const char* id, float width = 0.0F);
+void end_popup(const Ui& ui);
 
 }  // namespace moldlight::gui

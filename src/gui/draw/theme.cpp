@@ -10,7 +10,7 @@ constexpr ImU32 rgba(std::uint32_t rgb, int alpha = 255) {
   return IM_COL32((rgb >> 16) & 0xFF, (rgb >> 8) & 0xFF, rgb & 0xFF, alpha);
 }
 
-constexpr ThemeColours k_dark = {
+constexpr ThemeColours k_dark_colours = {
     .panel = rgba(0x1A1C1F, 240),
     .panel_border = rgba(0xFFFFFF, 20),
     .popup = rgba(0x202327, 250),
@@ -27,7 +27,7 @@ constexpr ThemeColours k_dark = {
     .warning = rgba(0xE8C26A),
 };
 
-constexpr ThemeColours k_light = {
+constexpr ThemeColours k_light_colours = {
     .panel = rgba(0xFCFCFD, 238),
     .panel_border = rgba(0x000000, 24),
     .popup = rgba(0xFFFFFF, 252),
@@ -46,7 +46,9 @@ constexpr ThemeColours k_light = {
 
 }  // namespace
 
-const ThemeColours& theme_colours(Theme theme) { return theme == Theme::dark ? k_dark : k_light; }
+const ThemeColours& theme_colours(Theme theme) {
+  return theme == Theme::dark ? k_dark_colours : k_light_colours;
+}
 
 ImU32 faded(ImU32 colour, float alpha) {
   const auto own = static_cast<float>((colour >> IM_COL32_A_SHIFT) & 0xFF);

@@ -72,4 +72,13 @@ std::string fitted(const SizedFont& font, std::string_view text, float width) {
   return "…";
 }
 
+void place_window(const glm::vec2& at, const glm::vec2& pivot) {
+  ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
+}
+
+void heading(const Ui& ui, std::string_view text) {
+  const FontScope strong(ui.fonts.strong);
+  draw_item_text(ui.colours->text, text);
+}
+
 }  // namespace moldlight::gui

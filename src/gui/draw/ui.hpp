@@ -114,9 +114,19 @@ void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at
 void draw_item_text(ImU32 colour, std::string_view text);
 /// Into the window that is open, ending at `right`.
 void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text);
+/// Text in the strong font.
+void heading(const Ui& ui, std::string_view text);
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);
 /// Shortened in its middle to fit a width in pixels.
 [[nodiscard]] std::string fitted(const SizedFont& font, std::string_view text, float width);
+
+/// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
+inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+inline constexpr ImGuiWindowFlags k_card_window =
+    k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+/// The next window's place: that of its point at `pivot`, which is a share of its size.
+void place_window(const glm::vec2& at, const glm::vec2& pivot);
 
 }  // namespace moldlight::gui

@@ -19,13 +19,13 @@ namespace {
 constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
 
 /// A row's place on the screen, and what mouse and keyboard do to it.
-struct Row {
+struct ControlRow {
   glm::vec2 min{0.0F}, max{0.0F};
   bool hovered = false, active = false, clicked = false, pressed = false, focused = false;
   [[nodiscard]] float middle() const { return 0.5F * (min.y + max.y); }
 };
 
-Row begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
+ControlRow begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
   if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
   const Pressable item = pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
   return {item.box.min, item.box.max, item.hovered, item.active, item.clicked, item.pressed, item.focused};
@@ -51,15 +51,15 @@ int value_steps(Keyboard& keyboard) {
   return keyboard.takes(ControlKey::page_up) ? 10 : 0;
 }
 
-ImU32 field_colour(const Ui& ui, const Row& row) {
+ImU32 field_colour(const Ui& ui, const ControlRow& row) {
   return row.active ? ui.colours->field_active : row.hovered ? ui.colours->field_hovered : ui.colours->field;
 }
 
-void draw_row_text(const Lettering& lettering, float left, const Row& row, std::string_view text) {
+void draw_row_text(const Lettering& lettering, float left, const ControlRow& row, std::string_view text) {
   draw_text(*ImGui::GetWindowDrawList(), lettering, {left, row.middle() - 0.5F * lettering.font.size}, text);
 }
 
-void draw_label(const Ui& ui, const Row& row, const RowLabel& label) {
+void draw_label(const Ui& ui, const ControlRow& row, const RowLabel& label) {
   const std::string_view shown = label.text.substr(0, label.text.find("##"));
   float left = row.min.x + ui.px(8);
   if (label.modified) {
@@ -70,7 +70,7 @@ void draw_label(const Ui& ui, const Row& row, const RowLabel& label) {
   draw_row_text({ui.fonts.body, label.modified ? ui.colours->text : ui.colours->muted}, left, row, shown);
 }
 
-void draw_value(const Ui& ui, const Row& row, std::string_view text) {
+void draw_value(const Ui& ui, const ControlRow& row, std::string_view text) {
   draw_row_text({ui.fonts.body, ui.colours->text}, row.max.x - ui.px(8) - text_size(ui.fonts.body, text).x,
                 row, text);
 }
@@ -196,7 +196,7 @@ bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec) {
   ImGui::BeginDisabled(!spec.enabled);
   const float width =
       std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
-  const Row row = begin_row(ui, label, width);
+  const ControlRow row = begin_row(ui, label, width);
   ImGui::EndDisabled();
   if (row.hovered || row.focused)
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), ui.colours->field_hovered, ui.px(6));
@@ -218,7 +218,7 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     if (typed) value = std::clamp(*typed, spec.min, spec.max);
     return value != before;
   }
-  const Row row = begin_row(ui, label.text);
+  const ControlRow row = begin_row(ui, label.text);
   Keyboard& keyboard = ui.memory->keyboard;
   if (wants_typing() || row.pressed) {
     start_typing(*ui.memory, id, real_text(value));
@@ -261,7 +261,7 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     const auto typed = typed_row(ui, id, spec.width);
     return typed && std::exchange(value, *typed) != *typed;
   }
-  const Row row = begin_row(ui, id_text, spec.width);
+  const ControlRow row = begin_row(ui, id_text, spec.width);
   if (row.clicked || (row.focused && memory.keyboard.arrived())) memory.type_in = id;
   // The field that Tab has left has yet to give its number where it is drawn after this one.
   if (memory.type_in == id && memory.typing_id == 0) {
@@ -281,7 +281,7 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
 }
 
 bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
-  const Row row = begin_row(ui, label.text);
+  const ControlRow row = begin_row(ui, label.text);
   if (row.clicked) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (row.hovered) list.AddRectFilled(im(row.min), im(row.max), ui.colours->field, ui.px(6));
@@ -345,7 +345,7 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
 bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   const std::string_view shown = label.substr(0, label.find("##"));
   const float text_width = text_size(ui.fonts.body, shown).x;
-  const Row row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
+  const ControlRow row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
   const bool filled = spec.strong || spec.chosen;
   const ImU32 back = filled ? faded(ui.colours->accent, row.hovered ? 0.85F : 1.0F) : field_colour(ui, row);
   ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
@@ -356,7 +356,7 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
 }
 
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
-  const Row row = begin_row(ui, spec.id, ui.px(k_row_height));
+  const ControlRow row = begin_row(ui, spec.id, ui.px(k_row_height));
   if (row.hovered || spec.chosen) {
     ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
   }
@@ -372,7 +372,7 @@ bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
     ImGui::SameLine(0.0F, ui.px(4));
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
   }
-  const Row row = begin_row(ui, label, width);
+  const ControlRow row = begin_row(ui, label, width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = 0.5F * (row.max.y - row.min.y);
   if (on || row.hovered) {
@@ -401,7 +401,7 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 }
 
 bool disclosure(const Ui& ui, std::string_view label, bool open) {
-  const Row row = begin_row(ui, "disclosure");
+  const ControlRow row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
   draw_row_text({ui.fonts.small, colour}, row.min.x + ui.px(8), row, label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -411,15 +411,6 @@ bool disclosure(const Ui& ui, std::string_view label, bool open) {
                             ImVec2(at.x + half, at.y - lift)};
   list.AddPolyline(points, 3, colour, ImDrawFlags_None, 1.25F * ui.scale);
   return row.clicked;
-}
-
-void place_window(const glm::vec2& at, const glm::vec2& pivot) {
-  ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
-}
-
-void heading(const Ui& ui, std::string_view text) {
-  const FontScope strong(ui.fonts.strong);
-  draw_item_text(ui.colours->text, text);
 }
 
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {

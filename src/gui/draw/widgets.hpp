@@ -98,19 +98,9 @@ struct MenuItemSpec {
 };
 bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec = {});
 
-/// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.
-inline constexpr ImGuiWindowFlags k_fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-inline constexpr ImGuiWindowFlags k_card_window =
-    k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
-/// The next window's place: that of its point at `pivot`, which is a share of its size.
-void place_window(const glm::vec2& at, const glm::vec2& pivot);
-
 /// A right click on the item just drawn, or what `asked` stands for, offers to copy a text.
 void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked = false);
 
-/// Text in the strong font.
-void heading(const Ui& ui, std::string_view text);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
 /// A text with its upper left corner at `at`, on a tag of its own: it reads on whatever lies below.

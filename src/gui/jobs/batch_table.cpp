@@ -8,10 +8,13 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/shown_text.hpp"
+#include "base/utf8.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/option_json.hpp"
 
 namespace moldlight::gui {
 
@@ -39,11 +42,6 @@ std::optional<double> value_of(const PartResult& row, BatchColumn column) {
 }
 
 bool is_text(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// The settings among these that a table of options has.
 template <typename S>
@@ -93,13 +91,13 @@ std::vector<BatchColumn> used_columns(const BatchTable& table) {
 
 std::vector<std::size_t> ordered_rows(const BatchTable& table, const BatchOrder& order) {
   std::vector<std::string> words;
-  std::istringstream text(lower(order.filter));
+  std::istringstream text(lower_letters(order.filter));
   for (std::string word; text >> word;) words.push_back(word);
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const PartResult& row = table.rows[k];
-    const std::string all =
-        lower(fmt::format("{} {} {} {}", row.path, row.settings, batch::state_name(row.state), row.reason));
+    const std::string all = lower_letters(
+        fmt::format("{} {} {} {}", row.path, row.settings, batch::state_name(row.state), row.reason));
     const auto is_in = [&](const std::string& word) { return all.find(word) != std::string::npos; };
     if (std::ranges::all_of(words, is_in)) rows.push_back(k);
   }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "parting/make_halves.hpp"
+
 namespace moldlight::gui {
 
 namespace {
@@ -57,7 +59,7 @@ MoldSolids find_solids(const PartModel& model, const MoldLine& line, const MoldS
                                          {line.assignment.height, &line.line}, settings, progress),
                    .written = {},
                    .shown = {}};
-  found.written = written_mold(found.halves);
+  found.written = found.halves.written;
   if (!found.halves.made()) return found;
   found.shown.push_back(shown_solid(found.halves, found.halves.core, Steel::core, model.frame));
   found.shown.push_back(shown_solid(found.halves, found.halves.cavity, Steel::cavity, model.frame));

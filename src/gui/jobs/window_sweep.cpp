@@ -17,9 +17,9 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr double k_no_wake = std::numeric_limits<double>::infinity();
 /// Between two frames of a running sweep: often enough to look alive, seldom enough to leave it the cores.
-constexpr double k_frame_s = 0.05;
+constexpr double k_between_frames_s = 0.05;
 /// Directions put on the map in one frame, so that the window stays quick.
 constexpr std::size_t k_most_a_frame = 300;
 constexpr double k_least_told_s = 0.5, k_least_told_share = 0.04;
@@ -88,7 +88,7 @@ void WindowSweep::drop() {
 }
 
 void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s) {
-  wake_s_ = k_never;
+  wake_s_ = k_no_wake;
   if (model_ != state.model) {
     drop();
     model_ = state.model;
@@ -113,7 +113,7 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
       if (outcome->result)
         pictured_ = sweep.result = std::make_shared<const SweepResult>(std::move(*outcome->result));
     }
-    wake_s_ = now_s + k_frame_s;
+    wake_s_ = now_s + k_between_frames_s;
   }
   take_directions(sweep);
   if (put_ < waiting_.size()) wake_s_ = now_s;

@@ -22,12 +22,12 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 26.0F, k_bar_width = 96.0F;  // layout units
-constexpr float k_share = 0.25F;                     // of the window's height, that the table takes at most
+constexpr float k_action_row = 26.0F, k_action_bar_width = 96.0F;  // layout units
+constexpr float k_actions_share = 0.25F;  // of the window's height, that the table takes at most
 constexpr float k_pin_width = 104.0F;
-constexpr const char* k_name = "Side actions";
+constexpr const char* k_actions_name = "Side actions";
 
-constexpr std::array<ListColumn, 6> k_columns = {{
+constexpr std::array<ListColumn, 6> k_action_columns = {{
     {"#", "", 8.0F, false},
     {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
     {"depth",
@@ -108,7 +108,7 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
   ActionSettings& settings = context.edits.settings.actions;
   const ActionPin* const pin = pin_for(settings, patch);
   const std::string id = fmt::format("pin {}", undercut + 1);
-  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_row - 2)});
+  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_action_row - 2)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (cell.hovered || pin != nullptr)
     list.AddRectFilled(im(cell.box.min), im(cell.box.max),
@@ -208,7 +208,7 @@ void ActionsPanel::draw(const PanelContext& context) {
   const bool shown = plan ? !plan->patches.empty()
                           : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
   if (!shown || state.revisions.on()) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  const bool open = context.layout.begin_bottom(context.ui, k_actions_name);
   draw_header(context, open);
   if (open && settings_) draw_settings(context);
   if (open && plan && !settings_) draw_table(context);
@@ -218,8 +218,8 @@ void ActionsPanel::draw(const PanelContext& context) {
 void ActionsPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const ActionsState& actions = context.state.actions;
-  BottomHeader header(ui, k_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
+  BottomHeader header(ui, k_actions_name);
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_actions_name, !unfolded); };
   if (header.button(
           {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
     unfold(!open);
@@ -233,7 +233,7 @@ void ActionsPanel::draw_header(const PanelContext& context, bool open) {
   if (actions.running || actions.awaited) {
     text = actions.running && !actions.running->stage.empty() ? actions.running->stage + " …"
                                                               : "looking for side actions …";
-    header.progress(actions.running ? actions.running->fraction : 0.0, k_bar_width);
+    header.progress(actions.running ? actions.running->fraction : 0.0, k_action_bar_width);
   } else if (!actions.error.empty()) {
     text = actions.error;
     colour = ui.colours->warning;
@@ -252,11 +252,11 @@ void ActionsPanel::draw_settings(const PanelContext& context) const {
 
 void ActionsPanel::draw_table(const PanelContext& context) {
   const Ui& ui = context.ui;
-  draw_headings(ui, k_columns);
+  draw_headings(ui, k_action_columns);
   const RowList undercuts{.id = "undercuts",
                           .count = context.state.actions.plan->patches.size(),
-                          .row_height = k_row,
-                          .share = k_share};
+                          .row_height = k_action_row,
+                          .share = k_actions_share};
   if (const auto pressed = draw_list(ui, undercuts, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
     context.edits.action_choices.chosen = *pressed;
     context.edits.ask(&Commands::look_at_undercut, *pressed);
@@ -275,7 +275,7 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   const bool here = state.action_choices.chosen == undercut;
   const std::string id = fmt::format("undercut {}", undercut + 1);
   const Row row = list_row(ui, {.id = id.c_str(),
-                                .height = k_row,
+                                .height = k_action_row,
                                 .beside = k_pin_width + 6,
                                 .chosen = here,
                                 .marked = cursor_.is_at(undercut)});
@@ -285,10 +285,10 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
               quiet = ui.colours->muted;
   const float right = row.box.max.x - ui.px(k_pin_width + 14);
   const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
-    const bool last = column + 1 == k_columns.size();
-    const float end = last ? right : start.x + ui.px(k_columns[column + 1].at) - ui.px(50);
-    draw_cell(ui, row.box, k_columns[column], {font, colour}, text,
-              end - start.x - ui.px(k_columns[column].at));
+    const bool last = column + 1 == k_action_columns.size();
+    const float end = last ? right : start.x + ui.px(k_action_columns[column + 1].at) - ui.px(50);
+    draw_cell(ui, row.box, k_action_columns[column], {font, colour}, text,
+              end - start.x - ui.px(k_action_columns[column].at));
   };
   const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
   cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
@@ -298,15 +298,15 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
     draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
-                {start.x + ui.px(k_columns[3].at) - ui.px(10), row.box.centre().y});
+                {start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.box.centre().y});
     cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     detail += others_text(plan, undercut, *action);
     if (left_over) detail += " · some is left";
     cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
   } else {
-    draw_cell(ui, row.box, k_columns[3], {ui.fonts.body, ui.colours->warning}, why,
-              right - start.x - ui.px(k_columns[3].at));
+    draw_cell(ui, row.box, k_action_columns[3], {ui.fonts.body, ui.colours->warning}, why,
+              right - start.x - ui.px(k_action_columns[3].at));
   }
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
   ImGui::SetCursorScreenPos(ImVec2(row.box.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));

@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 
 #include "gui/draw/widgets.hpp"
+#include "gui/jobs/batch_table.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 28.0F, k_row_with_picture = 54.0F, k_picture_width = 68.0F;  // layout units
+constexpr float k_part_row = 28.0F, k_row_with_picture = 54.0F, k_thumbnail_width = 68.0F;  // layout units
 constexpr float k_state_width = 74.0F, k_figure_width = 104.0F;
 
 bool is_left(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
@@ -74,7 +75,7 @@ void BatchPanel::draw_headings(const PanelContext& context) {
   const Ui& ui = context.ui;
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
   const float width = ImGui::GetContentRegionAvail().x - ui.px(12), height = ui.px(k_row_height);
-  float left = pictures_ ? ui.px(k_picture_width) : 0.0F;
+  float left = pictures_ ? ui.px(k_thumbnail_width) : 0.0F;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const BatchColumn column = columns_[k];
     const float right = right_of(ui, k, width);
@@ -99,7 +100,7 @@ void BatchPanel::draw_headings(const PanelContext& context) {
 
 void BatchPanel::draw_rows(const PanelContext& context, const BatchPicture& picture) {
   const Ui& ui = context.ui;
-  const float row_height = ui.px(pictures_ ? k_row_with_picture : k_row);
+  const float row_height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
   ImGui::BeginChild("rows", ImVec2(0, -ui.px(k_row_height + 8)));
   const int count = static_cast<int>(rows_.size());
   if (count == 0) hint(ui, "No part has these words.");
@@ -131,7 +132,7 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
   const Ui& ui = context.ui;
   const batch::PartResult& row = table_->rows[rows_[index]];
   const float width = ImGui::GetContentRegionAvail().x,
-              height = ui.px(pictures_ ? k_row_with_picture : k_row);
+              height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
   const Pressable line = pressable(ui, fmt::format("row {}", row.row).c_str(), {width, height});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const glm::vec2 min = line.box.min, max = line.box.max;
@@ -142,7 +143,7 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
     draw_picture(list, picture(row.key), {at, at + glm::vec2(ui.px(64), ui.px(48))}, ui.px(4));
   }
   const float inner = ImGui::GetWindowContentRegionMax().x - ui.px(12);
-  float left = pictures_ ? ui.px(k_picture_width) : 0.0F;
+  float left = pictures_ ? ui.px(k_thumbnail_width) : 0.0F;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const BatchColumn column = columns_[k];
     const float right = right_of(ui, k, std::min(width, inner));

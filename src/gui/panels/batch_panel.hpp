@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "gui/jobs/batch_table.hpp"
 #include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {

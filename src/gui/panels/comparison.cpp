@@ -14,23 +14,18 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_width = 344.0F, k_row = 20.0F;  // layout units
-
-std::string with_sign(const FigureColumn& column, double value) {
-  std::string text = column.text(std::abs(value));
-  const bool none = text.find_first_not_of("0.") == std::string::npos;
-  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
-}
+constexpr float k_comparison_width = 344.0F, k_figure_row = 20.0F;  // layout units
 
 /// A table of four columns: the name, and three figures set to the right.
 class Rows {
  public:
-  explicit Rows(const Ui& ui) : ui_(ui), at_(from_im(ImGui::GetCursorScreenPos())), width_(ui.px(k_width)) {}
+  explicit Rows(const Ui& ui)
+      : ui_(ui), at_(from_im(ImGui::GetCursorScreenPos())), width_(ui.px(k_comparison_width)) {}
 
   void add(std::string_view name, const std::array<std::string, 3>& figures, ImU32 colour,
            std::optional<ImU32> swatch = std::nullopt) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float text_top = at_.y + 0.5F * (ui_.px(k_row) - ui_.fonts.body.size);
+    const float text_top = at_.y + 0.5F * (ui_.px(k_figure_row) - ui_.fonts.body.size);
     if (swatch) {
       const glm::vec2 min(at_.x, at_.y + ui_.px(5));
       list.AddRectFilled(im(min), im(min + glm::vec2(ui_.px(10))), *swatch, ui_.px(3));
@@ -41,7 +36,7 @@ class Rows {
       draw_text_to({k == 2 ? ui_.fonts.strong : ui_.fonts.body, k == 2 ? ui_.colours->text : colour}, right,
                    text_top, figures[k]);
     }
-    at_.y += ui_.px(k_row);
+    at_.y += ui_.px(k_figure_row);
   }
   void finish() {
     const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
@@ -55,6 +50,12 @@ class Rows {
 };
 
 }  // namespace
+
+std::string with_sign(const FigureColumn& column, double value) {
+  std::string text = column.text(std::abs(value));
+  const bool none = text.find_first_not_of("0.") == std::string::npos;
+  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
+}
 
 void draw_comparison(const PanelContext& context) {
   const AppState& state = context.state;

@@ -19,8 +19,8 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_from_cursor = 18.0F, k_line = 18.0F, k_padding = 8.0F;  // layout units
-constexpr float k_least_way = 48.0F;  // of a way that is long enough for its distance to stand beside it
+constexpr float k_from_cursor = 18.0F, k_readout_line = 18.0F, k_padding = 8.0F;  // layout units
+constexpr float k_least_way_px = 48.0F;  // of a way that is long enough for its distance to stand beside it
 
 std::string length_text(const AppState& state, double length) {
   return fmt::format("{:.4g} {}", length, length_unit(state.model->part));
@@ -33,7 +33,7 @@ void draw_length(const PanelContext& context, const ViewSegment& way, double len
   const glm::ivec2 size(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
   const auto from = project(camera, size, glm::dvec3(way.start)),
              to = project(camera, size, glm::dvec3(way.end));
-  if (!from || !to || glm::distance(*from, *to) < ui.px(k_least_way)) return;
+  if (!from || !to || glm::distance(*from, *to) < ui.px(k_least_way_px)) return;
   draw_tag(ui, glm::vec2(0.5 * (*from + *to)), length_text(context.state, length), ui.colours->text);
 }
 
@@ -86,7 +86,7 @@ void draw_cursor_readout(const PanelContext& context) {
                                                                 : std::nullopt;
   const Colour colour = region ? region_colour(*region, state.settings.look.palette) : k_cut_surface;
   const float padding = ui.px(k_padding), swatch = ui.px(10);
-  glm::vec2 size(0.0F, 2.0F * padding + static_cast<float>(lines.size()) * ui.px(k_line));
+  glm::vec2 size(0.0F, 2.0F * padding + static_cast<float>(lines.size()) * ui.px(k_readout_line));
   for (const std::string& line : lines) {
     const bool first = &line == &lines.front();
     size.x = std::max(size.x, 2.0F * padding + text_size(first ? ui.fonts.strong : ui.fonts.body, line).x +
@@ -100,14 +100,15 @@ void draw_cursor_readout(const PanelContext& context) {
   list.AddRectFilled(im(at), im(at + size), ui.colours->popup, ui.px(6));
   list.AddRect(im(at), im(at + size), ui.colours->panel_border, ui.px(6));
   at += padding;
-  const glm::vec2 mark = at + glm::vec2(0.0F, 0.5F * (ui.px(k_line) - swatch));
+  const glm::vec2 mark = at + glm::vec2(0.0F, 0.5F * (ui.px(k_readout_line) - swatch));
   list.AddRectFilled(im(mark), im(mark + swatch), packed(colour), ui.px(3));
   for (const std::string& line : lines) {
     const bool first = &line == &lines.front();
     const SizedFont& font = first ? ui.fonts.strong : ui.fonts.body;
     draw_text(list, {font, first ? ui.colours->text : ui.colours->muted},
-              at + glm::vec2(first ? swatch + ui.px(6) : 0.0F, 0.5F * (ui.px(k_line) - font.size)), line);
-    at.y += ui.px(k_line);
+              at + glm::vec2(first ? swatch + ui.px(6) : 0.0F, 0.5F * (ui.px(k_readout_line) - font.size)),
+              line);
+    at.y += ui.px(k_readout_line);
   }
 }
 

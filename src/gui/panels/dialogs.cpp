@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/workspace.hpp"
 
@@ -31,16 +32,10 @@ std::vector<HelpLine> mouse_help(NavigationPreset preset) {
   return lines("Left drag", "Right or middle drag");
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 /// The lines that have the words; nothing where there is none.
 void draw_lines(const Ui& ui, std::string_view title, std::vector<HelpLine> lines, const std::string& words) {
   std::erase_if(lines, [&](const HelpLine& line) {
-    return lower(fmt::format("{} {}", line.keys, line.meaning)).find(words) == std::string::npos;
+    return lower_letters(fmt::format("{} {}", line.keys, line.meaning)).find(words) == std::string::npos;
   });
   if (lines.empty()) return;
   heading(ui, title);
@@ -66,7 +61,7 @@ void HelpSheet::draw(const PanelContext& context) {
   if (begin_dialog(ui, "Help", {0, 0})) {
     text_field(ui, "##search", filter_, {.hint = "search", .width = ui.px(280), .starts = opens});
     ImGui::Dummy(ImVec2(ui.px(840), ui.px(4)));
-    const std::string words = lower(filter_.data());
+    const std::string words = lower_letters(filter_.data());
     const float left = ImGui::GetCursorPosX();
     ImGui::BeginGroup();
     draw_lines(ui, "Direction", help_lines(HelpLine::Group::direction), words);

@@ -13,7 +13,7 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_ball_size = 108.0F, k_bar_width = 120.0F;  // layout units
+constexpr float k_ball_size = 108.0F, k_figure_bar_width = 120.0F;  // layout units
 
 void draw_axis_buttons(const PanelContext& context) {
   const Ui& ui = context.ui;
@@ -108,7 +108,7 @@ void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
     draw_bookmarks(context);
     ImGui::EndGroup();
     if (context.state.sweep.map && context.state.sweep.map->worst > 0.0) {
-      const float left = ball_max.x + ui.px(12), right = left + ui.px(k_bar_width);
+      const float left = ball_max.x + ui.px(12), right = left + ui.px(k_figure_bar_width);
       draw_colour_bar(context, {left, ball_max.y - ui.px(22)}, right - left);
     }
     draw_fields(context);

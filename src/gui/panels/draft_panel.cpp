@@ -17,12 +17,13 @@ namespace moldlight::gui {
 namespace {
 
 // Layout units.
-constexpr float k_row = 24.0F, k_bar_width = 96.0F, k_chart = 56.0F, k_axis = 18.0F, k_grip = 14.0F;
-constexpr float k_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr float k_draft_row = 24.0F, k_draft_bar_width = 96.0F, k_chart = 56.0F, k_axis = 18.0F,
+                k_grip = 14.0F;
+constexpr float k_draft_share = 0.1F;  // of the window's height, that the table takes at most
 constexpr double k_step_deg = 0.1;
-constexpr const char* k_name = "Draft";
+constexpr const char* k_draft_name = "Draft";
 
-constexpr std::array<ListColumn, 8> k_columns = {{
+constexpr std::array<ListColumn, 8> k_draft_columns = {{
     {"#", "Walls that cost most thickness first.", 8.0F, false},
     {"formed by", "The half that forms the wall.", 36.0F, false},
     {"face", "Its number, as the tables of faces have it.", 156.0F, true},
@@ -130,15 +131,15 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
 void DraftPanel::draw_header(const PanelContext& context, bool open) const {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  BottomHeader header(ui, k_name);
+  BottomHeader header(ui, k_draft_name);
   if (header.button(
           {"fold draft", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    context.layout.fold_bottom(k_name, open);
+    context.layout.fold_bottom(k_draft_name, open);
   std::string text;
   ImU32 colour = ui.colours->muted;
   if (state.mold.line_awaited) {
     text = "finding which half forms what …";
-    header.progress(-1.0, k_bar_width);
+    header.progress(-1.0, k_draft_bar_width);
   } else if (!state.mold.error.empty()) {
     text = state.mold.error;
     colour = ui.colours->warning;
@@ -178,7 +179,7 @@ void DraftPanel::draw(const PanelContext& context) {
     line_ = context.state.mold.line;
     model_ = context.state.model;
   }
-  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  const bool open = context.layout.begin_bottom(context.ui, k_draft_name);
   draw_header(context, open);
   if (open && check() != nullptr) {
     draw_chart(context, *check());
@@ -188,8 +189,9 @@ void DraftPanel::draw(const PanelContext& context) {
 }
 
 void DraftPanel::draw_table(const PanelContext& context) {
-  draw_headings(context.ui, k_columns);
-  const RowList walls{.id = "walls", .count = check()->walls.size(), .row_height = k_row, .share = k_share};
+  draw_headings(context.ui, k_draft_columns);
+  const RowList walls{
+      .id = "walls", .count = check()->walls.size(), .row_height = k_draft_row, .share = k_draft_share};
   if (const auto pressed =
           draw_list(context.ui, walls, cursor_, [&](std::size_t k) { draw_row(context, k); }))
     context.edits.ask(&Commands::look_at_wall, *pressed);
@@ -201,21 +203,21 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number) {
   const WallDraft& wall = check()->walls[number];
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
-  const Row row =
-      list_row(ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number)});
+  const Row row = list_row(
+      ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = cursor_.is_at(number)});
   const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
-  const std::array<std::string, k_columns.size()> texts = {std::to_string(number + 1),
-                                                           std::string(side_name(wall.side)),
-                                                           grouped(std::to_string(wall.face)),
-                                                           grouped(areas.text(wall.area)),
-                                                           draft_text(wall.least_deg),
-                                                           grouped(lengths.text(wall.height)),
-                                                           fmt::format("{:.2f}°", wall.turn_deg),
-                                                           grouped(lengths.text(wall.thickness))};
+  const std::array<std::string, k_draft_columns.size()> texts = {std::to_string(number + 1),
+                                                                 std::string(side_name(wall.side)),
+                                                                 grouped(std::to_string(wall.face)),
+                                                                 grouped(areas.text(wall.area)),
+                                                                 draft_text(wall.least_deg),
+                                                                 grouped(lengths.text(wall.height)),
+                                                                 fmt::format("{:.2f}°", wall.turn_deg),
+                                                                 grouped(lengths.text(wall.thickness))};
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   for (std::size_t k = 0; k < texts.size(); ++k) {
     const bool leans = k == 4 && wall.least_deg < -k_draft_rounding_deg;
-    draw_cell(ui, row.box, k_columns[k],
+    draw_cell(ui, row.box, k_draft_columns[k],
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
 #include "io/part_formats.hpp"
@@ -15,12 +16,6 @@ namespace moldlight::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 std::string size_text(std::uintmax_t bytes) {
   const auto value = static_cast<double>(bytes);
@@ -73,7 +68,7 @@ void FileBrowser::enter(const fs::path& folder) {
     entries_.push_back(std::move(found));
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    return a.folder != b.folder ? a.folder : lower_letters(a.name) < lower_letters(b.name);
   });
 }
 
@@ -102,10 +97,10 @@ std::vector<FileBrowser::Line> FileBrowser::lines(const AppState& state) const {
       lines.push_back({.path = path, .note = path.parent_path().string(), .folder = false, .recent = true});
     }
   }
-  const std::string filter = lower(filter_.data());
+  const std::string filter = lower_letters(filter_.data());
   for (const Entry& entry : entries_) {
     if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
-    if (lower(entry.name).find(filter) == std::string::npos) continue;
+    if (lower_letters(entry.name).find(filter) == std::string::npos) continue;
     lines.push_back({.path = folder_ / entry.name,
                      .note = entry.folder ? std::string() : size_text(entry.bytes),
                      .folder = entry.folder,

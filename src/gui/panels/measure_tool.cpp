@@ -1,11 +1,4 @@
-#include "gui/panels/measure_tool.hpp"
-
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
@@ -15,11 +8,10 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_parallel_deg = 0.5;
-constexpr float k_card_width = 212.0F, k_row = 20.0F, k_from_line = 16.0F;  // layout units
+constexpr float k_card_width = 212.0F, k_card_row = 20.0F, k_from_line = 16.0F;  // layout units
 
 void draw_row(const Ui& ui, const char* name, const std::string& figure, const std::string& exact) {
-  ImGui::InvisibleButton(name, ImVec2(ui.px(k_card_width), ui.px(k_row)));
+  ImGui::InvisibleButton(name, ImVec2(ui.px(k_card_width), ui.px(k_card_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   ui.memory->controls[fmt::format("measured {}", name)] = {min, max};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -34,8 +26,9 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
   const Ui& ui = context.ui;
   const int rows = pair.between_planes ? 5 : 4;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding, spacing = ImGui::GetStyle().ItemSpacing;
-  const glm::vec2 size(ui.px(k_card_width) + 2.0F * padding.x,
-                       2.0F * padding.y + static_cast<float>(rows) * (ui.px(k_row) + spacing.y) - spacing.y);
+  const glm::vec2 size(
+      ui.px(k_card_width) + 2.0F * padding.x,
+      2.0F * padding.y + static_cast<float>(rows) * (ui.px(k_card_row) + spacing.y) - spacing.y);
   const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
   place_window(area.beside(beside, size, ui.px(k_from_line)), {0.0F, 0.0F});
   ImGui::Begin("Measured", nullptr, k_card_window);
@@ -52,29 +45,6 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
 }
 
 }  // namespace
-
-MeasuredPlace measured_place(const PartModel& model, const PickedPoint& point) {
-  return {glm::dvec3(point.position) * model.frame.diagonal + model.frame.center,
-          model.geometry.normals[point.facet]};
-}
-
-void Measuring::add(const MeasuredPlace& place) {
-  if (places.size() == 2) places.clear();
-  places.push_back(place);
-}
-
-MeasuredPair measured(const MeasuredPlace& a, const MeasuredPlace& b, const glm::dvec3& direction) {
-  const glm::dvec3 way = b.at - a.at;
-  MeasuredPair pair;
-  pair.distance = glm::length(way);
-  pair.along = std::abs(glm::dot(way, direction));
-  pair.across = glm::length(glm::cross(way, direction));
-  pair.angle_deg =
-      glm::degrees(std::atan2(glm::length(glm::cross(a.normal, b.normal)), glm::dot(a.normal, b.normal)));
-  if (std::min(pair.angle_deg, 180.0 - pair.angle_deg) < k_parallel_deg)
-    pair.between_planes = std::abs(glm::dot(way, a.normal));
-  return pair;
-}
 
 void draw_measuring(const PanelContext& context) {
   const AppState& state = context.state;

@@ -17,11 +17,11 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 24.0F, k_line = 18.0F, k_bar_width = 96.0F;  // layout units
-constexpr float k_share = 0.1F;  // of the window's height, that the table takes at most
-constexpr const char* k_name = "Mold";
+constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F, k_mold_bar_width = 96.0F;  // layout units
+constexpr float k_mold_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr const char* k_mold_name = "Mold";
 
-constexpr std::array<ListColumn, 9> k_columns = {{
+constexpr std::array<ListColumn, 9> k_mold_columns = {{
     {"#", "", 8.0F, false},
     {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.", 36.0F,
      false},
@@ -154,7 +154,7 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
 
 void MoldPanel::draw(const PanelContext& context) {
   if (!has_mold_panel(context.state)) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  const bool open = context.layout.begin_bottom(context.ui, k_mold_name);
   draw_header(context, open);
   if (open && settings_) {
     draw_settings(context);
@@ -167,8 +167,8 @@ void MoldPanel::draw(const PanelContext& context) {
 void MoldPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const MoldState& mold = context.state.mold;
-  BottomHeader header(ui, k_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
+  BottomHeader header(ui, k_mold_name);
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_mold_name, !unfolded); };
   if (header.button(
           {"fold mold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold (G)"}))
     unfold(!open);
@@ -184,7 +184,7 @@ void MoldPanel::draw_header(const PanelContext& context, bool open) {
     text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
                                                         : "finding the parting line …";
     if (mold.line && !mold.line_awaited) text = mold.line->verdict + " · " + text;
-    header.progress(mold.running ? mold.running->fraction : 0.0, k_bar_width);
+    header.progress(mold.running ? mold.running->fraction : 0.0, k_mold_bar_width);
   } else if (!mold.error.empty()) {
     text = mold.error;
     colour = ui.colours->warning;
@@ -211,9 +211,11 @@ void MoldPanel::draw_table(const PanelContext& context) {
   const AppState& state = context.state;
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_headings(ui, k_columns);
-  const RowList loops{
-      .id = "loops", .count = state.mold.line->line.loops.size(), .row_height = k_row, .share = k_share};
+  draw_headings(ui, k_mold_columns);
+  const RowList loops{.id = "loops",
+                      .count = state.mold.line->line.loops.size(),
+                      .row_height = k_mold_row,
+                      .share = k_mold_share};
   if (const auto pressed = draw_list(ui, loops, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
     context.edits.mold_choices.loop = *pressed;
     context.edits.ask(&Commands::look_at_loop, *pressed);
@@ -222,12 +224,13 @@ void MoldPanel::draw_table(const PanelContext& context) {
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
   for (const HalvesLine& line : halves_lines(state)) {
     const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
-    ImGui::Dummy(ImVec2(width, ui.px(k_line)));
+    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line)));
     tooltip(ui, {}, line.text);
-    draw_icon(list, line.doubt ? Icon::alert : Icon::check, at + glm::vec2(ui.px(12), 0.5F * ui.px(k_line)),
-              ui.px(11), faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
+    draw_icon(list, line.doubt ? Icon::alert : Icon::check,
+              at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
+              faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
     draw_text(list, {ui.fonts.small, faded(line.doubt ? ui.colours->warning : ui.colours->text, alpha)},
-              {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_line) - ui.fonts.small.size)},
+              {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
               fitted(ui.fonts.small, line.text, width - ui.px(28)));
   }
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
@@ -253,20 +256,21 @@ void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
   const bool here = state.mold_choices.loop == number;
   const std::string id = fmt::format("loop {}", number + 1);
   const Row row =
-      list_row(ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number)});
+      list_row(ui, {.id = id.c_str(), .height = k_mold_row, .chosen = here, .marked = cursor_.is_at(number)});
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const FigureColumn lengths(10.0 * state.model->frame.diagonal);
-  const std::array<std::string, k_columns.size()> texts = {std::to_string(number + 1),
-                                                           std::string(loop_name(loop.kind)),
-                                                           grouped(lengths.text(loop.length)),
-                                                           grouped(lengths.text(loop.climb())),
-                                                           grouped(lengths.text(loop.flatness)),
-                                                           grouped(lengths.text(loop.steep_length)),
-                                                           fmt::format("{:.1f}°", loop.sharpest_deg),
-                                                           fmt::format("{:.0f} %", 100.0 * loop.on_crease),
-                                                           std::to_string(loop.breaks)};
+  const std::array<std::string, k_mold_columns.size()> texts = {
+      std::to_string(number + 1),
+      std::string(loop_name(loop.kind)),
+      grouped(lengths.text(loop.length)),
+      grouped(lengths.text(loop.climb())),
+      grouped(lengths.text(loop.flatness)),
+      grouped(lengths.text(loop.steep_length)),
+      fmt::format("{:.1f}°", loop.sharpest_deg),
+      fmt::format("{:.0f} %", 100.0 * loop.on_crease),
+      std::to_string(loop.breaks)};
   for (std::size_t k = 0; k < texts.size(); ++k)
-    draw_cell(ui, row.box, k_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
+    draw_cell(ui, row.box, k_mold_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
   const std::string unit = length_unit(state.model->part);
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
           with_minus(fmt::format(

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "classify/figures.hpp"
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
 #include "gui/draw/panel_layout.hpp"
@@ -55,6 +56,10 @@ void draw_cursor_readout(const PanelContext& context);
 [[nodiscard]] std::vector<std::string> readout_lines(const AppState& state);
 /// With a degree sign; what prints as nothing has no sign.
 [[nodiscard]] std::string draft_text(double draft_deg);
+/// What a figure has become more or less, with its sign; 0 where it prints as nothing.
+[[nodiscard]] std::string with_sign(const FigureColumn& column, double value);
+/// The line between the places that were clicked, or from the first to the cursor, with what was measured.
+void draw_measuring(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);

@@ -18,11 +18,11 @@ namespace {
 
 using Of = RevisionChange::Of;
 
-constexpr float k_row = 24.0F, k_line = 18.0F, k_bar_width = 96.0F;  // layout units
-constexpr float k_share = 0.2F;  // of the window's height, that the table takes at most
-constexpr const char* k_name = "Revisions";
+constexpr float k_change_row = 24.0F, k_change_line = 18.0F, k_change_bar_width = 96.0F;  // layout units
+constexpr float k_changes_share = 0.2F;  // of the window's height, that the table takes at most
+constexpr const char* k_changes_name = "Revisions";
 
-constexpr std::array<ListColumn, 6> k_columns = {{
+constexpr std::array<ListColumn, 6> k_change_columns = {{
     {"#", "Undercuts and side actions, then surface, the largest area first; what is the same last.", 8.0F,
      false},
     {"change", "", 58.0F, false},
@@ -31,12 +31,6 @@ constexpr std::array<ListColumn, 6> k_columns = {{
     {"volume", "That came, or went, in the part's unit cubed; where both parts are closed.", 456.0F, true},
     {"", "", 476.0F, false},
 }};
-
-std::string with_sign(const FigureColumn& column, double value) {
-  const std::string text = column.text(std::abs(value));
-  const bool none = text.find_first_not_of("0.") == std::string::npos;
-  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
-}
 
 /// A row's texts, without its number.
 struct RowTexts {
@@ -153,7 +147,7 @@ void draw_swatch(const PanelContext& context, const RevisionChange& change, cons
 void RevisionsPanel::draw(const PanelContext& context) {
   const RevisionState& revisions = context.state.revisions;
   if (!revisions.on()) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_name);
+  const bool open = context.layout.begin_bottom(context.ui, k_changes_name);
   draw_header(context, open);
   if (open && settings_) {
     draw_settings(context);
@@ -166,8 +160,8 @@ void RevisionsPanel::draw(const PanelContext& context) {
 void RevisionsPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const RevisionState& revisions = context.state.revisions;
-  BottomHeader header(ui, k_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_name, !unfolded); };
+  BottomHeader header(ui, k_changes_name);
+  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_changes_name, !unfolded); };
   if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
     context.edits.ask(&Commands::leave_revisions);
   if (header.button(
@@ -190,7 +184,7 @@ void RevisionsPanel::draw_header(const PanelContext& context, bool open) {
       context.edits.ask(&Commands::cancel_revisions);
     ui.memory->controls["cancel revisions"] = {from_im(ImGui::GetItemRectMin()),
                                                from_im(ImGui::GetItemRectMax())};
-    header.progress(running ? running->fraction : 0.0, k_bar_width);
+    header.progress(running ? running->fraction : 0.0, k_change_bar_width);
   } else if (!revisions.error.empty()) {
     text = revisions.error;
     colour = ui.colours->warning;
@@ -222,9 +216,9 @@ void RevisionsPanel::draw_settings(const PanelContext& context) const {
 void RevisionsPanel::draw_table(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Revisions& result = *context.state.revisions.result;
-  if (!result.changes.empty()) draw_headings(ui, k_columns);
+  if (!result.changes.empty()) draw_headings(ui, k_change_columns);
   const RowList changes{
-      .id = "changes", .count = result.changes.size(), .row_height = k_row, .share = k_share};
+      .id = "changes", .count = result.changes.size(), .row_height = k_change_row, .share = k_changes_share};
   if (const auto pressed = draw_list(ui, changes, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
     context.edits.revision_choices.chosen = *pressed;
     context.edits.ask(&Commands::look_at_change, *pressed);
@@ -232,10 +226,10 @@ void RevisionsPanel::draw_table(const PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x;
   const std::string regions = Texts(result.comparison).regions();
   const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
-  ImGui::Dummy(ImVec2(width, ui.px(k_line)));
+  ImGui::Dummy(ImVec2(width, ui.px(k_change_line)));
   tooltip(ui, {}, regions);
   draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->text},
-            {at.x + ui.px(8), at.y + 0.5F * (ui.px(k_line) - ui.fonts.small.size)},
+            {at.x + ui.px(8), at.y + 0.5F * (ui.px(k_change_line) - ui.fonts.small.size)},
             fitted(ui.fonts.small, regions, width - ui.px(16)));
 }
 
@@ -250,19 +244,21 @@ void RevisionsPanel::draw_row(const PanelContext& context, std::size_t number) {
   const bool pointed = revisions.hover && revisions.hover->change == number;
   const std::string id = fmt::format("change {}", number + 1);
   const Row row = list_row(
-      ui, {.id = id.c_str(), .height = k_row, .chosen = here, .marked = cursor_.is_at(number) || pointed});
+      ui,
+      {.id = id.c_str(), .height = k_change_row, .chosen = here, .marked = cursor_.is_at(number) || pointed});
   const float alpha = revisions.stale ? 0.6F : 1.0F;
   const ImU32 colour = faded(change.changed() ? ui.colours->text : ui.colours->muted, alpha);
   const RowTexts texts = Texts(result.comparison).of(change);
   const float end = row.box.max.x - row.box.min.x;
-  draw_cell(ui, row.box, k_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
+  draw_cell(ui, row.box, k_change_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
   if (change.changed()) draw_swatch(context, change, {row.box.min.x + ui.px(44), row.box.centre().y});
-  draw_cell(ui, row.box, k_columns[1], {ui.fonts.body, colour}, change_title(result, number), ui.px(180));
-  draw_cell(ui, row.box, k_columns[2], {ui.fonts.body, colour}, texts.before);
-  draw_cell(ui, row.box, k_columns[3], {ui.fonts.body, colour}, texts.now);
-  draw_cell(ui, row.box, k_columns[4], {ui.fonts.body, colour}, texts.volume);
-  draw_cell(ui, row.box, k_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
-            std::max(end - ui.px(k_columns[5].at + 8), ui.px(24)));
+  draw_cell(ui, row.box, k_change_columns[1], {ui.fonts.body, colour}, change_title(result, number),
+            ui.px(180));
+  draw_cell(ui, row.box, k_change_columns[2], {ui.fonts.body, colour}, texts.before);
+  draw_cell(ui, row.box, k_change_columns[3], {ui.fonts.body, colour}, texts.now);
+  draw_cell(ui, row.box, k_change_columns[4], {ui.fonts.body, colour}, texts.volume);
+  draw_cell(ui, row.box, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
+            std::max(end - ui.px(k_change_columns[5].at + 8), ui.px(24)));
   tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", texts.more));
   if (!row.clicked) return;
   chosen = here ? std::nullopt : std::optional(number);

@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float k_width = 520.0F, k_drop_height = 148.0F;  // layout units
+constexpr float k_start_width = 520.0F, k_drop_height = 148.0F;  // layout units
 constexpr std::size_t k_recent_shown = 6;
 
 void draw_drop_zone(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const glm::vec2 size(ui.px(k_width), ui.px(k_drop_height));
+  const glm::vec2 size(ui.px(k_start_width), ui.px(k_drop_height));
   const Pressable zone = pressable(ui, "drop", size);
   const glm::vec2 min = zone.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -36,7 +36,7 @@ void draw_drop_zone(const PanelContext& context) {
   if (zone.clicked) context.edits.dialogs.browser = true;
 }
 
-void draw_recent(const PanelContext& context) {
+void draw_recent_parts(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (context.state.recent.empty()) return;
   hint(ui, "RECENT");
@@ -44,7 +44,7 @@ void draw_recent(const PanelContext& context) {
   for (std::size_t k = 0; k < count; ++k) {
     const fs::path path = context.state.recent[k];
     ImGui::PushID(static_cast<int>(k));
-    const Pressable row = pressable(ui, "recent", {ui.px(k_width), ui.px(k_row_height)});
+    const Pressable row = pressable(ui, "recent", {ui.px(k_start_width), ui.px(k_row_height)});
     const auto& [min, max] = row.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (row.hovered) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
@@ -98,7 +98,7 @@ void draw_start_page(const PanelContext& context, std::span<const unsigned> thum
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   draw_drop_zone(context);
   ImGui::Dummy(ImVec2(1, context.ui.px(12)));
-  draw_recent(context);
+  draw_recent_parts(context);
   draw_shipped(context, thumbnails);
   ImGui::End();
 }

@@ -23,11 +23,11 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_row = 26.0F, k_heading = 20.0F;                    // layout units
+constexpr float k_direction_row = 26.0F, k_heading = 20.0F;          // layout units
 constexpr float k_picture_width = 154.0F, k_picture_height = 96.0F;  // of a direction's tooltip
 /// Share of the window's height that the table takes unless it is expanded.
-constexpr float k_share = 0.25F;
-constexpr float k_bar_width = 132.0F;
+constexpr float k_sweep_share = 0.25F;
+constexpr float k_sweep_bar_width = 132.0F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
 constexpr std::size_t k_before_figures = 2;
 constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
@@ -213,7 +213,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
     context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
     options_ = false;
   }
-  if (sweep.running) header.progress(sweep.running->share, k_bar_width);
+  if (sweep.running) header.progress(sweep.running->share, k_sweep_bar_width);
   std::string text;
   ImU32 colour = ui.colours->muted;
   if (sweep.running) {
@@ -250,8 +250,9 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   const bool fresh = result_ != result;
   const std::size_t count = result->candidates.size();
   const float window_height = ImGui::GetIO().DisplaySize.y;
-  const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_share * window_height;
-  const float fits = std::max(std::floor(room / ui.px(k_row)), 2.0F), all = static_cast<float>(count);
+  const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_sweep_share * window_height;
+  const float fits = std::max(std::floor(room / ui.px(k_direction_row)), 2.0F),
+              all = static_cast<float>(count);
   const Figures figures = fitting_columns(ui, *result);
   constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
@@ -260,7 +261,7 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   // ImGui keeps the widths with which a table began.
   ImGui::PushID(static_cast<int>(ui.px(k_direction_width)));
   if (ImGui::BeginTable("directions", static_cast<int>(k_before_figures + figures.size()) + 1, k_flags,
-                        ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_row)))) {
+                        ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_direction_row)))) {
     if (fresh) ImGui::SetScrollY(0.0F);
     draw_headings(ui, figures);
     ImGuiTableSortSpecs* sorting = ImGui::TableGetSortSpecs();
@@ -273,8 +274,8 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
       sorting->SpecsDirty = false;
     }
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), ui.px(k_row));
-    cursor_.scroll(ui.px(k_row), std::min(fits, all) * ui.px(k_row));
+    clipper.Begin(static_cast<int>(count), ui.px(k_direction_row));
+    cursor_.scroll(ui.px(k_direction_row), std::min(fits, all) * ui.px(k_direction_row));
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
         draw_row(context, figures, static_cast<std::size_t>(k), pictures);
@@ -297,11 +298,12 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const SweepCandidate& candidate = result_->candidates[index];
   const glm::dvec3& direction = candidate.candidate.direction;
   const bool here = std::abs(glm::dot(context.state.settings.direction.unit(), direction)) > 1.0 - 1e-10;
-  ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_row));
+  ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_direction_row));
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
-  const bool clicked = ImGui::Selectable(
-      "##row", here, ImGuiSelectableFlags_SpanAllColumns | k_row_below_controls, ImVec2(0.0F, ui.px(k_row)));
+  const bool clicked =
+      ImGui::Selectable("##row", here, ImGuiSelectableFlags_SpanAllColumns | k_row_below_controls,
+                        ImVec2(0.0F, ui.px(k_direction_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   if (cursor_.is_at(place))
     ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);

@@ -17,12 +17,13 @@ constexpr const char* k_recent = "recent";
 
 void draw_recent(const PanelContext& context) {
   const Ui& ui = context.ui;
-  constexpr float k_width = 320.0F;  // layout units
-  if (!begin_popup(ui, k_recent, ui.px(k_width))) return;
+  constexpr float k_popup_width = 320.0F;  // layout units
+  if (!begin_popup(ui, k_recent, ui.px(k_popup_width))) return;
   if (menu_item(ui, context.state.revisions.on() ? "Leave the comparison" : "Compare with…"))
     context.edits.ask(&Commands::compare_or_leave);
   const auto offer = [&](const std::string& path) {
-    const std::string name = fitted(ui.fonts.body, fs::path(path).filename().string(), ui.px(k_width - 48));
+    const std::string name =
+        fitted(ui.fonts.body, fs::path(path).filename().string(), ui.px(k_popup_width - 48));
     if (menu_item(ui, fmt::format("{}##{}", name, path))) context.edits.ask(&Commands::open_part, path);
     tooltip(ui, {}, path);
   };

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace moldlight::gui {
 

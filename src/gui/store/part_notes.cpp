@@ -5,10 +5,11 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"

@@ -5,11 +5,12 @@ namespace moldlight::gui {
 std::span<const Option<WindowSettings>> window_options() {
   using S = WindowSettings;
   static const std::vector<Option<S>> k_options = {
-      {"theme", "--theme", "Theme", "", "Dark or light window.", choice<&S::theme>({"dark", "light"})},
+      {"theme", "--theme", "Theme", "", "Dark or light window.",
+       moldlight::choice<&S::theme>({"dark", "light"})},
       {"ui_scale", "--ui-scale", "Size", "", "Size of text and panels, on top of the monitor's own scale.",
        RealKind<S>{&S::ui_scale, 0.5, 3.0, 0.05}},
       {"navigation", "--navigation", "Navigation", "", "Which mouse buttons turn, shift and zoom.",
-       choice<&S::navigation>({"standard", "solidworks", "fusion", "blender"})},
+       moldlight::choice<&S::navigation>({"standard", "solidworks", "fusion", "blender"})},
       {"motion", "--motion", "Motion", "", "Animate camera flights and fades.", SwitchKind<S>{&S::motion}},
       {"auto_reload", "--auto-reload", "Reload", "", "Read the part again when its file changes.",
        SwitchKind<S>{&S::auto_reload}},
@@ -22,7 +23,7 @@ std::span<const Option<WindowSettings>> window_options() {
        "through "
        "which the part shows if they are clear. While the Mold panel is open, sections cut the closed mold, "
        "too.",
-       choice<&S::halves>({"surface", "solid", "clear"})},
+       moldlight::choice<&S::halves>({"surface", "solid", "clear"})},
   };
   return k_options;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option_json.hpp"
 #include "gui/store/files.hpp"
 
 namespace moldlight::gui {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int k_small_maps = 512;
 constexpr int k_refinements = 6;
-constexpr double k_fill = 0.9;
+constexpr double k_candidate_fill = 0.9;
 /// Of the lines in a small picture, to those in a large one.
 constexpr double k_thin = 0.6;
 
@@ -26,7 +26,7 @@ Camera telling_view(const PartModel& model, const glm::dvec3& direction, const g
   const MapFrame frame = map_frame(direction);
   Camera camera;
   camera.orientation = looking_along(-(0.62 * frame.z + 0.62 * frame.x + 0.48 * frame.y), frame.z);
-  return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_fill);
+  return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_candidate_fill);
 }
 
 std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const Query& query,

@@ -17,9 +17,9 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_same_place = 0.5;    // of a loop's size: two loops nearer than that are one
-constexpr double k_least_reach = 0.04;  // of a picture of a loop, unit frame
-constexpr double k_beside = 0.07;       // between the part and the outline around it, unit frame
+constexpr double k_same_loop = 0.5;          // of a loop's size: two loops nearer than that are one
+constexpr double k_least_loop_reach = 0.04;  // of a picture of a loop, unit frame
+constexpr double k_beside = 0.07;            // between the part and the outline around it, unit frame
 
 Bounds box_of(const std::vector<ViewSegment>& loop) {
   Bounds box;
@@ -45,7 +45,7 @@ std::optional<std::size_t> nearest_loop(const MoldLine& line, const MoldLine& fo
     const Bounds other = box_of(line.loops[k]);
     const double distance = glm::distance(here.min, other.min) + glm::distance(here.max, other.max);
     if (line.line.loops[k].kind != former.line.loops[loop].kind || distance >= nearest ||
-        distance > 2.0 * k_same_place * std::max(here.diagonal(), other.diagonal()))
+        distance > 2.0 * k_same_loop * std::max(here.diagonal(), other.diagonal()))
       continue;
     nearest = distance;
     found = k;
@@ -55,7 +55,7 @@ std::optional<std::size_t> nearest_loop(const MoldLine& line, const MoldLine& fo
 
 std::vector<glm::vec3> surroundings(const MoldLine& line, std::size_t loop) {
   const Bounds box = box_of(line.loops[loop]);
-  const double reach = std::max(0.15 * box.diagonal(), k_least_reach);
+  const double reach = std::max(0.15 * box.diagonal(), k_least_loop_reach);
   std::vector<glm::vec3> points = points_around(glm::vec3(box.center()), reach);
   for (const ViewSegment& segment : line.loops[loop]) points.push_back(segment.start);
   return points;

@@ -24,7 +24,7 @@ constexpr Colour k_chosen = {255, 246, 214};
 /// Of what the picture's height spans, by which lit surface is drawn nearer to the eye: more than the depth
 /// of some pixels, by which refining moves the part's.
 constexpr double k_nearer = 0.003;
-constexpr double k_least_reach = 0.04;  // of a picture of a change, unit frame
+constexpr double k_least_change_reach = 0.04;  // of a picture of a change, unit frame
 
 /// What of a convex polygon lies below the plane, in the unit frame.
 std::vector<glm::dvec3> kept(const std::vector<glm::dvec3>& polygon, const CutPlane& cut) {
@@ -82,7 +82,7 @@ std::vector<glm::dmat4> places_for(const AppState& state, const Camera& camera) 
   return {seen, regions ? seen : away, seen};
 }
 
-std::string area_text(const AppState& state, double area) {
+std::string change_area_text(const AppState& state, double area) {
   return fmt::format("{} {}", figure(area), powered_unit(state.model->part, 2));
 }
 
@@ -211,19 +211,19 @@ std::vector<std::string> revision_lines(const AppState& state) {
   const SurfaceChange& surface = result.comparison.surface;
   lines.push_back(fmt::format("{}  ·  number {}", change_title(result, *hover->change), *hover->change + 1));
   if (change.of == Of::region) {
-    lines.push_back(fmt::format("{} on both", area_text(state, surface.regions[change.number].area)));
+    lines.push_back(fmt::format("{} on both", change_area_text(state, surface.regions[change.number].area)));
     return lines;
   }
   const ChangedPlace& place = surface.places[change.number];
-  lines.push_back(fmt::format("gone {}  ·  new {}", area_text(state, place.gone.area),
-                              area_text(state, place.fresh.area)));
+  lines.push_back(fmt::format("gone {}  ·  new {}", change_area_text(state, place.gone.area),
+                              change_area_text(state, place.fresh.area)));
   return lines;
 }
 
 std::vector<glm::vec3> surroundings(const AppState& state, const RevisionChange& change) {
   const UnitFrame& frame = state.model->frame;
   const Bounds& box = change.bounds;
-  const double reach = std::max(0.6 * box.diagonal() / frame.diagonal, k_least_reach);
+  const double reach = std::max(0.6 * box.diagonal() / frame.diagonal, k_least_change_reach);
   std::vector<glm::vec3> points = points_around(frame.to_unit(box.center()), reach);
   points.push_back(frame.to_unit(box.min));
   points.push_back(frame.to_unit(box.max));

@@ -17,10 +17,10 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_same_place = 0.02;  // of the greater of two undercuts' sizes
+constexpr double k_same_undercut = 0.02;  // of the greater of two undercuts' sizes
 constexpr double k_same_cosine = 1.0 - 1e-9;
-constexpr double k_least_reach = 0.2;  // of what is seen around an undercut, unit frame
-constexpr double k_least_share = 0.2;  // of the slider, for what moves at all
+constexpr double k_least_undercut_reach = 0.2;  // of what is seen around an undercut, unit frame
+constexpr double k_least_share = 0.2;           // of the slider, for what moves at all
 
 bool is_straight(const SideAction& action) { return !action.about; }
 /// Before the halves; lifters and inserts come with the part.
@@ -64,7 +64,7 @@ std::optional<std::size_t> nearest_undercut(const ActionPlan& plan, const Underc
     const double size =
         std::max({other.size_across, other.size_along, undercut.size_across, undercut.size_along});
     const double distance = glm::distance(other.centre, undercut.centre);
-    if (distance > k_same_place * size || distance >= nearest) continue;
+    if (distance > k_same_undercut * size || distance >= nearest) continue;
     nearest = distance;
     found = k;
   }
@@ -163,7 +163,7 @@ std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut)
   const UndercutReport& patch = plan.patches[undercut];
   const double size = std::max(patch.undercut.size_across, patch.undercut.size_along) / frame.diagonal;
   const glm::vec3 centre = frame.to_unit(patch.undercut.centre);
-  std::vector<glm::vec3> points = points_around(centre, std::max(0.6 * size, k_least_reach));
+  std::vector<glm::vec3> points = points_around(centre, std::max(0.6 * size, k_least_undercut_reach));
   const SideAction* const action = action_of(plan, undercut);
   if (action == nullptr || !state.actions.bodies) return points;
   const ActionBodies& bodies = *state.actions.bodies;

@@ -21,10 +21,7 @@ namespace moldlight {
 
 namespace {
 
-// Unit frame. Segments are clipped generously, since one too many does no harm and one too few does: what
-// lies below a facet's plane by less than the first is kept, as bodies that touch hide each other.
-constexpr double k_plane_margin = 1e-7;
-constexpr double k_clip_slack = 1e-9;
+// Unit frame. Segments are clipped generously, since one too many does no harm and one too few does.
 /// A curtain that enters a facet by less than the first only touches it; nearer than the second, it may run
 /// between the facet and its neighbour.
 constexpr double k_touch = 1e-13, k_near = 1e-8;

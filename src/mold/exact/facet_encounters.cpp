@@ -19,9 +19,9 @@ namespace moldlight {
 namespace {
 
 /// Facets that come nearer than this to a plane only touch it: a few roundings of a coordinate in double.
-constexpr double k_touch = 1e-12;
-constexpr double k_inside = 1e-9;    // an edge nearer to a facet's side runs along it
-constexpr double k_shortest = 1e-9;  // shorter crossings cut nothing that has an area
+constexpr double k_facet_touch = 1e-12;
+constexpr double k_inside = 1e-9;             // an edge nearer to a facet's side runs along it
+constexpr double k_shortest_crossing = 1e-9;  // shorter crossings cut nothing that has an area
 constexpr std::uint32_t k_leaf_facets = 6;
 constexpr std::uint32_t k_parallel_facets = 8192;  // smaller subtrees are one task
 constexpr std::size_t k_leaves_a_task = 64;
@@ -192,10 +192,10 @@ Heights heights_over(const std::array<glm::dvec3, 3>& corners, const glm::dvec3&
     const double height = glm::dot(normal, corners[k] - origin);
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
-    heights.touches[k] = std::abs(height) <= k_touch;
+    heights.touches[k] = std::abs(height) <= k_facet_touch;
   }
-  heights.above = highest > k_touch;
-  heights.below = lowest < -k_touch;
+  heights.above = highest > k_facet_touch;
+  heights.below = lowest < -k_facet_touch;
   heights.in_front = highest > k_least_in_front && lowest < k_most_in_front;
   return heights;
 }
@@ -217,7 +217,7 @@ bool clipped(const CrossingQuery& query, const std::array<glm::dvec3, 2>& ends, 
   }
   if (end <= begin) return false;
   crossing = {ends[0] + begin * (ends[1] - ends[0]), ends[0] + end * (ends[1] - ends[0])};
-  return glm::distance(crossing.start, crossing.end) > k_shortest;
+  return glm::distance(crossing.start, crossing.end) > k_shortest_crossing;
 }
 
 /// An edge of a that lies in b's plane, as far as it runs inside b: facets on its two sides may cross b
@@ -236,8 +236,8 @@ bool triangle_crossing(const CrossingQuery& query, FacetCrossing& crossing) {
   const glm::dvec3* b = query.b;
   std::array<double, 3> heights{};
   for (int k = 0; k < 3; ++k) heights[k] = glm::dot(query.normal_b, a[k] - b[0]);
-  if (std::max({heights[0], heights[1], heights[2]}) <= k_touch ||
-      std::min({heights[0], heights[1], heights[2]}) >= -k_touch) {
+  if (std::max({heights[0], heights[1], heights[2]}) <= k_facet_touch ||
+      std::min({heights[0], heights[1], heights[2]}) >= -k_facet_touch) {
     return false;
   }
   // The line through a: from a side that rises through b's plane to one that falls.

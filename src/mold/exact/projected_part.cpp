@@ -22,10 +22,7 @@ constexpr double k_edge_on = 1e-12;
 /// Curtains narrower than this hide nothing that has an area.
 constexpr double k_narrowest = 1e-11;
 /// Distances of a facet from a point, in the unit frame, up to which they touch.
-constexpr double k_touch = 1e-12;
-/// What lies below a plane by less than this may touch it; and how far lines reach beyond their ends, lest
-/// they miss each other.
-constexpr double k_plane_margin = 1e-7, k_clip_slack = 1e-9;
+constexpr double k_edge_touch = 1e-12;
 /// Twice the area of a facet whose height over a point is known to k_plane_margin.
 constexpr double k_clear_area = 2e-10;
 constexpr std::size_t k_edges_a_task = 64;
@@ -39,7 +36,7 @@ constexpr double k_contour_cells = 2.0, k_facet_cells = 0.25;  // cells an item
 constexpr double k_places = 0x1p40;
 constexpr float k_single_rounding =
     1e-6F;  // more than that of a coordinate, and than what counts as touching
-constexpr std::size_t k_grain = 4096;
+constexpr std::size_t k_projection_grain = 4096;
 
 std::uint8_t side_of(double sine) {
   if (sine > k_edge_on) return facing::k_up;
@@ -69,19 +66,22 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction,
     : part_(&part), frame_(frame_along_walls(part.geometry(), direction)) {
   const TriangleMesh& mesh = part.mesh();
   points_.resize(mesh.vertices.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), k_grain), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k < range.end(); ++k) points_[k] = turned(part.positions()[k]);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), k_projection_grain),
+                    [&](const auto& range) {
+                      for (std::size_t k = range.begin(); k < range.end(); ++k)
+                        points_[k] = turned(part.positions()[k]);
+                    });
   extents_.resize(mesh.facets.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, extents_.size(), k_grain), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      const auto& [a, b, c] = mesh.facets[k];
-      extents_[k] = {
-          .low = glm::vec3(glm::min(glm::min(points_[a], points_[b]), points_[c])) - k_single_rounding,
-          .high = glm::vec3(glm::max(glm::max(points_[a], points_[b]), points_[c])) + k_single_rounding,
-          .facing = side_of(glm::dot(part.geometry().normals[k], frame_.z))};
-    }
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, extents_.size(), k_projection_grain), [&](const auto& range) {
+        for (std::size_t k = range.begin(); k < range.end(); ++k) {
+          const auto& [a, b, c] = mesh.facets[k];
+          extents_[k] = {
+              .low = glm::vec3(glm::min(glm::min(points_[a], points_[b]), points_[c])) - k_single_rounding,
+              .high = glm::vec3(glm::max(glm::max(points_[a], points_[b]), points_[c])) + k_single_rounding,
+              .facing = side_of(glm::dot(part.geometry().normals[k], frame_.z))};
+        }
+      });
   box_ = {glm::dvec2(1e300), glm::dvec2(-1e300)};
   for (const Extent& extent : extents_) {
     box_.low = glm::min(box_.low, glm::dvec2(extent.low));
@@ -419,7 +419,7 @@ bool ProjectedPart::blocks(FacetIndex facet, const Ray& ray) const {
   const double twice_area = twice_area_of(facet);
   // Where the blockers face the ray, one that touches the point hides it; else it may be the same surface
   // twice.
-  const double distance = ray.clearly ? k_plane_margin : part_->closed() ? k_touch : -k_touch;
+  const double distance = ray.clearly ? k_plane_margin : part_->closed() ? k_edge_touch : -k_edge_touch;
   return rise * turn * ray.sense > distance * twice_area && (!ray.clearly || twice_area >= k_clear_area);
 }
 

@@ -26,6 +26,10 @@ inline constexpr std::uint8_t k_up = 1;
 inline constexpr std::uint8_t k_down = 2;
 }  // namespace facing
 
+/// What lies below a plane by less than the first may touch it, as bodies that touch hide each other; and how
+/// far lines reach beyond their ends, lest they miss each other. Unit frame.
+inline constexpr double k_plane_margin = 1e-7, k_clip_slack = 1e-9;
+
 /// A contour edge, or a stretch of one; the strip that hangs from it along the direction is its curtain.
 struct ContourEdge {
   glm::dvec3 start{0.0}, along{0.0};  // end - start

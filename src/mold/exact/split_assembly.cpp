@@ -20,7 +20,7 @@ namespace {
 constexpr double k_same_point = 1e-11;
 /// A corner that bends by less than this many radians is a point of a straight side.
 constexpr double k_straight_rad = 1e-7;
-constexpr std::size_t k_grain = 1024;  // facets a task
+constexpr std::size_t k_split_grain = 1024;  // facets a task
 
 /// Slivers of two cells that points which became one have folded onto each other: the same corners, wound in
 /// opposite ways.
@@ -102,11 +102,11 @@ SplitMesh SplitAssembly::finish(const Progress& progress) {
   adopt_regions_without_area();
   progress.report("joining the split mesh", 0.5);
   const std::size_t facets = part_.mesh().facets.size();
-  std::vector<std::vector<SplitPiece>> parts((facets + k_grain - 1) / k_grain);
+  std::vector<std::vector<SplitPiece>> parts((facets + k_split_grain - 1) / k_split_grain);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
     std::vector<VertexIndex> polygon;
-    parts[k].reserve(k_grain + k_grain / 2);
-    for (std::size_t facet = k * k_grain; facet < std::min((k + 1) * k_grain, facets); ++facet) {
+    parts[k].reserve(k_split_grain + k_split_grain / 2);
+    for (std::size_t facet = k * k_split_grain; facet < std::min((k + 1) * k_split_grain, facets); ++facet) {
       append_pieces(static_cast<FacetIndex>(facet), parts[k], polygon);
     }
   });

@@ -6,6 +6,7 @@
 
 #include "classify/figures.hpp"
 #include "picture/design_space.hpp"
+#include "picture/legend.hpp"
 
 namespace moldlight {
 

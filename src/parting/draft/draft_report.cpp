@@ -3,7 +3,9 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "io/atomic_file.hpp"
 
@@ -20,8 +22,6 @@ glm::dvec3 facet_centre(const PartModel& model, FacetIndex facet) {
 }
 
 std::string short_area(double area, const std::string& unit) { return fmt::format("{:.4g} {}", area, unit); }
-
-Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 Json wall_json(const WallDraft& wall) {
   Json line;

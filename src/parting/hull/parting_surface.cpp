@@ -19,7 +19,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_most_rounds = 8;
+constexpr int k_most_surface_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;
 /// How far in the plane the line, which may be a little off the surface, is from the outline, in diagonals of
@@ -241,7 +241,7 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
     for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }
   add_sheet(sheets, plane, z, wish.tolerance);
-  for (int round = 0; round < k_most_rounds; ++round) {
+  for (int round = 0; round < k_most_surface_rounds; ++round) {
     const std::vector<SegmentCut> crossings = find_crossings(sheets, wish.tolerance);
     if (crossings.empty()) break;
     cut_segments(sheets, crossings);

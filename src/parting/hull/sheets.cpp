@@ -15,7 +15,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_most_rounds = 8;
+constexpr int k_most_sheet_rounds = 8;
 
 }  // namespace
 
@@ -261,7 +261,7 @@ std::optional<glm::dvec3> Sheets::stand_in_columns(double tolerance) {
   make_columns(tolerance);
   weld_columns(tolerance);
   std::optional<glm::dvec3> place;
-  for (int round = 0; round < k_most_rounds; ++round) {
+  for (int round = 0; round < k_most_sheet_rounds; ++round) {
     place = insert_columns(tolerance);
     weld_columns(tolerance);
     if (!place) break;

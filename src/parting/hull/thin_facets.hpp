@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"
-#include "parting/hull/tidy_solid.hpp"
+#include "parting/hull/tidy_query.hpp"
 
 namespace moldlight {
 

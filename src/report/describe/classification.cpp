@@ -1,4 +1,6 @@
 // The report of a classification.
+#include <nlohmann/json.hpp>
+
 #include "classify/classify_report.hpp"
 #include "report/describe/parts.hpp"
 

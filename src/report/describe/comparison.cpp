@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "actions/actions_report.hpp"
 #include "compare/compare_picture.hpp"

@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 k_whole_px(1280, 800), k_behind_px(960, 600), k_undercut_px(280, 210);
 /// More pictures of undercuts would make the page large, and nobody looks at them.
-constexpr std::size_t k_most_pictures = 12, k_most_rows = 100;
+constexpr std::size_t k_most_row_pictures = 12, k_most_pictured_rows = 100;
 /// What is shown around an undercut: shares of its extent and of the part's diagonal.
 constexpr double k_around = 0.3, k_least_around = 0.06;
 
@@ -89,7 +89,7 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
                    {"along " + unit},
                    {"centre " + unit}};
   table.columns.insert(table.columns.end(), aside.columns.begin(), aside.columns.end());
-  for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_rows); ++k) {
+  for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_pictured_rows); ++k) {
     const Undercut& undercut = *undercuts[k];
     Row row;
     row.cells = {{fmt::format("{}", k + 1)},
@@ -101,13 +101,13 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
       for (Value& cell : aside.cells(k)) row.cells.push_back(std::move(cell));
     }
     if (aside.mark) row.mark = aside.mark(k);
-    if (k < k_most_pictures) {
+    if (k < k_most_row_pictures) {
       row.picture = pictures.undercut(undercut);
       row.picture_text = fmt::format("Undercut {}", k + 1);
     }
     table.rows.push_back(std::move(row));
   }
-  if (undercuts.size() > k_most_rows) table.rest = fmt::format("… {} in all.", undercuts.size());
+  if (undercuts.size() > k_most_pictured_rows) table.rest = fmt::format("… {} in all.", undercuts.size());
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/view_choice.hpp"
 #include "parting/mold_picture.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/option.hpp"
 #include "parting/draft/draft_report.hpp"

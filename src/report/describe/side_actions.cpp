@@ -1,6 +1,7 @@
 // The report of side actions.
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "actions/action_body.hpp"
 #include "actions/actions_files.hpp"

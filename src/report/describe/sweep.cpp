@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "report/describe/parts.hpp"
 #include "sweep/direction_figures.hpp"

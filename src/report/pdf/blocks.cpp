@@ -12,19 +12,20 @@ namespace moldlight::report {
 
 namespace {
 
-constexpr double k_gap_pt = 18.0;  // between columns
+constexpr double k_between_columns_pt = 18.0;  // between columns
 /// No picture is drawn larger; several of them beside each other are lower.
 constexpr double k_most_pt_a_pixel = 0.4, k_small_picture_pt = 170.0;
 
 /// As many columns of at least this width as there is room for.
 struct Columns {
   Columns(double room, double least, std::size_t most)
-      : count(std::clamp<std::size_t>(static_cast<std::size_t>((room + k_gap_pt) / (least + k_gap_pt)), 1,
-                                      most)),
-        width((room + k_gap_pt) / static_cast<double>(count) - k_gap_pt) {}
+      : count(std::clamp<std::size_t>(
+            static_cast<std::size_t>((room + k_between_columns_pt) / (least + k_between_columns_pt)), 1,
+            most)),
+        width((room + k_between_columns_pt) / static_cast<double>(count) - k_between_columns_pt) {}
 
   [[nodiscard]] double left(std::size_t column) const {
-    return static_cast<double>(column) * (width + k_gap_pt);
+    return static_cast<double>(column) * (width + k_between_columns_pt);
   }
 
   std::size_t count;
@@ -117,15 +118,15 @@ std::vector<Piece> to_pieces(const Setting& setting, const FigureGrid& grid) {
 }
 
 std::vector<Piece> to_pieces(const Setting& setting, const ShareBar& bar) {
-  constexpr double k_height_pt = 9.0;
-  return {{.height = k_height_pt,
+  constexpr double k_bar_height_pt = 9.0;
+  return {{.height = k_bar_height_pt,
            .gap = 6.0,
            .with_next = true,  // the table that names the shares
            .draw = [&bar, width = setting.room.x](Canvas& canvas, const glm::dvec2& corner) {
              double at = 0.0;
              for (const ShareBar::Share& share : bar.shares) {
                const double part = std::clamp(share.share, 0.0, 1.0) * width;
-               draw_box(canvas, share.mark, {corner + glm::dvec2(at, 0.0), {part, k_height_pt}});
+               draw_box(canvas, share.mark, {corner + glm::dvec2(at, 0.0), {part, k_bar_height_pt}});
                at += part;
              }
            }}};

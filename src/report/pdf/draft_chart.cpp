@@ -12,7 +12,7 @@ namespace moldlight::report {
 
 namespace {
 
-constexpr double k_top_pt = 18.0, k_foot_pt = 116.0, k_height_pt = 132.0, k_between_pt = 0.5,
+constexpr double k_top_pt = 18.0, k_foot_pt = 116.0, k_chart_height_pt = 132.0, k_between_pt = 0.5,
                  k_tick_deg = 5.0;
 
 /// Where an angle stands, from the chart's left end.
@@ -63,7 +63,9 @@ void draw_axis(Canvas& canvas, const Scale& scale, const glm::dvec2& corner) {
 Piece draft_chart_piece(const DraftBars& bars, double width_pt) {
   const Scale scale{bars.bars.front().from_deg, bars.bars.back().to_deg, width_pt};
   return {
-      .height = k_height_pt, .gap = 6.0, .draw = [&bars, scale](Canvas& canvas, const glm::dvec2& corner) {
+      .height = k_chart_height_pt,
+      .gap = 6.0,
+      .draw = [&bars, scale](Canvas& canvas, const glm::dvec2& corner) {
         draw_bars(canvas, bars, scale, corner);
         if (bars.required_deg && *bars.required_deg >= scale.from_deg && *bars.required_deg <= scale.to_deg)
           draw_limit(canvas, *bars.required_deg, scale, corner);

@@ -12,7 +12,7 @@ namespace moldlight::report {
 
 namespace {
 
-constexpr double k_gap_pt = 12.0, k_least_gap_pt = 7.0, k_most_gap_pt = 30.0, k_row_pad_pt = 3.0,
+constexpr double k_usual_gap_pt = 12.0, k_least_gap_pt = 7.0, k_most_gap_pt = 30.0, k_row_pad_pt = 3.0,
                  k_mark_room_pt = 12.0;
 constexpr double k_largest_pt = 8.5, k_smallest_pt = 6.5, k_size_step_pt = 0.5, k_heading_share = 0.9;
 /// Pictures of rows are drawn at twice as many pixels as they take.
@@ -33,10 +33,10 @@ class TableSetter {
         table_(&table),
         width_(width_pt),
         widths_(table.columns.size()),
-        least_gap_(table.columns.size() > k_many_columns ? k_least_gap_pt : k_gap_pt) {
+        least_gap_(table.columns.size() > k_many_columns ? k_least_gap_pt : k_usual_gap_pt) {
     for (const Row& row : table.rows)
       picture_ = glm::max(picture_, k_pt_a_pixel * glm::dvec2(row.picture.width, row.picture.height));
-    const double room = width_ - (picture_.x > 0.0 ? picture_.x + k_gap_pt : 0.0) -
+    const double room = width_ - (picture_.x > 0.0 ? picture_.x + k_usual_gap_pt : 0.0) -
                         least_gap_ * static_cast<double>(widths_.empty() ? 0 : widths_.size() - 1);
     for (size_ = k_largest_pt; !fits(room) && size_ > k_smallest_pt; size_ -= k_size_step_pt) continue;
   }
@@ -116,12 +116,12 @@ class TableSetter {
 
   /// Where a column's text is aligned to, from the table's left end.
   [[nodiscard]] double place(std::size_t column) const {
-    double at = picture_.x > 0.0 ? picture_.x + k_gap_pt : 0.0;
+    double at = picture_.x > 0.0 ? picture_.x + k_usual_gap_pt : 0.0;
     for (std::size_t k = 0; k < column; ++k) at += widths_[k] + gap_;
     return table_->columns[column].text ? at : at + widths_[column];
   }
   [[nodiscard]] double table_width() const {
-    const double used = (picture_.x > 0.0 ? picture_.x + k_gap_pt : 0.0) +
+    const double used = (picture_.x > 0.0 ? picture_.x + k_usual_gap_pt : 0.0) +
                         std::accumulate(widths_.begin(), widths_.end(), 0.0) +
                         gap_ * static_cast<double>(widths_.empty() ? 0 : widths_.size() - 1);
     return std::min(used, width_);
@@ -189,7 +189,7 @@ class TableSetter {
   double width_;
   std::vector<double> widths_;
   glm::dvec2 picture_{0.0};  // the largest
-  double least_gap_, gap_ = k_gap_pt;
+  double least_gap_, gap_ = k_usual_gap_pt;
   double size_ = k_largest_pt;
 };
 

@@ -19,7 +19,7 @@ constexpr std::size_t k_ballots = 15'000;    // directions voted for, 1.2 degree
 constexpr double k_vote_width_deg = 1.5;
 constexpr double k_peak_distance_deg = 3.0;
 constexpr double k_bands_deg[] = {4.0, 4.0, 2.0, 2.0, 1.0, 1.0, 0.5, 0.25, 0.12, 0.06};  // twice: to settle
-constexpr double k_same_deg = 0.01;
+constexpr double k_same_normal_deg = 0.01;
 constexpr double k_least_share = 0.03;  // of the surface, perpendicular to the direction
 constexpr double k_least_second_moment =
     0.015;                             // of the surface; else one plane's normals, which fix no direction
@@ -109,7 +109,7 @@ std::vector<Candidate> perpendicular_candidates(const std::vector<NormalCell>& c
     for (const Perpendicular& candidate : refined(start, cells, total_area)) {
       if (candidate.area < k_least_share * total_area) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const Perpendicular& other) {
-        return line_angle_deg(other.direction, candidate.direction) < k_same_deg;
+        return line_angle_deg(other.direction, candidate.direction) < k_same_normal_deg;
       });
       if (!known) found.push_back(candidate);
     }

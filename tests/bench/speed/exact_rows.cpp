@@ -14,7 +14,7 @@ namespace moldlight::bench {
 namespace {
 
 constexpr double k_lateral = 1.0 / 2048.0;  // unit frame
-constexpr int k_samples = 1'000'000, k_quick_samples = 20'000;
+constexpr int k_exact_samples = 1'000'000, k_quick_samples = 20'000;
 constexpr std::size_t k_facets_of_many_rounds = 600'000;
 
 }  // namespace
@@ -30,7 +30,7 @@ ExactFigures print_exact_rows(const PartFile& file, const gl::Context& context,
   Classifier classifier(context, model);
   Query query;
   query.method.readout = Readout::samples;
-  query.method.samples = settings.quick ? k_quick_samples : k_samples;
+  query.method.samples = settings.quick ? k_quick_samples : k_exact_samples;
   query.method.tolerance = k_lateral * model->frame.diagonal;
 
   std::printf("\nexact  %s, %zu facets: once a part %.1f ms; ms a direction\n", file.name.c_str(),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "actions/actions_report.hpp"
 #include "unit/actions/known_undercuts.hpp"

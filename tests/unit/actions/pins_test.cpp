@@ -32,7 +32,7 @@ TriangleMesh block_with_two_pockets() {
   return solid.mesh();
 }
 
-ActionPlan plan_of(const ActionSettings& settings, const glm::dvec3& direction = {0, 0, 1}) {
+ActionPlan pinned_plan(const ActionSettings& settings, const glm::dvec3& direction = {0, 0, 1}) {
   Part part;
   part.unit = "mm";
   part.mesh = block_with_two_pockets();
@@ -50,7 +50,7 @@ ActionPin pin_to(const UndercutReport& patch, std::optional<ActionKind> kind) {
 
 class Pins : public ::testing::Test {
  protected:
-  const ActionPlan free = plan_of({});
+  const ActionPlan free = pinned_plan({});
   ActionSettings settings;
 };
 
@@ -64,7 +64,7 @@ TEST_F(Pins, PutAPointOnEachUndercut) {
 
 TEST_F(Pins, LeaveAnUndercutToTheirKindAlone) {
   settings.pins = {pin_to(free.patches[0], ActionKind::strip)};
-  const ActionPlan plan = plan_of(settings);
+  const ActionPlan plan = pinned_plan(settings);
   EXPECT_EQ(actions_text(plan), "1 slide") << "a pocket is no ring";
   ASSERT_EQ(plan.unreleased, std::vector<std::size_t>{0});
   EXPECT_EQ(unreleased_text(plan, 0), "no stripped ring releases it");
@@ -73,7 +73,7 @@ TEST_F(Pins, LeaveAnUndercutToTheirKindAlone) {
   EXPECT_EQ(action_of(plan, 1)->kind, ActionKind::slide);
 
   settings.pins = {pin_to(free.patches[0], ActionKind::slide), pin_to(free.patches[1], std::nullopt)};
-  const ActionPlan other = plan_of(settings);
+  const ActionPlan other = pinned_plan(settings);
   ASSERT_EQ(other.unreleased, std::vector<std::size_t>{1});
   EXPECT_EQ(unreleased_text(other, 1), "left as it is");
   EXPECT_EQ(other.actions.at(0).kind, ActionKind::slide);
@@ -82,7 +82,7 @@ TEST_F(Pins, LeaveAnUndercutToTheirKindAlone) {
 
 TEST_F(Pins, FindAKindThatWouldCostMore) {
   settings.pins = {pin_to(free.patches[0], ActionKind::lifter)};
-  const ActionPlan plan = plan_of(settings);
+  const ActionPlan plan = pinned_plan(settings);
   EXPECT_EQ(actions_text(plan), "1 slide, 1 lifter");
   EXPECT_EQ(action_of(plan, 0)->kind, ActionKind::lifter);
   EXPECT_NEAR(action_of(plan, 0)->travel, 15.0, 0.1) << "out of the pocket";
@@ -90,7 +90,7 @@ TEST_F(Pins, FindAKindThatWouldCostMore) {
 
 TEST_F(Pins, LeaveWhatNoActionOfTheirKindReleases) {
   settings.pins = {pin_to(free.patches[0], ActionKind::inclined), pin_to(free.patches[1], ActionKind::strip)};
-  const ActionPlan plan = plan_of(settings);
+  const ActionPlan plan = pinned_plan(settings);
   EXPECT_TRUE(plan.actions.empty());
   EXPECT_EQ(plan.unreleased.size(), 2U);
   EXPECT_EQ(unreleased_text(plan, 1), "no stripped ring releases it");
@@ -99,20 +99,20 @@ TEST_F(Pins, LeaveWhatNoActionOfTheirKindReleases) {
 TEST_F(Pins, AreFoundAgainByPlaceAndArea) {
   settings.pins = {pin_to(free.patches[0], std::nullopt)};
   const double turn = glm::radians(3.0);
-  const ActionPlan turned = plan_of(settings, {0, std::sin(turn), std::cos(turn)});
+  const ActionPlan turned = pinned_plan(settings, {0, std::sin(turn), std::cos(turn)});
   const auto pinned = std::ranges::count_if(
       turned.patches, [](const UndercutReport& patch) { return patch.pin.has_value(); });
   EXPECT_EQ(pinned, 1) << "for another direction, too";
   settings.pins[0].area *= 2.5;
-  EXPECT_TRUE(plan_of(settings).unreleased.empty()) << "another undercut";
+  EXPECT_TRUE(pinned_plan(settings).unreleased.empty()) << "another undercut";
   settings.pins[0] = pin_to(free.patches[0], std::nullopt);
   settings.pins[0].point += glm::dvec3(0, 0, 15);
-  EXPECT_TRUE(plan_of(settings).unreleased.empty()) << "elsewhere";
+  EXPECT_TRUE(pinned_plan(settings).unreleased.empty()) << "elsewhere";
 }
 
 TEST_F(Pins, OfOneUndercutTheLastOneCounts) {
   settings.pins = {pin_to(free.patches[0], std::nullopt), pin_to(free.patches[0], ActionKind::slide)};
-  EXPECT_TRUE(plan_of(settings).unreleased.empty());
+  EXPECT_TRUE(pinned_plan(settings).unreleased.empty());
 }
 
 TEST_F(Pins, ReadBackWhatTheyWrite) {

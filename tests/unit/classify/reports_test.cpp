@@ -1,5 +1,6 @@
 // Figures and reports at their edges: nothing to measure, checks that fail, numbers of every size.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "gl/headless_backends.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
 

@@ -9,6 +9,7 @@
 #include "backends.hpp"
 #include "base/error.hpp"
 #include "gl/objects.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "backends.hpp"
 #include "gl/headless_backends.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
 namespace {

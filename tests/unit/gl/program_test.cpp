@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "gl/context.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
 namespace {

@@ -17,10 +17,11 @@ namespace {
 constexpr int k_size = 96;
 constexpr int k_triangles = 40;
 
-constexpr ShaderFile k_files[] = {{"common/palette.glsl",
-                                   "uniform samplerBuffer u_palette;\n"
-                                   "vec3 palette(int i) { return texelFetch(u_palette, i % 3).rgb; }\n"},
-                                  {"fan.vert", R"(#version 330 core
+constexpr ShaderFile k_scene_files[] = {
+    {"common/palette.glsl",
+     "uniform samplerBuffer u_palette;\n"
+     "vec3 palette(int i) { return texelFetch(u_palette, i % 3).rgb; }\n"},
+    {"fan.vert", R"(#version 330 core
 uniform mat4 u_clip_from_world;
 uniform float u_turn[2];
 out vec3 v_position;
@@ -32,8 +33,9 @@ void main() {
   v_id = uint(triangle + 1);
   gl_Position = u_clip_from_world * vec4(v_position, 1.0);
 })"},
-                                  {"fan.frag", R"(#version 330 core
+    {"fan.frag", R"(#version 330 core
 #include "common/palette.glsl"
+#include "gl/headless_context.hpp"
 in vec3 v_position;
 flat in uint v_id;
 layout(location = 0) out vec4 o_colour;
@@ -74,7 +76,7 @@ Picture draw(const Functions& gl) {
   const VertexArray vertices = make_vertex_array(gl);
 
   const Program program(gl, {.vertex = "fan.vert", .fragment = "fan.frag", .defines = {{"GLOW", "0.05"}}},
-                        k_files);
+                        k_scene_files);
   program.use();
   program.set("u_clip_from_world", glm::rotate(glm::mat4(0.8f), 0.7f, glm::vec3(0.5f, 1.0f, 0.2f)));
   program.set("u_turn[0]", 0.37f);

@@ -8,7 +8,7 @@
 namespace moldlight::gl {
 namespace {
 
-constexpr ShaderFile k_files[] = {
+constexpr ShaderFile k_text_files[] = {
     {"a.glsl", "#include \"b.glsl\"\nfloat a;\n"},
     {"b.glsl", "float b;"},
     {"cycle.vert", "#version 330 core\n#include \"cycle.glsl\"\nlast\n"},
@@ -20,7 +20,7 @@ constexpr ShaderFile k_files[] = {
 
 std::string failure(std::string_view path) {
   try {
-    (void)expand_shader(path, {}, k_files);
+    (void)expand_shader(path, {}, k_text_files);
   } catch (const Error& error) {
     return error.what();
   }
@@ -28,7 +28,7 @@ std::string failure(std::string_view path) {
 }
 
 TEST(ShaderText, EachFileIsIncludedOnceWithItsLines) {
-  const ShaderText shader = expand_shader("both.vert", {{"SIDE", "1"}}, k_files);
+  const ShaderText shader = expand_shader("both.vert", {{"SIDE", "1"}}, k_text_files);
   EXPECT_EQ(shader.files, (std::vector<std::string>{"both.vert", "a.glsl", "b.glsl"}));
   EXPECT_EQ(shader.text, "// Head.\n#version 330 core\n#define SIDE 1\nfloat b;\nfloat a;\nvoid main() {}\n");
   std::string origins;
@@ -39,7 +39,7 @@ TEST(ShaderText, EachFileIsIncludedOnceWithItsLines) {
 }
 
 TEST(ShaderText, CyclesEnd) {
-  const ShaderText shader = expand_shader("cycle.vert", {}, k_files);
+  const ShaderText shader = expand_shader("cycle.vert", {}, k_text_files);
   EXPECT_NE(shader.text.find("first"), std::string::npos);
   EXPECT_NE(shader.text.find("last"), std::string::npos);
 }

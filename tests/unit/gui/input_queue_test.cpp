@@ -1,4 +1,5 @@
 // What a frame takes of the input that waits, and what ImGui then sees.
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>

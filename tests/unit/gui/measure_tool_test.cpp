@@ -1,8 +1,8 @@
 // What is measured between two places.
-#include "gui/panels/measure_tool.hpp"
-
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include "gui/view/measuring.hpp"
 
 namespace moldlight::gui {
 namespace {

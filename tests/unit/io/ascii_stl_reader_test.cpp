@@ -80,7 +80,8 @@ TEST(AsciiStl, KeepsWordsOfTheGrammarInNames) {
 }
 
 TEST(AsciiStl, MakesNamesPrintable) {
-  EXPECT_EQ(read_bytes("part.stl", solid_text(facet_text(), "a\x1b[31m\xff z")).bodies[0].name, "a?[31m? z");
+  EXPECT_EQ(read_bytes("part.stl", solid_text(facet_text(), "a\x1b[31m\xff z")).bodies[0].name,
+            R"(a\u001B[31m\xFF z)");
 }
 
 TEST(AsciiStl, WarnsOfMissingClosingWord) {

@@ -17,7 +17,7 @@ std::string ascii_header(const std::string& vertices = "4", const std::string& f
          "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
          "\nproperty list uchar int vertex_indices\nend_header\n";
 }
-const std::string k_square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string k_ply_square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 /// Two quads in a row with values before, between and after what is read.
 std::string binary_ply(bool big_endian, const std::string& line_end = "\n") {
@@ -55,7 +55,7 @@ std::string binary_ply(bool big_endian, const std::string& line_end = "\n") {
 }
 
 TEST(Ply, ReadsTextWithPolygons) {
-  const Part part = read_bytes("part.ply", ascii_header() + k_square + "4 0 1 2 3\n3 0 2 1\n");
+  const Part part = read_bytes("part.ply", ascii_header() + k_ply_square + "4 0 1 2 3\n3 0 2 1\n");
   EXPECT_EQ(part.format, "PLY");
   ASSERT_EQ(part.mesh.facets.size(), 3u);
   EXPECT_EQ(part.facet_source, (std::vector<std::uint32_t>{0, 0, 1}));
@@ -113,37 +113,38 @@ TEST(Ply, NamesThePlaceOfEveryFault) {
   EXPECT_EQ(read_error("a.ply", no_y), "a.ply: the PLY element 'face' has no properties" + again);
   EXPECT_EQ(read_error("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             "a.ply: the vertices have no coordinate y" + again);
-  EXPECT_EQ(read_error("a.ply", ascii_header() + k_square + "3 0 1 2\n3 0 1 4\n"),
+  EXPECT_EQ(read_error("a.ply", ascii_header() + k_ply_square + "3 0 1 2\n3 0 1 4\n"),
             "a.ply: face 1 (line 16): it uses vertex 4, but there are 4, numbered from 0" + again);
-  EXPECT_EQ(read_error("a.ply", ascii_header() + k_square + "3 0 1 2\n3 0 1 -1\n"),
+  EXPECT_EQ(read_error("a.ply", ascii_header() + k_ply_square + "3 0 1 2\n3 0 1 -1\n"),
             "a.ply: face 1 (line 16): it uses vertex -1, but there are 4, numbered from 0" + again);
-  EXPECT_EQ(read_error("a.ply", ascii_header() + k_square + "3 0 1.5 2\n3 0 1 2\n"),
+  EXPECT_EQ(read_error("a.ply", ascii_header() + k_ply_square + "3 0 1.5 2\n3 0 1 2\n"),
             "a.ply: face 0 (line 15): it uses vertex 1.5, but there are 4, numbered from 0" + again);
-  EXPECT_EQ(read_error("a.ply", ascii_header() + k_square + "2 0 1\n3 0 1 2\n"),
+  EXPECT_EQ(read_error("a.ply", ascii_header() + k_ply_square + "2 0 1\n3 0 1 2\n"),
             "a.ply: face 0 (line 15): it has 2 corners, it needs three" + again);
   EXPECT_EQ(read_error("a.ply", ascii_header() + "0 0 0\n1 x 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n"),
             "a.ply: vertex 1 (line 12): expected a number, found 'x'" + again);
   EXPECT_EQ(read_error("a.ply", ascii_header() + "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n"),
             "a.ply: vertex 1 (line 12): its coordinates are (1, nan, 0)" + again);
-  EXPECT_EQ(read_error("a.ply", ascii_header("4", "0") + k_square),
+  EXPECT_EQ(read_error("a.ply", ascii_header("4", "0") + k_ply_square),
             "a.ply: holds no facets; export the part as a mesh of polygons");
 }
 
 TEST(Ply, TrustsNoCount) {
   for (const char* count : {"9000000000000000000", "4294967296", "1000"}) {
-    EXPECT_TRUE(read_error("a.ply", ascii_header(count) + k_square).starts_with("a.ply: byte ")) << count;
-    EXPECT_TRUE(read_error("a.ply", ascii_header("4", count) + k_square).starts_with("a.ply: byte "))
+    EXPECT_TRUE(read_error("a.ply", ascii_header(count) + k_ply_square).starts_with("a.ply: byte ")) << count;
+    EXPECT_TRUE(read_error("a.ply", ascii_header("4", count) + k_ply_square).starts_with("a.ply: byte "))
         << count;
   }
-  EXPECT_TRUE(read_error("a.ply", ascii_header() + k_square + "4000000000 0 1 2 3\n3 0 2 1\n")
+  EXPECT_TRUE(read_error("a.ply", ascii_header() + k_ply_square + "4000000000 0 1 2 3\n3 0 2 1\n")
                   .starts_with("a.ply: face 0 (line 15): the file ends inside a list of 4000000000 values"));
-  EXPECT_TRUE(read_error("a.ply", ascii_header() + k_square + "-1 0 1 2 3\n3 0 2 1\n")
+  EXPECT_TRUE(read_error("a.ply", ascii_header() + k_ply_square + "-1 0 1 2 3\n3 0 2 1\n")
                   .starts_with("a.ply: face 0 (line 15): a list has the length -1"));
 }
 
 TEST(Ply, WarnsOfDataBehindTheLastElement) {
-  EXPECT_EQ(read_bytes("part.ply", ascii_header() + k_square + "3 0 1 2\n3 0 2 3\n3 1 2 3\n").warnings.size(),
-            1u);
+  EXPECT_EQ(
+      read_bytes("part.ply", ascii_header() + k_ply_square + "3 0 1 2\n3 0 2 3\n3 1 2 3\n").warnings.size(),
+      1u);
   EXPECT_EQ(read_bytes("part.ply", binary_ply(true) + "x").warnings.size(), 1u);
 }
 

@@ -14,7 +14,7 @@
 namespace moldlight {
 namespace {
 
-constexpr test::ShapeSettings k_settings{.tau_deg = 1.0, .lateral_tolerance = 0.02};
+constexpr test::ShapeSettings k_cut_settings{.tau_deg = 1.0, .lateral_tolerance = 0.02};
 
 TriangleMesh large_pile() { return test::subdivided(test::pile_mesh(test::random_pile(3), 3), 200'000); }
 
@@ -23,7 +23,7 @@ TEST(ExactCancelling, AtAnyReportThrows) {
   const test::ExactModel model(mesh);
   const FacetGeometry geometry = facet_geometry(mesh);
   const UnitFrame frame = unit_frame(bounds(mesh));
-  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_settings);
+  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_cut_settings);
   // Reports of a whole run, and whether the run ends when it is cancelled at each but the last.
   const auto expect_cancelled = [](const auto& work) {
     int reports = 0;
@@ -51,7 +51,7 @@ TEST(ExactCancelling, AtAnyReportThrows) {
 
 TEST(ExactCancelling, InTheMiddleThrowsSoon) {
   const test::ExactModel model(large_pile());
-  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_settings);
+  const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_cut_settings);
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   (void)exact_split(model.part(), query, Progress{});

@@ -2,6 +2,7 @@
 #include "page/html.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "base/image.hpp"
 #include "io/digest.hpp"

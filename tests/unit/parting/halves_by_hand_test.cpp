@@ -6,9 +6,11 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "mesh/faces.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_report.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"

@@ -9,6 +9,7 @@
 
 #include "mesh/health.hpp"
 #include "parting/loops.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"

@@ -14,14 +14,14 @@
 namespace moldlight {
 namespace {
 
-struct Found {
+struct Smoothed {
   std::shared_ptr<const PartModel> model;
   Assignment assignment;
   PartingLine line;
 };
 
-Found find(TriangleMesh mesh, double soft_deg) {
-  Found found;
+Smoothed smoothed_line(TriangleMesh mesh, double soft_deg) {
+  Smoothed found;
   found.model = test::model_of(std::move(mesh));
   MoldSettings settings;
   settings.soft_deg = soft_deg;
@@ -59,7 +59,7 @@ TEST(LineSmoothing, StraightensTheLineOnWavySurface) {
     v += 0.02 * std::sin(2.4 * static_cast<double>(k)) * along;
   }
   const glm::dvec3 d(0, 0, 1);
-  const Found found = find(std::move(ring), 10.0);
+  const Smoothed found = smoothed_line(std::move(ring), 10.0);
   ASSERT_EQ(found.line.euler.loops, 2U);
   std::size_t moved = 0;
   for (const PartingLoop& loop : found.line.loops) {
@@ -94,7 +94,7 @@ TEST(LineSmoothing, StraightensTheLineOnWavySurface) {
 
 TEST(LineSmoothing, LeavesTheLineOnCreases) {
   for (const TriangleMesh& mesh : {test::box_mesh({0, 0, 0}, {4, 3, 2}), test::plate_with_holes(1, 2, 2.0)}) {
-    const Found found = find(mesh, 2.0);
+    const Smoothed found = smoothed_line(mesh, 2.0);
     for (const PartingLoop& loop : found.line.loops) {
       EXPECT_EQ(loop.moved, 0U);
       for (std::size_t k = 0; k < loop.points.size(); ++k)

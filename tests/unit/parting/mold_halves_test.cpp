@@ -8,6 +8,7 @@
 #include "mesh/health.hpp"
 #include "mesh/orient.hpp"
 #include "parting/hull/parting_surface.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/mold_report.hpp"
 #include "support/boxes.hpp"

@@ -35,7 +35,7 @@ void expect_within_margins(const std::vector<test::PdfPage>& pages) {
   }
 }
 
-std::size_t count(const std::string& text, const std::string& word) {
+std::size_t count_of(const std::string& text, const std::string& word) {
   std::size_t found = 0;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
   return found;
@@ -61,7 +61,7 @@ TEST_F(PdfWriter, HasEveryText) {
   // section its title, 5 of the figure, heading, cell and rest of the table, the caption, 4 texts and the
   // fact's 2; the name in the footer.
   const std::string text = text_of(test::pdf_pages(pdf_document(report_of("word"), Paper::a4)));
-  EXPECT_EQ(count(text, "word"), 5u + 3u + 1u + 5u + 3u + 1u + 4u + 2u + 3u);
+  EXPECT_EQ(count_of(text, "word"), 5u + 3u + 1u + 5u + 3u + 1u + 4u + 2u + 3u);
   EXPECT_NE(text.find("Page1of1"), std::string::npos);
   EXPECT_NE(text.find("0.5°askedfor"), std::string::npos);
 }

@@ -36,14 +36,14 @@ TEST_F(StudyOfAPocket, FindsAnAnswerOnce) {
 
 TEST_F(StudyOfAPocket, KeepsWhatASettingDoesNotTouch) {
   study.find<ActionPlan>(Progress());
-  study.find<MoldSolids>(Progress());
+  study.find<MoldHalves>(Progress());
   const auto line = study.known<MoldLine>();
   ask([](Questions& asked) { asked.actions.clearance_mm = 7.0; });
   EXPECT_EQ(study.known<ActionPlan>(), nullptr);
   EXPECT_NE(study.known<SplitRegions>(), nullptr);
   EXPECT_EQ(study.known<MoldLine>(), line);
   ask([](Questions& asked) { asked.mold.margin = 12.0; });
-  EXPECT_EQ(study.known<MoldSolids>(), nullptr);
+  EXPECT_EQ(study.known<MoldHalves>(), nullptr);
   EXPECT_EQ(study.known<MoldLine>(), line) << "the block is no matter of the line";
   ask([](Questions& asked) { asked.mold.soft_deg = 3.0; });
   EXPECT_EQ(study.known<MoldLine>(), nullptr);

@@ -18,7 +18,7 @@ using test::Loop;
 using test::SolidBuilder;
 
 /// A block with a straight pocket in its top, 8 by 8 and 10 deep.
-TriangleMesh block() {
+TriangleMesh tilted_block() {
   SolidBuilder solid;
   solid.box({0, 0, 0}, {20, 20, 14}, std::vector<int>{5});
   const Loop rim = {{6, 6, 14}, {14, 6, 14}, {14, 14, 14}, {6, 14, 14}};
@@ -35,7 +35,7 @@ glm::dvec3 leaning(double degrees) {
 }
 
 TEST(AxisBeside, IsListedWithItsFigures) {
-  const auto model = test::model_of(block());
+  const auto model = test::model_of(tilted_block());
   SweepSettings settings;
   settings.directions = 100;
   settings.user_directions = {leaning(0.6)};

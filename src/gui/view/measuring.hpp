@@ -1,4 +1,4 @@
-// The tool that measures between two places of the surface.
+// What is measured between two places of the surface.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,6 @@
 #include "render/part_view.hpp"
 
 namespace moldlight::gui {
-
-struct PanelContext;
 
 /// A place of the surface.
 struct MeasuredPlace {
@@ -38,8 +36,5 @@ struct MeasuredPair {
 };
 [[nodiscard]] MeasuredPair measured(const MeasuredPlace& a, const MeasuredPlace& b,
                                     const glm::dvec3& direction);
-
-/// The line between the places that were clicked, or from the first to the cursor, with what was measured.
-void draw_measuring(const PanelContext& context);
 
 }  // namespace moldlight::gui

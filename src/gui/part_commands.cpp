@@ -1,0 +1,174 @@
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "classify/figures.hpp"
+#include "classify/view_choice.hpp"
+#include "gui/app.hpp"
+#include "gui/jobs/batch_table.hpp"
+#include "gui/store/files.hpp"
+#include "gui/view/direction.hpp"
+#include "gui/view/side_actions.hpp"
+#include "mold/round_wall.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+void Commands::open_part(const std::string& path) { app.open(path); }
+
+void Commands::open_batch_part(std::size_t row) {
+  BatchPart part = batch_part(*app.state_.batch, row);
+  // How parts are looked at is not the batch's.
+  part.notes.settings.look = app.state_.settings.look;
+  app.load(part.path, part.reading, std::move(part.notes));
+}
+
+void Commands::cancel_loading() {
+  app.loader_.give_up();
+  app.batch_loader_.give_up();
+  app.state_.loading.reset();
+}
+
+void Commands::undo() { app.state_.settings = app.history_.undo(); }
+
+void Commands::redo() { app.state_.settings = app.history_.redo(); }
+
+void Commands::fit_view() { look_from(app.state_.camera.orientation); }
+
+void Commands::look_from(const glm::dquat& orientation) {
+  app.fitted_points_.clear();
+  app.turn_camera(orientation);
+}
+
+void Commands::look_along_direction() {
+  look_from(looking_along(-app.state_.settings.direction.unit(), app.state_.camera.up()));
+}
+
+void Commands::look_at_undercuts() {
+  const Figures& figures = app.state_.figures;
+  if (!figures.split || figures.undercuts.value_or(UndercutTotals{}).count == 0) return;
+  look_from(revealing_orientation(*app.state_.model, std::span(&figures.split, 1),
+                                  app.state_.settings.direction.unit()));
+}
+
+void Commands::look_at_undercut(std::size_t undercut) {
+  const auto& split = app.state_.figures.split;
+  const auto& plan = app.state_.actions.plan;
+  if (!split || !plan || undercut >= plan->patches.size()) return;
+  const PartModel& model = *app.state_.model;
+  const Undercut& patch = plan->patches[undercut].undercut;
+  const auto alone = std::make_shared<SplitMesh>();
+  alone->vertices = split->vertices;
+  for (const std::uint32_t piece : patch.pieces) alone->pieces.push_back(split->pieces[piece]);
+  const std::shared_ptr<const SplitMesh> shown = alone;
+  app.fitted_points_ = surroundings(app.state_, undercut);
+  app.turn_camera(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
+}
+
+void Commands::toggle_projection() {
+  Projection& projection = app.state_.camera.projection;
+  projection = projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
+}
+
+void Commands::take_normal() {
+  if (app.state_.hover) app.set_direction(app.state_.model->geometry.normals[app.state_.hover->point.facet]);
+}
+
+void Commands::take_axis() {
+  if (!app.state_.hover) return;
+  const PartModel& model = *app.state_.model;
+  const auto axis = round_wall_axis(model.geometry, model.adjacency, app.state_.hover->point.facet);
+  if (!axis) {
+    say("There is no round wall under the cursor; point at a cylinder, a cone or a hole", false);
+    return;
+  }
+  // Of its two senses the one that leaves the core where it is.
+  app.set_direction(glm::dot(*axis, app.state_.settings.direction.unit()) < 0.0 ? -*axis : *axis);
+}
+
+void Commands::fly_to_direction(const glm::dvec3& direction) {
+  app.state_.hints_done.insert(Hint::verdict);
+  if (app.state_.window.motion) {
+    app.turn_.start(app.state_.settings.direction.unit(), direction, app.now_s_);
+  } else {
+    app.state_.settings.direction = direction;
+    app.history_.settle(app.state_.settings);
+  }
+}
+
+void Commands::choose_face(const std::optional<FacetIndex>& facet) {
+  const auto face = facet ? std::optional(app.state_.faces->of_facet[*facet]) : std::nullopt;
+  auto& chosen = app.state_.face;
+  chosen = face ? std::optional(ChosenFace{*face, {}}) : std::nullopt;
+  app.scene_->choose_face(face);
+  app.measure_face();
+}
+
+void Commands::take_picture() {
+  if (!app.state_.model) return;
+  const bool asks = app.saved_to_.empty();
+  const fs::path folder = asks ? pictures_folder() : fs::path(app.saved_to_);
+  const std::string path = free_name(folder, fs::path(app.state_.path).stem().string());
+  if (asks) {
+    app.state_.dialogs.picture = path;
+  } else {
+    save_picture(path);
+  }
+}
+
+void Commands::save_picture(const std::string& path) {
+  app.picture_request_ = path;
+  app.picture_wait_ = 2;  // this frame shows the dialog that asks for it
+}
+
+void Commands::export_files(const OutputPaths& files, const std::string& picture) {
+  const Figures& figures = app.state_.figures;
+  if (app.export_.running() || !figures.shown || figures.measuring) return;
+  app.export_.start([files, palette = app.state_.settings.look.palette, model = app.state_.model,
+                     result = *figures.shown](const Progress&) {
+    write_outputs(files, *model, result, palette);
+    std::string names;
+    fs::path folder;
+    for (const std::string* path :
+         {&files.json, &files.facets, &files.faces, &files.mesh, &files.split_folder, &files.borders}) {
+      if (path->empty()) continue;
+      folder = fs::path(*path).parent_path();
+      names += (names.empty() ? "" : ", ") + fs::path(*path).filename().string();
+    }
+    return names.empty() ? std::string("Exported") : fmt::format("Exported {} to {}", names, folder.string());
+  });
+  for (const std::string* path : {&picture, &files.json, &files.mesh, &files.split_folder, &files.borders}) {
+    if (!path->empty()) app.saved_to_ = fs::path(*path).parent_path().string();
+  }
+  if (!picture.empty()) save_picture(picture);
+}
+
+void Commands::start_sweep() {
+  app.state_.hints_done.insert(Hint::sweep);
+  app.state_.sweep_choices.compared.reset();
+  app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
+}
+
+void Commands::cancel_sweep() { app.sweep_.cancel(); }
+
+void Commands::save_notes_beside(bool beside) {
+  app.state_.notes_beside = beside;
+  app.saved_notes_ = {};
+  if (!beside) {
+    std::error_code ignored;
+    fs::remove(notes_path_beside(app.state_.path), ignored);
+  }
+  app.save();
+}
+
+void Commands::reset_layout() { app.layout_.reset(); }
+
+void Commands::dismiss_toasts() { app.state_.toasts.clear(); }
+
+void Commands::say(const std::string& text, bool failure) { app.say(text, failure); }
+
+void Commands::quit() { app.quitting_ = true; }
+
+}  // namespace moldlight::gui

@@ -1,0 +1,365 @@
+#include "parting/make_halves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/defect_edges.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/union_find.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "parting/hull/half_checks.hpp"
+#include "parting/hull/parting_surface.hpp"
+#include "parting/mold_files.hpp"
+#include "parting/part_sheets.hpp"
+#include "parting/wished_facets.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// What is tried, one after the other.
+constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
+                                         {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
+                                         {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
+/// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
+/// in an edge.
+constexpr std::size_t k_most_for_beauty = 5;
+constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
+/// More than this, in cubes of the diagonal, is not rounding that the ends' places may make good.
+constexpr double k_most_restored = 1e-8;
+/// What is thinner on average than this share of the diagonal, half the usual lateral tolerance, is no
+/// insert: the plastic fills it.
+constexpr double k_speck_thickness = 0.5 / 2048.0;
+
+constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
+                   k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
+
+/// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
+/// given by hand is not missed.
+constexpr double k_least_contact = 1e-6, k_least_missed = 1e-5;
+/// Facets with a smaller height, as a share of the diagonal, are told of as needles.
+constexpr double k_needle = 1e-7;
+
+using Facets = std::vector<std::array<SheetVertex, 3>>;
+
+MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
+  const BodyCheck check = check_body(vertices, facets);
+  MoldBody body{.mesh = body_mesh(vertices, facets),
+                .volume = check.volume * scale * scale * scale,
+                .open_edges = check.open_edges};
+  for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
+  return body;
+}
+
+/// The bodies that hang together.
+std::vector<Facets> components(std::size_t vertices, const Facets& facets) {
+  UnionFind joined(vertices);
+  for (const auto& facet : facets) {
+    joined.join(facet[0], facet[1]);
+    joined.join(facet[1], facet[2]);
+  }
+  std::map<std::uint32_t, Facets> found;
+  for (const auto& facet : facets) found[joined.find(facet[0])].push_back(facet);
+  std::vector<Facets> list;
+  for (auto& [root, body] : found) list.push_back(std::move(body));
+  return list;
+}
+
+double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
+  long double volume = 0.0L;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    volume += static_cast<long double>(
+        glm::dot(mesh.corner(facet, 0) - centre,
+                 glm::cross(mesh.corner(facet, 1) - centre, mesh.corner(facet, 2) - centre)));
+  }
+  return static_cast<double>(volume / 6.0L);
+}
+
+/// Where ends were moved farthest to stand in columns.
+std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
+  std::optional<glm::dvec3> place;
+  double most = -1.0;
+  for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
+    const Column column = sheets.column_of[v];
+    if (column == k_no_column || sheets.moved[column] <= most) continue;
+    most = sheets.moved[column];
+    place = sheets.vertices[v];
+  }
+  return place;
+}
+
+/// What the halves are made from.
+struct HalvesWish {
+  const SplitMesh& split;
+  const PartModel& model;
+  const MeetingPlace& place;
+  const std::vector<FacetWish>& wished;
+  const MoldSettings& settings;
+};
+
+/// The line in the mold's frame.
+std::vector<LinePiece> line_pieces(const PartingLine* line, const SheetFrame& frame) {
+  std::vector<LinePiece> pieces;
+  if (line == nullptr) return pieces;
+  for (const PartingLoop& loop : line->loops) {
+    if (loop.kind == LoopKind::action) continue;
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
+      pieces.push_back(
+          {frame.in_mold(loop.points[k]), frame.in_mold(loop.points[(k + 1) % loop.points.size()])});
+  }
+  return pieces;
+}
+
+Bounds box_of(const Sheets& sheets) {
+  Bounds box;
+  for (const SheetFacet& facet : sheets.facets) {
+    for (const SheetVertex v : facet.corners) box.add(sheets.vertices[v]);
+  }
+  return box;
+}
+
+/// The halves with one tolerance. Each step fills the halves, or says why not, and where in the mold's frame.
+class Trial {
+ public:
+  Trial(const HalvesWish& asked, const SheetTolerance& attempt, MoldHalves& halves)
+      : asked_(asked),
+        attempt_(attempt),
+        halves_(halves),
+        frame_{halves.frame, halves.centre, asked.model.frame.diagonal} {}
+
+  std::optional<MoldFault> run(const Progress& progress) {
+    if (auto fault = make_surface()) return fault;
+    if (auto fault = make_bodies()) return fault;
+    if (auto fault = make_inserts()) return fault;
+    return certify(progress);
+  }
+
+ private:
+  /// The sheets with the parting surface between them.
+  std::optional<MoldFault> make_surface() {
+    const double diagonal = frame_.diagonal;
+    sheets_ = part_sheets(asked_.split, frame_, attempt_);
+    hand_ = hand_walls(asked_.split, sheets_, asked_.wished, attempt_);
+    if (const auto at = sheets_.stand_in_columns(attempt_.tolerance))
+      return MoldFault{"facets are so small or so close to each other that their ends cannot be told apart",
+                       k_avoid_rounding, at};
+    if (auto fault = residual(sheets_, diagonal)) return fault;
+    sheets_.keep_volume(
+        centred_volume(asked_.model.part.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
+        k_most_restored);
+    const double margin = block_margin(asked_.settings, diagonal) / diagonal;
+    const Bounds box = box_of(sheets_);
+    const std::vector<LinePiece> line = line_pieces(asked_.place.line, frame_);
+    const double middle = glm::dot(halves_.centre, halves_.frame.z);
+    const SurfaceWish wish{.low = on_grid(glm::dvec2(box.min) - margin),
+                           .high = on_grid(glm::dvec2(box.max) + margin),
+                           .height = (asked_.place.height - middle) / diagonal,
+                           .slope = std::tan(glm::radians(asked_.settings.slope_deg)),
+                           .tolerance = attempt_.tolerance,
+                           .cone_margin = asked_.settings.registration ? margin : 0.0,
+                           .walls = hand_.walls,
+                           .line = line};
+    ForcedSlope forced;
+    if (auto fault = add_parting_surface(sheets_, wish, forced)) return fault;
+    const Bounds all = box_of(sheets_);
+    block_ = {.low = all.min.z - margin, .high = all.max.z + margin};
+    rectangle_ = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
+    tell_surface(forced);
+    return std::nullopt;
+  }
+
+  void tell_surface(const ForcedSlope& forced) {
+    const double square = frame_.diagonal * frame_.diagonal;
+    halves_.surface = surface_figures(sheets_, asked_.settings.slope_deg, k_narrow, attempt_.tolerance);
+    for (double* area :
+         {&halves_.surface.parting_area, &halves_.surface.shut_off_area, &halves_.surface.too_steep_area})
+      *area *= square;
+    if (forced.tangent > 0.0) {
+      halves_.forced_deg = glm::degrees(std::atan(forced.tangent));
+      halves_.forced_at = frame_.in_part(0.5 * (forced.high + forced.low));
+    }
+    halves_.contacts = contact_walls(sheets_, k_least_contact);
+    for (ContactWall& contact : halves_.contacts) {
+      contact.place = frame_.in_part(contact.place);
+      contact.height *= frame_.diagonal;
+      contact.area *= square;
+      halves_.contact_area += contact.area;
+    }
+    const double lean = tell_missed();
+    halves_.missed_leaning = told(lean, hand_.leaning_at);
+  }
+
+  /// What of the faces given by hand the halves form otherwise; returns the area of those that lean.
+  double tell_missed() {
+    const MissedWalls missed = missed_walls(sheets_, hand_.walls, k_wall_reach * attempt_.tolerance);
+    halves_.missed_upright = told(missed.area, missed.at);
+    double leaning = hand_.leaning_area;
+    for (std::size_t k = 0; k < hand_.walls.size(); ++k) {
+      if (hand_.released[k]) continue;
+      const auto& [a, b, c] = hand_.walls[k].corners;
+      leaning += std::max(0.5 * glm::length(glm::cross(b - a, c - a)) - missed.met_area[k], 0.0);
+      if (!hand_.leaning_at) hand_.leaning_at = (a + b + c) / 3.0;
+    }
+    return leaning;
+  }
+  [[nodiscard]] MissedFaces told(double area, const std::optional<glm::dvec3>& at) const {
+    if (area <= k_least_missed * hand_.wished_area || !at) return {};
+    return {area * frame_.diagonal * frame_.diagonal, frame_.in_part(*at)};
+  }
+
+  /// Core and cavity with the block around them, and what bounds the inserts.
+  std::optional<MoldFault> make_bodies() {
+    Facets core, cavity;
+    for (const auto& [body, bounded] :
+         {std::pair{BodySheets{.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, &core},
+          {BodySheets{.sheets = k_lower | k_parting, .turned = k_lower}, &cavity},
+          {BodySheets{.sheets = k_hidden, .turned = k_hidden}, &fill_}}) {
+      if (const auto at = close_upright(sheets_, body, *bounded))
+        return MoldFault{
+            bounded == &fill_ ? "the walls of an insert do not close" : "the walls of a half do not close",
+            k_avoid_rounding, at};
+    }
+    const GraphTest above = graph_test(sheets_.vertices, core, -1.0),
+                    below = graph_test(sheets_.vertices, cavity, 1.0);
+    halves_.fold_area = std::max(above.folded, below.folded) / rectangle_;
+    halves_.cover_gap = std::max(std::abs(above.covered - above.folded - rectangle_),
+                                 std::abs(below.covered - below.folded - rectangle_)) /
+                        rectangle_;
+    if (halves_.fold_area > k_most_fold || halves_.cover_gap > k_most_fold)
+      return MoldFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
+                                   std::max(halves_.fold_area, halves_.cover_gap)),
+                       k_avoid_rounding, above.most > below.most ? above.place : below.place};
+    add_block(sheets_, block_, true, core);
+    add_block(sheets_, block_, false, cavity);
+    const double scale = frame_.diagonal * halves_.scale;
+    halves_.core = scaled_body(sheets_.vertices, core, scale);
+    halves_.cavity = scaled_body(sheets_.vertices, cavity, scale);
+    for (const Facets* half : {&core, &cavity}) {
+      if (const BodyCheck check = check_body(sheets_.vertices, *half); check.open_at)
+        return MoldFault{"a half is not closed", k_avoid_rounding, check.open_at};
+    }
+    halves_.block_volume = rectangle_ * (block_.high - block_.low) * scale * scale * scale;
+    return std::nullopt;
+  }
+
+  std::optional<MoldFault> make_inserts() {
+    const double scale = frame_.diagonal * halves_.scale;
+    for (const Facets& facets : components(sheets_.vertices.size(), fill_)) {
+      MoldBody body = scaled_body(sheets_.vertices, facets, scale);
+      halves_.insert_volume += body.volume;
+      const double area = facet_geometry(body.mesh).total_area;
+      if (2.0 * std::abs(body.volume) <= k_speck_thickness * scale * area) {
+        halves_.specks_volume += body.volume;
+        continue;
+      }
+      // Material that is there twice would be an insert inside out.
+      if (body.volume < 0.0)
+        return MoldFault{"bodies of the part overlap", k_mend_surface, bounds(body.mesh).center() / scale};
+      halves_.inserts.push_back(std::move(body));
+    }
+    std::ranges::stable_sort(halves_.inserts, std::greater(), &MoldBody::volume);
+    return std::nullopt;
+  }
+
+  /// The volumes, the bodies as they will be written, and what rounding does to the halves.
+  std::optional<MoldFault> certify(const Progress& progress) {
+    halves_.part_volume = centred_volume(asked_.model.part.mesh, asked_.model.frame.center) * halves_.scale *
+                          halves_.scale * halves_.scale;
+    halves_.volume_gap = (halves_.block_volume - halves_.core.volume - halves_.cavity.volume -
+                          halves_.part_volume - halves_.insert_volume) /
+                         halves_.block_volume;
+    if (std::abs(halves_.volume_gap) > k_most_gap)
+      return MoldFault{
+          fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
+                      std::abs(halves_.volume_gap)),
+          k_avoid_rounding, most_moved(sheets_)};
+    halves_.tolerance = attempt_.tolerance;
+    const WrittenMold& written = halves_.written = written_mold(halves_);
+    if (!written.refusal.empty()) {
+      MoldFault fault{written.refusal, k_avoid_rounding};
+      if (written.refused_at) fault.place = frame_.in_mold(*written.refused_at);
+      return fault;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      MoldBody& half = k == 0 ? halves_.core : halves_.cavity;
+      const TriangleMesh& mesh = written.bodies[k].mesh;
+      const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+      half.crossed_facets = crossed.size();
+      if (!crossed.empty())
+        half.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
+      const Needles needles = find_needles(mesh, k_needle * frame_.diagonal * halves_.scale);
+      half.needles = needles.count;
+      if (needles.place) half.needle_at = place_in_part(halves_, written, *needles.place);
+      half.crowded_edges = written.bodies[k].crowded_edges;
+      half.leaning = written.bodies[k].leaning;
+    }
+    return std::nullopt;
+  }
+
+  const HalvesWish& asked_;
+  const SheetTolerance& attempt_;
+  MoldHalves& halves_;
+  SheetFrame frame_;
+  Sheets sheets_;
+  HandWalls hand_;
+  BlockHeights block_;
+  double rectangle_ = 0.0;
+  Facets fill_;
+};
+
+}  // namespace
+
+MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
+                       const MoldSettings& settings, const Progress& progress) {
+  validate(settings, model.frame.diagonal);
+  MoldHalves halves;
+  halves.frame = mold_frame(direction);
+  halves.centre = model.frame.center;
+  halves.scale = 1.0 / (1.0 - 0.01 * settings.shrink_pct);
+  if (!model.health.closed) {
+    halves.refusal = "the part is not closed, so that it has no inside";
+    halves.change = "close it: --repair full mends small holes, moldlight info lists all of them";
+    for (const EdgeDefect kind : {EdgeDefect::open, EdgeDefect::inconsistent, EdgeDefect::nonmanifold}) {
+      const auto chains = defect_chains(model.part.mesh, kind);
+      if (halves.refused_at || chains.empty()) continue;
+      halves.refused_at = chains.front().bounds.center();
+    }
+    halves.written = written_mold(halves);
+    return halves;
+  }
+  const ExactSplit split =
+      exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
+  const std::vector<FacetWish> wished = wished_facets(model, settings);
+  const HalvesWish asked{split.mesh, model, place, wished, settings};
+  std::optional<MoldFault> first;
+  std::optional<MoldHalves> best;
+  std::size_t tried = 0;
+  for (const SheetTolerance& attempt : k_attempts) {
+    if (best && tried >= k_most_for_beauty) break;
+    ++tried;
+    progress.report("making the halves", 0.0);
+    MoldHalves attempted = halves;
+    const auto fault = Trial(asked, attempt, attempted).run(progress);
+    if (fault) {
+      if (!first) first = fault;
+      continue;
+    }
+    if (!best || attempted.cleaner_than(*best)) best = std::move(attempted);
+    if (best->blemishes() == 0 && !best->leans()) break;
+  }
+  if (best) return *best;
+  halves.refusal = first->what;
+  halves.change = first->change;
+  if (first->place)
+    halves.refused_at = halves.centre + model.frame.diagonal * halves.frame.to_part(*first->place);
+  halves.written = written_mold(halves);
+  return halves;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,25 @@
+// Makes the two halves of a mold around a part, with their certificate.
+#pragma once
+
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "parting/loops.hpp"
+#include "parting/mold_halves.hpp"
+#include "parting/mold_settings.hpp"
+
+namespace moldlight {
+
+/// Where the halves are to meet on walls that either could form.
+struct MeetingPlace {
+  double height = 0.0;                // along the direction, in the part's coordinates
+  const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
+};
+
+/// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
+/// have them, outweigh the place. Throws UsageError for faces that the part has not and for a margin without
+/// bounds, Cancelled.
+[[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
+                                     const MeetingPlace& place, const MoldSettings& settings,
+                                     const Progress& progress);
+
+}  // namespace moldlight
