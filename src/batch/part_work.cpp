@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 
 namespace moldlight::batch {
 
@@ -23,7 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view k_schema = "moldlight.batch.result/1";
-constexpr int k_criterion_failed = 3, k_not_proved = 4, k_interrupted = 130;  // exit codes of the program
 constexpr std::string_view k_picture_size = "240x180";
 /// After its process was ended from outside: whoever ends all processes of a job gets to this one, too.
 constexpr std::chrono::milliseconds k_wait_for_own_end(500);

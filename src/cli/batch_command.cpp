@@ -26,8 +26,6 @@ using namespace batch;
 
 namespace {
 
-/// Trying the same again may help: a full disk, parts that are out of reach, results that are still missing.
-constexpr int k_try_again = 75;
 /// More failures than these are told by `status`.
 constexpr std::size_t k_failures_told = 20;
 constexpr std::chrono::seconds k_plain_interval(30);
@@ -323,14 +321,17 @@ void add_run(CLI::App& batch, Request& request) {
   add_option_flags(*command, run_options(), flags->settings);
   add_file_flag(*command, flags->parts,
                 {"--parts", "DIR", "Folder of the parts on this machine, if it is another than planned"});
-  command->add_flag("--fail-on-error", flags->fail_on_error, "End with 3 if a part has failed");
+  command->add_flag("--fail-on-error", flags->fail_on_error,
+                    fmt::format("End with {} if a part has failed", k_criterion_failed));
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_run);
 }
 
 void add_status(CLI::App& batch, Request& request) {
   CLI::App* command = batch.add_subcommand(
-      "status", "Say how many parts are done, failed and why; ends with 75 while some are missing");
+      "status",
+      fmt::format("Say how many parts are done, failed and why; ends with {} while some are missing",
+                  k_try_again));
   const auto flags = std::make_shared<StatusFlags>();
   add_folder(*command, flags->folder);
   add_shard_flag(*command, flags->shard);
@@ -343,8 +344,9 @@ void add_status(CLI::App& batch, Request& request) {
 }
 
 void add_merge(CLI::App& batch, Request& request) {
-  CLI::App* command =
-      batch.add_subcommand("merge", "Put all results into one file; ends with 75 while some are missing");
+  CLI::App* command = batch.add_subcommand(
+      "merge",
+      fmt::format("Put all results into one file; ends with {} while some are missing", k_try_again));
   const auto flags = std::make_shared<MergeFlags>();
   add_folder(*command, flags->folder);
   add_file_flag(*command, flags->files.csv, {"--csv", "FILE.csv", "A table, a line a part"});

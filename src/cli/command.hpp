@@ -11,14 +11,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include "base/exit_code.hpp"
 #include "base/progress.hpp"
 #include "cli/console.hpp"
 
 namespace moldlight::cli {
-
-/// Exit codes that are not 0.
-inline constexpr int k_failure = 1, k_usage = 2, k_criterion_failed = 3, k_not_proved = 4,
-                     k_interrupted = 130;
 
 /// What the command line comes to.
 struct Request {

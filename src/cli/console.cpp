@@ -85,6 +85,7 @@ void Console::set_progress_text(ProgressText text, std::chrono::seconds plain_in
 
 void Console::progress(std::string_view stage, double fraction) {
   if (verbosity_ == Verbosity::quiet) return;
+  if (verbosity_ == Verbosity::verbose) count_stage(stage);
   if (!terminal_) {
     plain_progress(stage, fraction);
     return;
@@ -98,6 +99,28 @@ void Console::progress(std::string_view stage, double fraction) {
                                : fmt::format("{} {:.0f} %", stage, 100.0 * std::clamp(fraction, 0.0, 1.0));
   write_stderr("\r\033[K" + text);
   progress_shown_ = true;
+}
+
+void Console::count_stage(std::string_view stage) {
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (counted_ < stages_.size()) stages_[counted_].took += now - counted_from_;
+  counted_from_ = now;
+  const auto known = std::ranges::find(stages_, stage, &Stage::name);
+  counted_ = static_cast<std::size_t>(known - stages_.begin());
+  if (known == stages_.end()) stages_.push_back({std::string(stage)});
+}
+
+void Console::log_stages() {
+  if (verbosity_ != Verbosity::verbose || stages_.empty()) return;
+  count_stage(stages_[counted_].name);
+  std::string text;
+  double all = 0.0;
+  for (const Stage& stage : stages_) {
+    text += fmt::format("{}{} {:.2f} s", text.empty() ? "" : ", ", stage.name, stage.took.count());
+    all += stage.took.count();
+  }
+  log(fmt::format("{}; {:.2f} s in all", text, all));
 }
 
 void Console::plain_progress(std::string_view stage, double fraction) {

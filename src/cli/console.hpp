@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace moldlight::cli {
 
@@ -38,6 +39,9 @@ class Console {
   /// at most, for work that takes long. Called from whichever thread reports.
   void set_progress_text(ProgressText text, std::chrono::seconds plain_interval = std::chrono::seconds(2));
 
+  /// One line with the stages that progress() was told of, each with its time; only when verbose.
+  void log_stages();
+
   /// stdout is a terminal and NO_COLOR is not set.
   [[nodiscard]] bool colour() const { return colour_; }
 
@@ -45,6 +49,12 @@ class Console {
   void line(std::string_view text);
   void plain_progress(std::string_view stage, double fraction);
   void clear_progress();
+  void count_stage(std::string_view stage);
+
+  struct Stage {
+    std::string name;
+    std::chrono::duration<double> took{0.0};
+  };
 
   std::mutex mutex_;
   Verbosity verbosity_ = Verbosity::normal;
@@ -52,6 +62,9 @@ class Console {
   bool terminal_ = false;  // stderr
   bool progress_shown_ = false;
   std::string stage_;
+  std::vector<Stage> stages_;  // in the order in which they began
+  std::size_t counted_ = 0;    // the one that goes on since `counted_from_`
+  std::chrono::steady_clock::time_point counted_from_;
   ProgressText progress_text_;
   std::chrono::seconds plain_interval_{0};  // between lines where nothing can be redrawn
   std::chrono::steady_clock::time_point drawn_;

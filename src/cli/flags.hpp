@@ -63,7 +63,9 @@ template <typename S>
   if (const auto* text = std::get_if<TextKind<S>>(&option.kind)) return std::string(text->name);
   if (option.unit == "deg") return "DEG";
   if (option.unit == "texel") return "TEXELS";
+  if (option.unit == "mm") return "MM";
   if (option.unit == "s") return "SECONDS";
+  if (option.unit == "force per area") return "FORCE/AREA";
   if (option.unit.starts_with('%')) return "PCT";
   if (std::holds_alternative<PositiveKind<S>>(option.kind)) return "LENGTH";
   return "N";

@@ -123,7 +123,9 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   // found.
   [[maybe_unused]] static const tbb::global_control* volatile k_limit = new tbb::global_control(
       tbb::global_control::max_allowed_parallelism, alone ? 1 : static_cast<std::size_t>(cores));
-  return request.body(console, progress);
+  const int code = request.body(console, progress);
+  console.log_stages();
+  return code;
 }
 
 }  // namespace
@@ -141,10 +143,10 @@ int main(int argc, char** argv) {
     return cli::run_program({argv + 1, argv + argc}, console);
   } catch (const Cancelled& cancelled) {
     console.failure(cancelled.what());
-    return cli::k_interrupted;
+    return k_interrupted;
   } catch (const UsageError& error) {
     console.failure(error.what());
-    return cli::k_usage;
+    return k_usage;
   } catch (const std::bad_alloc&) {
     console.failure("there is not enough memory for this part with these settings");
   } catch (const std::system_error& error) {
@@ -154,5 +156,5 @@ int main(int argc, char** argv) {
     const std::string what = error.what();
     console.failure(what.starts_with("pthread_") ? k_no_threads + what : what);
   }
-  return cli::k_failure;
+  return k_failure;
 }

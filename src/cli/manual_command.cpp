@@ -98,13 +98,10 @@ std::string manual(const CLI::App& program) {
                               roff(flag.help));
   }
   text += fmt::format(".SH DESCRIPTION\n{}.\n", roff(program.get_description())) + commands;
-  return text +
-         ".SH EXIT STATUS\n0: done. 1: something could not be read, written or found. 2: the command line "
-         "makes no "
-         "sense. 3: a criterion failed (\\-\\-fail\\-on, \\-\\-fail\\-if\\-undercut, "
-         "\\-\\-fail\\-on\\-error). 75: parts "
-         "of a "
-         "batch are left, try again. 130: interrupted.\n";
+  text += ".SH EXIT STATUS\n";
+  for (const ExitCode& each : k_exit_codes)
+    text += fmt::format(".TP\n{}\n{}.\n", each.code, roff(std::string(each.meaning)));
+  return text;
 }
 
 std::string bash_completion(const CLI::App& program) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/exit_code.hpp"
 #include "support/process.hpp"
 
 namespace moldlight {
@@ -30,6 +31,25 @@ std::set<std::string> flags_of(const std::string& command) {
   return flags;
 }
 
+/// The subcommands that the help of a command lists, of the program itself for "".
+std::set<std::string> commands_of(const std::string& command) {
+  std::vector<std::string> words = {"--help"};
+  if (!command.empty()) words.insert(words.begin(), command);
+  std::istringstream help(run_moldlight(words).out);
+  std::set<std::string> commands;
+  bool listed = false;
+  for (std::string line; std::getline(help, line);) {
+    if (listed && line.starts_with("  ") && line[2] != ' ') {
+      std::istringstream text(line);
+      std::string name;
+      text >> name;
+      commands.insert(name);
+    }
+    listed = line == "Subcommands:" || (listed && line.starts_with(' '));
+  }
+  return commands;
+}
+
 /// As a manual page has it.
 std::string escaped(const std::string& flag) {
   std::string text;
@@ -47,8 +67,11 @@ std::string completions(const std::string& words) {
 TEST(Manual, ThePageHoldsEveryFlagOfEveryCommand) {
   const auto page = run_moldlight({"manual"});
   ASSERT_EQ(page.exit_code, 0);
-  for (const std::string command : {"info", "classify", "sweep", "view", "batch plan", "batch run",
-                                    "batch status", "batch merge", "doctor", "manual"}) {
+  std::set<std::string> commands = commands_of("");
+  EXPECT_TRUE(commands.contains("mold"));
+  EXPECT_EQ(commands.erase("batch"), 1u);
+  for (const std::string& part : commands_of("batch")) commands.insert("batch " + part);
+  for (const std::string& command : commands) {
     const std::size_t begin = page.out.find("\n.SH MOLDLIGHT " + command + "\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string section = page.out.substr(begin, page.out.find("\n.SH ", begin + 1) - begin);
@@ -59,6 +82,14 @@ TEST(Manual, ThePageHoldsEveryFlagOfEveryCommand) {
           << command << ' ' << flag;
     }
   }
+}
+
+TEST(Manual, ThePageHoldsEveryExitCode) {
+  const std::string page = run_moldlight({"manual"}).out;
+  const std::size_t begin = page.find("\n.SH EXIT STATUS\n");
+  ASSERT_NE(begin, std::string::npos);
+  for (const ExitCode& each : k_exit_codes)
+    EXPECT_NE(page.find(".TP\n" + std::to_string(each.code) + "\n", begin), std::string::npos) << each.code;
 }
 
 TEST(Manual, BashCompletesCommandsFlagsAndWords) {
