@@ -1,5 +1,6 @@
 #include "classify/classify_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -7,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/shown_text.hpp"
+#include "base/utf8.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
@@ -197,7 +200,23 @@ std::string classify_table(const PartModel& model, const Classification& result,
 }
 
 std::string json_text(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  // What a terminal would obey stands in strings alone, where its escape is the same to whoever reads them.
+  std::string shown;
+  shown.reserve(text.size());
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto plain = static_cast<std::size_t>(
+        std::ranges::find_if(rest, [](char c) { return static_cast<unsigned char>(c) >= 0x7F; }) -
+        rest.begin());
+    shown += rest.substr(0, plain);
+    rest.remove_prefix(plain);
+    if (rest.empty()) break;
+    const std::string_view bytes = rest.substr(0, utf8_length(rest));
+    const char32_t letter = letters_of(bytes).front();
+    shown += is_command_letter(letter) ? letter_escape(letter) : std::string(bytes);
+    rest.remove_prefix(bytes.size());
+  }
+  return shown;
 }
 
 }  // namespace moldlight

@@ -34,7 +34,7 @@ namespace moldlight {
 [[nodiscard]] std::string classify_table(const PartModel& model, const Classification& result, bool colour);
 
 /// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes
-/// of file names that are no UTF-8 are replaced.
+/// of file names that are no UTF-8 are replaced, and what a terminal would obey is escaped.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace moldlight
