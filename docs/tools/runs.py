@@ -55,7 +55,7 @@ class Session:
         """Standard output of a shell command; `$?` is the exit code of the one before."""
         # A window is drawn into a picture, since there may be no display.
         if text.startswith("moldlight view") and "--screenshot" not in text:
-            text += " --screenshot window.png"
+            text += " --quick-sweep off --size 640x480 --screenshot window.png"
         return self._run(["bash", "-c", f"(exit {self.status})\n{text}"], self.folder)
 
     def python(self, text):
