@@ -2,12 +2,12 @@
 
 import html.parser
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import documents  # noqa: F401  (finds the tools)
@@ -40,9 +40,10 @@ class Site(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         cls.addClassCleanup(temporary.cleanup)
         cls.folder = pathlib.Path(temporary.name) / "html"
-        begin = time.monotonic()
+        # Processor time, pandoc's with it: other work on the machine makes the clock say more.
+        begin = sum(os.times()[:4])
         build_site.main(cls.folder, "1.2.3")
-        cls.seconds = time.monotonic() - begin
+        cls.seconds = sum(os.times()[:4]) - begin
         cls.pages = {page.name: Reader(page.read_text(encoding="utf-8")) for page in cls.folder.glob("*.html")}
 
     def test_it_is_built_soon(self):
