@@ -1,4 +1,5 @@
-// moldlight manual: the manual page and the shells' completion, made from the commands and their flags.
+// moldlight manual: the manual page, the shells' completion and lists for the documentation, made from the
+// commands, their flags and the window's keys.
 #include <algorithm>
 #include <memory>
 
@@ -7,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "cli/flags.hpp"
+#include "gui/commands.hpp"
 
 namespace moldlight::cli {
 
@@ -192,10 +194,35 @@ _moldlight "$@"
                      commands, groups, flags);
 }
 
+std::string flag_lists(const CLI::App& program) {
+  std::string text;
+  for (const auto& [name, command] : commands_of(program)) {
+    text += fmt::format("\n## {}\n\n{}.\n\n", name, command->get_description());
+    for (const FlagText& flag : flag_texts(*command))
+      text +=
+          fmt::format("- `{}{}{}`: {}.\n", flag.name, flag.value.empty() ? "" : " ", flag.value, flag.help);
+  }
+  return text;
+}
+
+std::string key_tables() {
+  using enum gui::HelpLine::Group;
+  std::string text;
+  for (const auto& [group, title] :
+       {std::pair{direction, "direction"}, {view, "view"}, {program, "program"}}) {
+    text += fmt::format("\n| {} | what it does |\n|---|---|\n", title);
+    for (const gui::HelpLine& line : gui::help_lines(group))
+      text += fmt::format("| {} | {} |\n", line.keys, line.meaning);
+  }
+  return text;
+}
+
 int run(const ManualFlags& flags, Console& console, const Progress&) {
-  console.result(flags.form == "bash"  ? bash_completion(*flags.program)
-                 : flags.form == "zsh" ? zsh_completion(*flags.program)
-                                       : manual(*flags.program));
+  console.result(flags.form == "bash"    ? bash_completion(*flags.program)
+                 : flags.form == "zsh"   ? zsh_completion(*flags.program)
+                 : flags.form == "flags" ? flag_lists(*flags.program)
+                 : flags.form == "keys"  ? key_tables()
+                                         : manual(*flags.program));
   return 0;
 }
 
@@ -203,12 +230,12 @@ int run(const ManualFlags& flags, Console& console, const Progress&) {
 
 void add_manual_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
-      "manual", "Print the manual page, or the completion for a shell, made from these flags");
+      "manual", "Print the manual page, the completion for a shell, or flags and keys in Markdown");
   const auto flags = std::make_shared<ManualFlags>();
   flags->program = &program;
   command->add_option("--form", flags->form, "What to print [default man]")
-      ->option_text("man|bash|zsh")
-      ->check(CLI::IsMember({"man", "bash", "zsh"}));
+      ->option_text("man|bash|zsh|flags|keys")
+      ->check(CLI::IsMember({"man", "bash", "zsh", "flags", "keys"}));
   set_work(*command, request, flags, run);
 }
 

@@ -92,6 +92,20 @@ TEST(Manual, ThePageHoldsEveryExitCode) {
     EXPECT_NE(page.find(".TP\n" + std::to_string(each.code) + "\n", begin), std::string::npos) << each.code;
 }
 
+TEST(Manual, ListsFlagsAndKeysInMarkdown) {
+  const std::string flags = run_moldlight({"manual", "--form", "flags"}).out;
+  for (const std::string command : {"sweep", "batch run"}) {
+    const std::size_t begin = flags.find("\n## " + command + "\n");
+    ASSERT_NE(begin, std::string::npos) << command;
+    const std::string section = flags.substr(begin, flags.find("\n## ", begin + 1) - begin);
+    for (const std::string& flag : flags_of(command))
+      EXPECT_NE(section.find("\n- `" + flag), std::string::npos) << command << ' ' << flag;
+  }
+  const std::string keys = run_moldlight({"manual", "--form", "keys"}).out;
+  EXPECT_NE(keys.find("\n| direction | what it does |\n|---|---|\n"), std::string::npos);
+  EXPECT_NE(keys.find("\n| Ctrl+E | export |\n"), std::string::npos);
+}
+
 TEST(Manual, BashCompletesCommandsFlagsAndWords) {
   EXPECT_EQ(completions("cl"), "classify\n");
   EXPECT_EQ(completions("classify --readout ''"), "exact samples facet-id\n");

@@ -1,4 +1,4 @@
-// The first use that README shows: its script is played, and each step does what the text says.
+// The first use that the documentation shows: its script is played, and each step does what the text says.
 #include <filesystem>
 
 #include <gtest/gtest.h>

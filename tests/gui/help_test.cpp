@@ -1,6 +1,14 @@
 // The help sheet is searched by typing; hints tell a newcomer what to do, each until it was done or
 // dismissed.
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
 #include "gui/window_with_part.hpp"
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -49,6 +57,31 @@ TEST_F(Help, HintsComeOneByOneAndGoForGood) {
   key({.key = 'W'});
   EXPECT_FALSE(told("Looks for the best"));
   EXPECT_EQ(state().hints_done, (std::set<Hint>{Hint::arrow, Hint::verdict, Hint::sweep}));
+}
+
+TEST_F(Help, OpensTheDocumentationInTheBrowser) {
+  const moldlight::test::ScratchFolder folder;
+  const std::string opener = folder.file("xdg-open"), opened = folder.file("opened");
+  std::ofstream(opener) << "#!/bin/sh\necho \"$1\" > " << opened << ".new && mv " << opened << ".new "
+                        << opened << '\n';
+  std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder.file("") + ":" + path).c_str(), 1);
+  ::setenv("DISPLAY", ":none", 1);
+  key({.key = 'H'});
+  click("Documentation");
+  ::setenv("PATH", path.c_str(), 1);
+  ::unsetenv("DISPLAY");
+  const auto page = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() /
+                    "share/doc/moldlight/html/index.html";
+  if (!std::filesystem::exists(page)) {
+    EXPECT_TRUE(told("The documentation is not installed"));
+    GTEST_SKIP() << "the documentation is not built: pandoc is missing";
+  }
+  EXPECT_TRUE(told("The documentation opens in the browser"));
+  for (int tries = 0; tries < 100 && !std::filesystem::exists(opened); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(moldlight::test::file_bytes(opened), page.string() + "\n");
 }
 
 }  // namespace

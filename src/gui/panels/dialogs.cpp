@@ -9,6 +9,7 @@
 #include "base/utf8.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/workspace.hpp"
+#include "gui/store/documentation.hpp"
 
 namespace moldlight::gui {
 
@@ -60,6 +61,10 @@ void HelpSheet::draw(const PanelContext& context) {
   const Ui& ui = context.ui;
   if (begin_dialog(ui, "Help", {0, 0})) {
     text_field(ui, "##search", filter_, {.hint = "search", .width = ui.px(280), .starts = opens});
+    ImGui::SameLine();
+    if (button(ui, "Documentation"))
+      context.edits.commands.emplace_back(
+          [](Commands& commands) { commands.say(open_documentation(), false); });
     ImGui::Dummy(ImVec2(ui.px(840), ui.px(4)));
     const std::string words = lower_letters(filter_.data());
     const float left = ImGui::GetCursorPosX();

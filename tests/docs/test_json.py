@@ -1,0 +1,81 @@
+"""The tables of the page on JSON schemas against reports: no key is missing, and none is made up."""
+
+import json
+import re
+import unittest
+
+import documents
+import blocks
+import runs
+
+PAGE = documents.ROOT / "docs" / "json.md"
+
+
+def paths(value, before=""):
+    """Keys as the page writes them; lists of numbers or points are one key, empty and null values count."""
+    if isinstance(value, dict) and value:
+        for key, item in value.items():
+            yield from paths(item, f"{before}.{key}" if before else key)
+    elif isinstance(value, list) and any(isinstance(item, dict) for item in value):
+        for item in value:
+            yield from paths(item, before + "[]")
+    else:
+        yield before
+
+
+def sections():
+    """Heading, console blocks and keys with their meaning of each section."""
+    lines = blocks.read(PAGE)
+    starts = [number for number, line in enumerate(lines) if line.startswith("## ")] + [len(lines)]
+    for first, last in zip(starts, starts[1:]):
+        part = lines[first:last]
+        rows = [re.split(r"(?<!\\)\|", line)[1:3] for line in part if line.startswith("| `")]
+        keys = {key: meaning.strip() for cell, meaning in rows for key in re.findall(r"`([^`]+)`", cell)}
+        consoles = [block for block in blocks.blocks(part) if block.kind == "console"]
+        yield lines[first].removeprefix("## ").strip("`"), consoles, keys
+
+
+def covers(key, path):
+    """`a.*` is all below a; a list may be empty, an object null."""
+    return path == key or (key.endswith(".*") and path.startswith(key[:-1]))
+
+
+class Schemas(unittest.TestCase):
+    def setUp(self):
+        self.session = runs.Session()
+        self.addCleanup(self.session.close)
+
+    def reports(self, consoles):
+        files = []
+        for block in consoles:
+            for command in blocks.commands(block):
+                self.session.command(command.text)
+                self.assertEqual(self.session.status, 0, self.session.errors)
+                files += re.findall(r"--json (\S+)", command.text)
+        return [json.loads((self.session.folder / file).read_text(encoding="utf-8")) for file in files]
+
+    def test_tables(self):
+        found = list(sections())
+        self.assertEqual(len(found), 7)
+        for heading, consoles, keys in found:
+            reports = self.reports(consoles)
+            self.assertTrue(reports, heading)
+            if heading.startswith("moldlight."):
+                self.assertEqual({report["schema"] for report in reports}, {heading})
+            else:
+                reports = [report["part"] for report in reports]
+                keys = {**keys, "bounds.*": ""}
+            written = {path for report in reports for path in paths(report)}
+            # An empty list or a null has no keys below it to be described.
+            missing = {path for path in written if not any(covers(key, path) for key in keys)
+                       and not any(key.startswith((path + "[].", path + ".")) for key in keys)}
+            with self.subTest(schema=heading):
+                self.assertEqual(sorted(missing), [], "keys that the page does not describe")
+                unused = {key for key, meaning in keys.items() if not meaning.startswith("Only ")
+                          and not any(covers(key, path) or path.startswith((key + ".", key + "[]"))
+                                      for path in written)}
+                self.assertEqual(sorted(unused), [], "keys that no report has")
+
+
+if __name__ == "__main__":
+    unittest.main()
