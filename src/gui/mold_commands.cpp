@@ -9,10 +9,11 @@
 
 #include "classify/view_choice.hpp"
 #include "gui/app.hpp"
+#include "gui/jobs/window_study.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/mold_view.hpp"
 #include "parting/line_files.hpp"
-#include "parting/mold_report.hpp"
+#include "study/study_reports.hpp"
 
 namespace moldlight::gui {
 
@@ -70,28 +71,24 @@ void Commands::unfold_mold() { app.layout_.fold_bottom("Mold", app.state_.mold_o
 void Commands::export_mold(const MoldPaths& paths) {
   const MoldState& mold = app.state_.mold;
   if (app.export_.running() || !is_settled(mold)) return;
-  const ActionsState& actions = app.state_.actions;
-  app.export_.start([paths, model = app.state_.model, line = mold.line, solids = mold.solids,
-                     settings = app.state_.settings.mold, split = app.state_.figures.split,
-                     plan = is_settled(actions) ? actions.plan : nullptr](const Progress&) {
+  Study study = measured_study(app.state_);
+  Questions questions = study.questions();
+  questions.with_actions = is_settled(app.state_.actions);
+  study.ask(questions);
+  if (questions.with_actions) study.keep(app.state_.actions.plan);
+  app.export_.start([paths, study, line = mold.line, solids = mold.solids](const Progress& progress) mutable {
     for (const std::string& path : paths.lines) {
       fs::create_directories(fs::path(path).parent_path());
-      write_lines(path, lines_to_write(*model, line->assignment, line->line));
+      write_lines(path, lines_to_write(study.model(), line->assignment, line->line));
     }
     WrittenMold written = solids->written;
-    if (!paths.folder.empty()) write_mold(paths.folder, paths.as_3mf, model->part.unit, written);
+    if (!paths.folder.empty()) write_mold(paths.folder, paths.as_3mf, study.model().part.unit, written);
     if (!paths.json.empty()) {
-      const MoldReport report{
-          *model,
-          line->query,
-          settings,
-          line->assignment,
-          line->line,
-          solids->halves,
-          written,
-          plan.get(),
-          plan ? actions_of_inserts(solids->halves, *split, *plan) : std::vector<InsertActions>()};
-      write_text(paths.json, mold_json(report).dump(2) + "\n");
+      MoldHalves halves = solids->halves;
+      halves.written = written;  // with the files' names
+      study.keep(std::make_shared<const moldlight::MoldLine>(line->assignment, line->line));
+      study.keep(std::make_shared<const MoldHalves>(std::move(halves)));
+      write_text(paths.json, mold_json(study, progress).dump(2) + "\n");
     }
     std::vector<std::string> names = paths.lines;
     if (!paths.json.empty()) names.push_back(paths.json);

@@ -84,17 +84,17 @@ std::shared_ptr<const Changes> Asked<Changes>::find(Study& study, const Progress
 }
 
 Asked<MoldLine>::Inputs Asked<MoldLine>::inputs(const Study& study) {
-  return {study.questions().query, of_line(study.questions().mold)};
+  return {exact_inputs(study), of_line(study.questions().mold)};
 }
 std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progress& progress) {
   const Questions& asked = study.questions();
-  MoldLine found{assign_sides(study.model(), asked.query, asked.mold, progress), {}};
-  found.line = parting_line(found.assignment);
-  return shared(std::move(found));
+  Assignment assignment = assign_sides(study.model(), asked.query, asked.mold, progress);
+  PartingLine line = parting_line(assignment);
+  return std::make_shared<const MoldLine>(std::move(assignment), std::move(line));
 }
 
 Asked<MoldHalves>::Inputs Asked<MoldHalves>::inputs(const Study& study) {
-  return {study.questions().query, of_solids(study.questions().mold)};
+  return {exact_inputs(study), of_solids(study.questions().mold)};
 }
 std::shared_ptr<const MoldHalves> Asked<MoldHalves>::find(Study& study, const Progress& progress) {
   const MoldLine& line = study.find<MoldLine>(progress);

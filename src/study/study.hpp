@@ -40,6 +40,8 @@ struct Changes {
 };
 /// Which half forms what, and the line where they meet.
 struct MoldLine {
+  MoldLine(Assignment assigned, PartingLine found)
+      : assignment(std::move(assigned)), line(std::move(found)) {}
   Assignment assignment;
   PartingLine line;
 };
@@ -87,13 +89,13 @@ struct Asked<Changes> {
 };
 template <>
 struct Asked<MoldLine> {
-  using Inputs = std::pair<Query, MoldSettings>;  // without what concerns the halves alone
+  using Inputs = std::pair<ExactQuery, MoldSettings>;  // without what concerns the halves alone
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const MoldLine> find(Study& study, const Progress& progress);
 };
 template <>
 struct Asked<MoldHalves> {
-  using Inputs = std::pair<Query, MoldSettings>;
+  using Inputs = std::pair<ExactQuery, MoldSettings>;
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const MoldHalves> find(Study& study, const Progress& progress);
 };

@@ -4,21 +4,23 @@
 
 #include "actions/action_body.hpp"
 #include "actions/actions_files.hpp"
+#include "gui/jobs/window_study.hpp"
 
 namespace moldlight::gui {
 
-ActionFinder::Found ActionFinder::find(const Inputs& inputs, const Classification& result,
-                                       const Progress& progress) {
-  Found found{.plan = find_actions(*inputs.model, result, inputs.settings, progress), .bodies = {}};
-  const std::size_t count = found.plan.actions.size();
+ActionFinder::Found ActionFinder::find(Study study, const Progress& progress) {
+  const ActionPlan& plan = study.find<ActionPlan>(progress);
+  const Classification& result = study.find<SplitRegions>(progress).result;
+  ActionBodies bodies;
+  const std::size_t count = plan.actions.size();
   for (std::size_t k = 0; k < count; ++k) {
     progress.report("shaping what moves", static_cast<double>(k) / static_cast<double>(count));
-    const auto body = action_body(*inputs.model, result, found.plan, k);
+    const auto body = action_body(study.model(), result, plan, k);
     if (!body) continue;
-    found.bodies.bodies.push_back(view_body(*body, inputs.model->frame, action_colour(k)));
-    found.bodies.actions.push_back(k);
+    bodies.bodies.push_back(view_body(*body, study.model().frame, action_colour(k)));
+    bodies.actions.push_back(k);
   }
-  return found;
+  return {std::move(study), std::move(bodies)};
 }
 
 namespace {
@@ -27,13 +29,6 @@ void forget_plan(ActionsState& actions) {
   actions.plan.reset();
   actions.bodies.reset();
   actions.changes.reset();
-}
-
-/// The classification that the actions are of, with its split mesh.
-Classification split_result(const Figures& figures) {
-  Classification result = *figures.shown;
-  result.split = figures.split;
-  return result;
 }
 
 }  // namespace
@@ -46,7 +41,8 @@ void ActionFinder::update(const AppState& state, ActionsState& actions, bool mov
     forget_plan(actions);
   }
   const bool measured = state.model && figures.shown && figures.split && !figures.stale;
-  const Inputs inputs{state.model, figures.split, state.settings.actions};
+  const Inputs inputs{
+      state.model, state.model ? Asked<ActionPlan>::inputs(asked_study(state)) : Asked<ActionPlan>::Inputs()};
   if (asked_ && (!measured || *asked_ != inputs)) {
     cancel();
     asked_.reset();
@@ -54,9 +50,7 @@ void ActionFinder::update(const AppState& state, ActionsState& actions, bool mov
   if (measured && !moving && !asked_) {
     asked_ = inputs;
     actions.error.clear();
-    job_.start([inputs, result = split_result(figures)](const Progress& progress) {
-      return find(inputs, result, progress);
-    });
+    job_.start([study = measured_study(state)](const Progress& progress) { return find(study, progress); });
   }
   take_plan(figures, actions);
   take_changes(actions);
@@ -72,12 +66,12 @@ void ActionFinder::take_plan(const Figures& figures, ActionsState& actions) {
   actions.error = std::move(outcome->error);
   forget_plan(actions);
   if (auto& found = outcome->result) {
-    actions.plan = std::make_shared<const ActionPlan>(std::move(found->plan));
+    actions.plan = found->study.known<ActionPlan>();
     actions.bodies = std::make_shared<const ActionBodies>(std::move(found->bodies));
-    changes_.start(
-        [inputs = *asked_, plan = actions.plan, result = split_result(figures)](const Progress& progress) {
-          return find_changes(*inputs.model, result, inputs.settings, *plan, progress);
-        });
+    changes_.start([study = std::move(found->study)](const Progress& progress) mutable {
+      static_cast<void>(study.find<Changes>(progress));
+      return study.known<Changes>();
+    });
   }
   planned_ = figures.split;
   ++actions.revision;
@@ -85,7 +79,7 @@ void ActionFinder::take_plan(const Figures& figures, ActionsState& actions) {
 
 void ActionFinder::take_changes(ActionsState& actions) {
   if (auto outcome = changes_.take(); outcome && outcome->result)
-    actions.changes = std::make_shared<const std::vector<ToBeFree>>(std::move(*outcome->result));
+    actions.changes = {*outcome->result, &(*outcome->result)->of_patches};
 }
 
 }  // namespace moldlight::gui

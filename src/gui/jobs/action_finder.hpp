@@ -7,6 +7,7 @@
 
 #include "gui/app_state.hpp"
 #include "gui/jobs/job.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::gui {
 
@@ -28,20 +29,19 @@ class ActionFinder {
   /// All that a plan depends on.
   struct Inputs {
     std::shared_ptr<const PartModel> model;
-    std::shared_ptr<const SplitMesh> split;
-    ActionSettings settings;
+    Asked<ActionPlan>::Inputs asked;
     bool operator==(const Inputs&) const = default;
   };
   struct Found {
-    ActionPlan plan;
+    Study study;  // that knows the plan
     ActionBodies bodies;
   };
-  static Found find(const Inputs& inputs, const Classification& result, const Progress& progress);
+  static Found find(Study study, const Progress& progress);
   void take_plan(const Figures& figures, ActionsState& actions);
   void take_changes(ActionsState& actions);
 
   Job<Found> job_;
-  Job<std::vector<ToBeFree>> changes_;
+  Job<std::shared_ptr<const Changes>> changes_;
   std::optional<Inputs> asked_;  // for which the job runs or has ended
   std::shared_ptr<const SplitMesh> planned_;
 };

@@ -2,47 +2,30 @@
 
 #include <utility>
 
-#include "parting/make_halves.hpp"
+#include "gui/jobs/window_study.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
-MoldSettings of_line(const MoldSettings& settings) {
-  MoldSettings kept;
-  kept.soft_deg = settings.soft_deg;
-  kept.parting_height = settings.parting_height;
-  kept.cosmetic = settings.cosmetic;
-  return kept;
-}
-
-MoldSettings of_solids(MoldSettings settings) {
-  const MoldSettings line = of_line({});
-  settings.soft_deg = line.soft_deg;
-  settings.parting_height = line.parting_height;
-  settings.fill_undercut = line.fill_undercut;  // tells what is written
-  return settings;
-}
-
-MoldLine find_line(const PartModel& model, const Query& query, const MoldSettings& settings,
-                   const ReverseDraft& reverse, const Progress& progress) {
-  MoldLine found{.query = query,
-                 .settings = settings,
-                 .assignment = assign_sides(model, query, settings, progress),
-                 .line = {},
-                 .verdict = {},
+MoldLine find_line(Study study, const Progress& progress) {
+  const auto& [assignment, line] = study.find<moldlight::MoldLine>(progress);
+  const Questions& asked = study.questions();
+  MoldLine found{.query = asked.query,
+                 .settings = asked.mold,
+                 .assignment = assignment,
+                 .line = line,
+                 .verdict = parting_verdict(assignment, line, study.model().frame.diagonal),
                  .loops = {},
                  .draft = {}};
-  found.line = parting_line(found.assignment);
-  found.verdict = parting_verdict(found.assignment, found.line, model.frame.diagonal);
-  for (const PartingLoop& loop : found.line.loops) {
+  const UnitFrame& frame = study.model().frame;
+  for (const PartingLoop& loop : line.loops) {
     std::vector<ViewSegment>& segments = found.loops.emplace_back();
     for (std::size_t k = 0; k < loop.points.size(); ++k)
-      segments.push_back({model.frame.to_unit(loop.points[k]),
-                          model.frame.to_unit(loop.points[(k + 1) % loop.points.size()])});
+      segments.push_back(
+          {frame.to_unit(loop.points[k]), frame.to_unit(loop.points[(k + 1) % loop.points.size()])});
   }
-  if (const double required = query.method.tau_deg; required > 0.0)
-    found.draft = check_draft(model, found.assignment, reverse, required);
+  if (asked.required_draft_deg > 0.0) found.draft = study.find<DraftCheck>(progress);
   return found;
 }
 
@@ -53,13 +36,11 @@ ViewSolid shown_solid(const MoldHalves& halves, const MoldBody& body, Steel stee
   return view_solid(mesh, frame, steel);
 }
 
-MoldSolids find_solids(const PartModel& model, const MoldLine& line, const MoldSettings& settings,
-                       const Progress& progress) {
-  MoldSolids found{.halves = make_halves(model, line.assignment.direction,
-                                         {line.assignment.height, &line.line}, settings, progress),
-                   .written = {},
-                   .shown = {}};
-  found.written = found.halves.written;
+MoldSolids find_solids(Study study, const MoldLine& line, const Progress& progress) {
+  study.keep(std::make_shared<const moldlight::MoldLine>(line.assignment, line.line));
+  const MoldHalves& halves = study.find<MoldHalves>(progress);
+  const PartModel& model = study.model();
+  MoldSolids found{.halves = halves, .written = halves.written, .shown = {}};
   if (!found.halves.made()) return found;
   found.shown.push_back(shown_solid(found.halves, found.halves.core, Steel::core, model.frame));
   found.shown.push_back(shown_solid(found.halves, found.halves.cavity, Steel::cavity, model.frame));
@@ -86,21 +67,25 @@ void MoldFinder::update(const AppState& state, MoldState& mold, const Wants& wan
 }
 
 void MoldFinder::update_line(const AppState& state, MoldState& mold, bool moving) {
+  if (!state.model) {
+    line_job_.give_up();
+    line_of_.reset();
+    mold.line_awaited = false;
+    return;
+  }
   const Figures& figures = state.figures;
   const bool measured = state.model && figures.shown && figures.split && !figures.stale;
-  const LineInputs inputs{state.model, figures.split, of_line(state.settings.mold)};
+  const LineInputs inputs{state.model, Asked<moldlight::MoldLine>::inputs(asked_study(state))};
   const bool other = !line_of_ || *line_of_ != inputs;
-  if (line_of_ && (!measured || line_of_->split != figures.split || (other && !moving))) {
+  if (line_of_ && (!measured || line_of_->asked.first != inputs.asked.first || (other && !moving))) {
     line_job_.give_up();
     line_of_.reset();
   }
   if (measured && other && !line_job_.running() && (!moving || mold.line)) {
     line_of_ = inputs;
     mold.error.clear();
-    line_job_.start([model = state.model, query = Query(state.settings), settings = state.settings.mold,
-                     reverse = figures.shown->reverse_draft](const Progress& progress) {
-      return find_line(*model, query, settings, reverse, progress);
-    });
+    line_job_.start(
+        [study = measured_study(state)](const Progress& progress) { return find_line(study, progress); });
   }
   if (auto outcome = line_job_.take()) {
     mold.error = std::move(outcome->error);
@@ -113,18 +98,25 @@ void MoldFinder::update_line(const AppState& state, MoldState& mold, bool moving
 }
 
 void MoldFinder::update_solids(const AppState& state, MoldState& mold, const Wants& wants) {
+  if (!state.model) {
+    solids_job_.give_up();
+    solids_of_.reset();
+    mold.solids_awaited = false;
+    return;
+  }
   const auto& line = mold.line;
   const bool ready = line && !mold.line_awaited;
-  const SolidInputs inputs{state.figures.split, line, of_solids(state.settings.mold)};
-  const bool stale = solids_of_ && (solids_of_->split != inputs.split || (ready && *solids_of_ != inputs));
+  const SolidInputs inputs{line, Asked<MoldHalves>::inputs(asked_study(state))};
+  const bool turned = solids_of_ && solids_of_->asked.first != inputs.asked.first;
+  const bool stale = turned || (ready && solids_of_ && *solids_of_ != inputs);
   if (stale || (!wants.solids && solids_job_.running())) {
     solids_job_.give_up();
     solids_of_.reset();
   }
   if (ready && wants.solids && !wants.moving && !solids_of_) {
     solids_of_ = inputs;
-    solids_job_.start([model = state.model, inputs](const Progress& progress) {
-      return find_solids(*model, *inputs.line, inputs.settings, progress);
+    solids_job_.start([study = asked_study(state), line](const Progress& progress) {
+      return find_solids(study, *line, progress);
     });
   }
   if (auto outcome = solids_job_.take()) {

@@ -7,6 +7,7 @@
 
 #include "gui/app_state.hpp"
 #include "gui/jobs/job.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::gui {
 
@@ -30,14 +31,12 @@ class MoldFinder {
   /// All that a line depends on.
   struct LineInputs {
     std::shared_ptr<const PartModel> model;
-    std::shared_ptr<const SplitMesh> split;
-    MoldSettings settings;  // without those of the halves
+    Asked<moldlight::MoldLine>::Inputs asked;
     bool operator==(const LineInputs&) const = default;
   };
   struct SolidInputs {
-    std::shared_ptr<const SplitMesh> split;
     std::shared_ptr<const MoldLine> line;
-    MoldSettings settings;  // without those of the line alone
+    Asked<MoldHalves>::Inputs asked;
     bool operator==(const SolidInputs&) const = default;
   };
   void update_line(const AppState& state, MoldState& mold, bool moving);

@@ -1,5 +1,6 @@
 // Reports go to terminals, too.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "support/hostile_names.hpp"
