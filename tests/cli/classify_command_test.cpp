@@ -34,8 +34,18 @@ TEST(Classify, PrintsATableAndNothingElseOnStdout) {
     EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
   }
   EXPECT_EQ(run.out.find('\033'), std::string::npos) << "colour on what is no terminal";
-  EXPECT_EQ(run_moldlight(part.classify({"--verbose"})).out, run.out);
   EXPECT_EQ(run_moldlight(part.classify({"--quiet"})).out, run.out);
+}
+
+TEST(Classify, VerboseReportsTheTimeOfEachStageOnStderr) {
+  const SmallPart part;
+  const auto run = run_moldlight(part.classify({"--verbose"}));
+  EXPECT_EQ(run.out, run_moldlight(part.classify()).out);
+  const std::size_t last = run.err.rfind("\nmoldlight: ");
+  ASSERT_NE(last, std::string::npos) << run.err;
+  const std::string times = run.err.substr(last);
+  for (const char* text : {"reading ", " s, ", " s in all\n"})
+    EXPECT_NE(times.find(text), std::string::npos) << text << " in" << times;
 }
 
 TEST(Classify, JsonHasTheKeysOfTheSchema) {

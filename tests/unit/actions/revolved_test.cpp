@@ -25,7 +25,7 @@ using test::SolidBuilder;
 
 constexpr double k_pi = std::numbers::pi;
 
-ActionPlan plan_along(const TriangleMesh& mesh, const glm::dvec3& direction, double strip_strain_pct = 0.0) {
+ActionPlan turned_plan(const TriangleMesh& mesh, const glm::dvec3& direction, double strip_strain_pct = 0.0) {
   Part part;
   part.mesh = mesh;
   part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
@@ -93,7 +93,7 @@ TEST(Thread, IsUnscrewedByItsPitch) {
                              Screw{.lead = -6.0, .starts = 2}, Screw{.lead = 2.5, .depth = 0.5}}) {
     const glm::dquat turn = test::random_rotation(seed++);
     const glm::dvec3 direction = turn * glm::dvec3(0, 0, 1);
-    const ActionPlan plan = plan_along(test::rotated(nut(screw), turn), direction);
+    const ActionPlan plan = turned_plan(test::rotated(nut(screw), turn), direction);
     ASSERT_FALSE(plan.actions.empty()) << screw.lead;
     const SideAction& action = plan.actions.front();
     ASSERT_EQ(action.kind, ActionKind::unscrew) << screw.lead << " " << screw.starts;
@@ -117,7 +117,7 @@ TEST(Thread, IsUnscrewedInAnySizeAndPlace) {
     constexpr double k_scales[] = {1e-3, 1.0, 1e3};
     const double scale = k_scales[random.below(3)];
     const glm::dvec3 offset = random.in_cube(1e4);
-    const ActionPlan plan = plan_along(test::scaled(test::translated(nut(screw), offset), scale), {0, 0, 1});
+    const ActionPlan plan = turned_plan(test::scaled(test::translated(nut(screw), offset), scale), {0, 0, 1});
     SCOPED_TRACE(::testing::Message()
                  << k << ": lead " << screw.lead << ", starts " << screw.starts << ", depth " << screw.depth
                  << ", " << screw.round << " sides, scale " << scale);
@@ -169,14 +169,14 @@ TEST(Ring, IsStrippedAtItsStrain) {
   for (const auto& [groove, strain] :
        {std::pair(Groove{}, 0.5 / 9.0), std::pair(Groove{.depth = 0.2}, 0.2 / 9.0),
         std::pair(Groove{.depth = 0.4, .inside = false}, 0.4 / 13.0)}) {
-    const ActionPlan plan = plan_along(grooved(groove), {0, 0, 1});
+    const ActionPlan plan = turned_plan(grooved(groove), {0, 0, 1});
     ASSERT_EQ(plan.actions.size(), 1U) << groove.depth << groove.inside;
     const SideAction& action = plan.actions.front();
     ASSERT_EQ(action.kind, ActionKind::strip);
     EXPECT_NEAR(action.about->strain, strain, 0.001) << groove.depth << groove.inside;
     EXPECT_EQ(action.about->pitch, 0.0);
     EXPECT_TRUE(plan.unreleased.empty());
-    const auto limited = [&ring = groove](double pct) { return plan_along(grooved(ring), {0, 0, 1}, pct); };
+    const auto limited = [&ring = groove](double pct) { return turned_plan(grooved(ring), {0, 0, 1}, pct); };
     EXPECT_EQ(limited(100.0 * strain + 0.2).actions.size(), 1U);
     // Slides close around an outer groove; inside the segments of a collapsing core move in.
     const ActionPlan refused = limited(100.0 * strain - 0.2);
@@ -188,7 +188,7 @@ TEST(Ring, IsStrippedAtItsStrain) {
 
 /// A ring groove turns about its axis, but that releases nothing.
 TEST(Ring, IsNoThread) {
-  for (const SideAction& action : plan_along(grooved({}), {0, 0, 1}).actions)
+  for (const SideAction& action : turned_plan(grooved({}), {0, 0, 1}).actions)
     EXPECT_NE(action.kind, ActionKind::unscrew);
 }
 
