@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "classify/figures.hpp"
+#include "mold/direction_words.hpp"
 #include "mold/measure.hpp"
 #include "sweep/sweep_texts.hpp"
 

@@ -1,10 +1,8 @@
 #include "sweep/sweep_texts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "classify/figures.hpp"
 
@@ -47,21 +45,6 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
 
 double undercut_area(const SweepCandidate& candidate) {
   return candidate.classification.areas[Region::undercut];
-}
-
-std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward) {
-  constexpr double k_tan_22_5_deg =
-      0.41421356;  // an axis counts when the lean is not nearer to another alone
-  const glm::dvec3 aside = toward - glm::dot(toward, direction) * direction;
-  const double most = std::max({std::abs(aside.x), std::abs(aside.y), std::abs(aside.z)});
-  if (!(most > 0.0)) return "";
-  std::string text;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(aside[axis]) < k_tan_22_5_deg * most) continue;
-    text += aside[axis] < 0.0 ? '-' : '+';
-    text += "xyz"[axis];
-  }
-  return text;
 }
 
 }  // namespace moldlight

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 #include "classify/part_model.hpp"
 #include "sweep/sweep_result.hpp"
 
@@ -18,9 +16,6 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 [[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
 /// The same in ever fewer words, for where there is little room.
 [[nodiscard]] std::vector<std::string> shorter_reasons(const Candidate& candidate);
-
-/// The side towards which `toward` leans from `direction`, by the axes that it follows most: "+x", "+x-z".
-[[nodiscard]] std::string lean_text(const glm::dvec3& direction, const glm::dvec3& toward);
 
 /// "2 slides, 1 lifter; 12.3 mm² left"; empty where side actions were not looked for.
 [[nodiscard]] std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate);
