@@ -45,7 +45,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = best_direction(model, query.method, progress).direction;
   const Classification result = classify_exact(*model, query, progress, true);
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionPlan plan = find_actions(*model, result, flags.settings, progress);

@@ -76,7 +76,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   Baseline baseline(flags.baseline, "classify");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = best_direction(model, query.method, progress).direction;
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;

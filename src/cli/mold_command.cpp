@@ -52,7 +52,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = best_direction(model, query.method, progress).direction;
   for (const std::string& warning : model->warnings) console.warning(warning);
   const Assignment assignment = assign_sides(*model, query, flags.settings, progress);
   for (const std::string& warning : assignment.warnings) console.warning(warning);

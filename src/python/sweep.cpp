@@ -81,7 +81,8 @@ py::array picture(const PythonSweep& self, const py::kwargs& keywords) {
 
 py::object best(const PythonSweep& self) {
   if (self.result.candidates.empty()) return py::none();
-  return to_python(self.result.candidates.front().classification.direction);
+  return to_python(self.result.recommended ? self.result.recommended->direction
+                                           : self.result.candidates.front().classification.direction);
 }
 
 auto member(const char* key) {
@@ -110,7 +111,8 @@ void add_sweep(py::module_& module, PartClass& part) {
       module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
   found
       .def_property_readonly("best_direction", best,
-                             "The first of those listed, of length one; None of none.")
+                             "The one recommended, the core on its side; by an objective the first of those listed. "
+                             "Of length one; None of none.")
       .def_property_readonly(
           "candidates", member("candidates"),
           "The directions listed, best first: a dict each, with direction, areas, tilt and "

@@ -1,11 +1,11 @@
 #include "sweep/direction_actions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <tbb/parallel_pipeline.h>
 
+#include "actions/least_weight.hpp"
 #include "base/error.hpp"
 #include "classify/classification.hpp"
 
@@ -22,22 +22,36 @@ constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are de
 DirectionActions direction_actions(const ActionPlan& plan) {
   DirectionActions found{
       .text = actions_text(plan), .patches = plan.patches.size(), .unreleased_area = plan.unreleased_area};
-  // By kinds, so that the same set has the same weight in whatever order it is found.
-  std::array<std::size_t, k_action_kinds> counts{};
   for (const SideAction& action : plan.actions) {
-    ++counts[static_cast<std::size_t>(action.kind)];
+    ++found.counts[static_cast<std::size_t>(action.kind)];
     found.travel = std::max(found.travel, action.travel);
+    found.formed_area += action.area;
+    if (!has_room(action)) found.without_room += action.area;
   }
+  // By kinds, so that the same set has the same weight in whatever order it is found.
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
-    found.weight += static_cast<double>(counts[kind]) * facts(static_cast<ActionKind>(kind)).weight;
+    found.weight += static_cast<double>(found.counts[kind]) * facts(static_cast<ActionKind>(kind)).weight;
   found.weight = std::round(found.weight * k_weight_steps) / k_weight_steps;
   return found;
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
+                                                                const ActionLimit& limit,
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
+    if (std::isfinite(limit.most)) {
+      const Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()));
+      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
+      double area = 0.0;
+      for (const Undercut& patch : undercuts.patches) area += patch.area;
+      if (weight + limit.per_area * area > limit.most)
+        return DirectionActions{.text = {},
+                                .patches = undercuts.patches.size(),
+                                .weight = weight,
+                                .formed_area = area,
+                                .given_up = true};
+    }
     return direction_actions(find_actions(model_, split, settings_, Progress(&progress)));
   } catch (const Cancelled&) {
     return std::nullopt;
@@ -45,8 +59,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
 }
 
 std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
-    std::span<const glm::dvec3> directions, const Progress& progress, const std::function<bool()>& stop,
-    const std::function<void()>& done) {
+    std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const Progress& progress,
+    const std::function<bool()>& stop, const std::function<void()>& done) {
   std::vector<std::optional<DirectionActions>> found(directions.size());
   const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
   const std::size_t together =
@@ -63,7 +77,9 @@ std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
   const auto work =
       tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, [&](const std::size_t& k) {
         // A thread that waits for parts of this direction begins no other one.
-        tbb::this_task_arena::isolate([&] { found[k] = find_one(directions[k], progress); });
+        tbb::this_task_arena::isolate([&] {
+          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], progress);
+        });
         done();
       });
   arena_.execute([&] { tbb::parallel_pipeline(together, begin & work); });
