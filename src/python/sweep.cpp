@@ -110,9 +110,10 @@ void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
       module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
   found
-      .def_property_readonly("best_direction", best,
-                             "The one recommended, the core on its side; by an objective the first of those listed. "
-                             "Of length one; None of none.")
+      .def_property_readonly(
+          "best_direction", best,
+          "The one recommended, the core on its side; by an objective the first of those listed. "
+          "Of length one; None of none.")
       .def_property_readonly(
           "candidates", member("candidates"),
           "The directions listed, best first: a dict each, with direction, areas, tilt and "

@@ -20,7 +20,7 @@ struct CriterionFacts {
 
 constexpr std::array<CriterionFacts, k_mold_criteria> k_facts = {{
     {0.5, ""},
-    {1e-3, "leaves {} % of the surface {} that nothing releases"},
+    {1e-2, "leaves {} % of the surface {} that nothing releases"},
     {0.05, ""},
     {0.02, "its parting line climbs {} % of the diagonal {}"},
     {0.02, "{} % of the surface {} has too little draft"},
@@ -91,7 +91,10 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 }  // namespace
 
 double mold_effort(const MoldCost& cost) {
-  return cost.weight + k_effort_of_formed * cost.formed + k_effort_of_draft * cost.of(draft) +
+  constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
+  constexpr double k_weight_of_rest = 4;  // more than any one side action
+  const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
+  return rest + cost.weight + k_effort_of_formed * cost.formed + k_effort_of_draft * cost.of(draft) +
          std::min(1.0, cost.of(line));
 }
 

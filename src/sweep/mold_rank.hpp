@@ -43,9 +43,9 @@ struct MoldCost {
 inline constexpr double k_effort_of_formed = 5.0;
 /// Of surface without draft, as a share: half of it weighs as much as a slide.
 inline constexpr double k_effort_of_draft = 2.0;
-/// The weight of side actions, with what they form, the draft that is missing, and the climb of the line,
-/// which is never more than a slide: few slides are no gain where the part lies on its side in the mold. Set
-/// the other figures before.
+/// The weight of side actions, with what they form, the draft that is missing, the climb of the line, which
+/// is never more than a slide, and more than any one action where something is left unreleased: few slides
+/// are no gain where the part lies on its side in the mold. Set the other figures before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
 
 /// Figures that differ by less tie.

@@ -116,7 +116,8 @@ std::vector<Candidate> canonical_candidates(const PartModel& model) {
           return line_angle_deg(axis.direction, line) <= k_on_file_deg;
         }))
       continue;
-    const std::string of_surface = fmt::format("{:.{}f} % of the surface", 100.0 * share, share < 0.095 ? 1 : 0);
+    const std::string of_surface =
+        fmt::format("{:.{}f} % of the surface", 100.0 * share, share < 0.095 ? 1 : 0);
     const std::string name = fmt::format("{}, {}",
                                          group.round() ? "axis of round walls"
                                          : largest     ? "normal of the largest plane"
