@@ -15,7 +15,6 @@
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "study/study_reports.hpp"
-#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -48,7 +47,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
   Study study(model, {.query = query, .with_actions = true, .actions = flags.settings});
   const Classification& result = study.find<SplitRegions>(progress).result;
   for (const std::string& warning : result.warnings) console.warning(warning);

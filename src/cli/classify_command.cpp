@@ -18,7 +18,6 @@
 #include "parting/draft/draft_picture.hpp"
 #include "parting/draft/draft_report.hpp"
 #include "study/study_reports.hpp"
-#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -69,7 +68,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   Baseline baseline(flags.baseline, "classify");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;

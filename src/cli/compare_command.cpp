@@ -45,8 +45,9 @@ ComparedQuery compared_query(const CompareFlags& flags, const Comparison& compar
   const auto &a = comparison.a.model, &b = comparison.b.model;
   ComparedQuery query{flags.direction, flags.direction, flags.method};
   if (flags.choice == DirectionChoice::given) return query;
-  query.former = query.fresh = best_direction(a, flags.method, progress);
-  if (flags.choice == DirectionChoice::each) query.fresh = best_direction(b, flags.method, progress);
+  query.former = query.fresh = best_direction(a, flags.method, progress).direction;
+  if (flags.choice == DirectionChoice::each)
+    query.fresh = best_direction(b, flags.method, progress).direction;
   return query;
 }
 

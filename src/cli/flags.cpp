@@ -8,6 +8,7 @@
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "io/part_formats.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -63,6 +64,13 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
                          flag.best = text == "best";
                          if (!flag.best) flag.given = parse_direction({text, "--direction"});
                        });
+}
+
+Direction found_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
+                          Console& console, const Progress& progress) {
+  const BestDirection best = best_direction(model, method, progress);
+  if (!best.off_axis.empty()) console.warning(best.off_axis);
+  return best.direction;
 }
 
 nlohmann::ordered_json query_json(const Query& query, bool best_direction) {

@@ -13,7 +13,6 @@
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "study/study_reports.hpp"
-#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -45,7 +44,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = best_direction(model, query.method, progress);
+  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
   for (const std::string& warning : model->warnings) console.warning(warning);
   Questions questions;
   questions.query = query;

@@ -58,7 +58,7 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   if (flags.best_direction) {
     if (flags.part.empty()) throw UsageError("--direction best needs a PART");
     const auto model = load_part(flags.part, flags.reading, progress);
-    notes->settings.direction = best_direction(model, flags.notes.settings.method, progress);
+    notes->settings.direction = best_direction(model, flags.notes.settings.method, progress).direction;
   }
   if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
   if (flags.screenshot.empty()) {

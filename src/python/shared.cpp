@@ -21,7 +21,7 @@ AskedDirection::AskedDirection(const py::handle& direction) : best(is_best(direc
 
 Direction AskedDirection::find(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
                                const Progress& progress) const {
-  return best ? Direction(best_direction(model, method, progress)) : given;
+  return best ? Direction(best_direction(model, method, progress).direction) : given;
 }
 
 StillSettings picture_settings(const py::kwargs& keywords, py::object& progress) {

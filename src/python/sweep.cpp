@@ -82,7 +82,8 @@ py::array picture_of_sweep(const PythonSweep& self, const py::kwargs& keywords) 
 
 py::object best(const PythonSweep& self) {
   if (self.result.candidates.empty()) return py::none();
-  return to_python(self.result.candidates.front().classification.direction);
+  return to_python(self.result.recommended ? self.result.recommended->direction
+                                           : self.result.candidates.front().classification.direction);
 }
 
 std::string text(const PythonSweep& self) {
@@ -103,8 +104,10 @@ void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
       module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
   found
-      .def_property_readonly("best_direction", best,
-                             "The first of those listed, of length one; None of none.")
+      .def_property_readonly(
+          "best_direction", best,
+          "The one recommended, the core on its side; by an objective the first of those listed. "
+          "Of length one; None of none.")
       .def_property_readonly(
           "candidates", report_member<PythonSweep>("candidates"),
           "The directions listed, best first: a dict each, with direction, areas, tilt and "

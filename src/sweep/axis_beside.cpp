@@ -7,6 +7,7 @@
 
 #include "classify/figures.hpp"
 #include "mold/direction.hpp"
+#include "mold/direction_words.hpp"
 #include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
@@ -50,7 +51,7 @@ std::string axis_beside_text(const PartModel& model, const SweepCandidate& candi
   const AxisBeside& axis = *candidate.axis;
   const std::string unit = powered_unit(model.part, 2);
   return fmt::format("{:.2g}° from {} ({}): {} {} undercut, reverse draft {} in place of {} {}",
-                     axis.angle_deg, direction_text(axis.direction, 3), axis.reason,
+                     axis.angle_deg, direction_words(axis.direction), axis.reason,
                      figure(axis.classification.areas[Region::undercut]), unit,
                      figure(axis.classification.reverse_draft.area),
                      figure(candidate.classification.reverse_draft.area), unit);

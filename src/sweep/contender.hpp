@@ -8,6 +8,7 @@
 #include "sweep/direction_actions.hpp"
 #include "sweep/direction_measurer.hpp"
 #include "sweep/direction_scorer.hpp"
+#include "sweep/mold_rank.hpp"
 #include "sweep/ranking.hpp"
 #include "sweep/sweep_result.hpp"
 
@@ -19,6 +20,10 @@ struct Contender {
   RankedFigures figures;                              // as measured, or by the score before
   std::shared_ptr<const MeasuredDirection> measured;  // none before
   std::optional<DirectionActions> actions = {};       // once they are found
+  std::optional<MoldCost> cost = {};                  // by rank as molds go, with its actions
+  std::optional<BesideDirection> beside = {};
+
+  [[nodiscard]] bool canonical() const { return candidate.canonical.has_value(); }
 };
 
 /// What is told of a scored direction.

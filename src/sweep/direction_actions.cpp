@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_pipeline.h>
 
+#include "actions/least_weight.hpp"
 #include "base/error.hpp"
 #include "classify/classification.hpp"
 
@@ -20,7 +21,11 @@ constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are de
 
 DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
   DirectionActions found{.undercuts = undercut_totals(plan), .totals = totals_of(plan, lateral)};
-  for (const SideAction& action : plan.actions) found.travel = std::max(found.travel, action.travel);
+  for (const SideAction& action : plan.actions) {
+    found.travel = std::max(found.travel, action.travel);
+    found.formed_area += action.area;
+    if (!has_room(action)) found.without_room += action.area;
+  }
   // By kinds, so that the same set has the same weight in whatever order it is found.
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
     found.weight +=
@@ -30,9 +35,19 @@ DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
+                                                                const ActionLimit& limit,
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
+    if (std::isfinite(limit.most)) {
+      const Undercuts undercuts =
+          find_undercuts(model_, *split.split, exact_query(model_, split.query()), Progress(&progress));
+      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
+      const UndercutTotals totals = totals_of(undercuts);
+      if (weight + limit.per_area * totals.area > limit.most)
+        return DirectionActions{
+            .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
+    }
     return direction_actions(find_actions(model_, split, settings_, Progress(&progress)),
                              split.lateral_tolerance);
   } catch (const Cancelled&) {
@@ -41,8 +56,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
 }
 
 std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
-    std::span<const glm::dvec3> directions, const Progress& progress, const std::function<bool()>& stop,
-    const std::function<void()>& done) {
+    std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const Progress& progress,
+    const std::function<bool()>& stop, const std::function<void()>& done) {
   std::vector<std::optional<DirectionActions>> found(directions.size());
   const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
   const std::size_t together =
@@ -59,7 +74,9 @@ std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
   const auto work =
       tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, [&](const std::size_t& k) {
         // A thread that waits for parts of this direction begins no other one.
-        tbb::this_task_arena::isolate([&] { found[k] = find_one(directions[k], progress); });
+        tbb::this_task_arena::isolate([&] {
+          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], progress);
+        });
         done();
       });
   arena_.execute([&] { tbb::parallel_pipeline(together, begin & work); });

@@ -1,7 +1,9 @@
 // The side actions of a sweep's directions, several directions at a time.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,16 +21,25 @@ namespace moldlight {
 
 /// What the least set of side actions of one direction comes to.
 struct DirectionActions {
-  UndercutTotals undercuts;
-  ActionTotals totals;
-  double weight = 0.0;  // of their kinds, summed up
-  double travel = 0.0;  // of the one that travels farthest, part's unit; 0 without any
+  UndercutTotals undercuts = {};
+  ActionTotals totals = {};
+  double weight = 0.0;        // of their kinds, summed up
+  double travel = 0.0;        // of the one that travels farthest, part's unit; 0 without any
+  double formed_area = 0.0;   // of undercuts that the actions release
+  double without_room = 0.0;  // of that, by lifters that lack the room to move
+  bool given_up = false;      // only the weight is known, which is no less than this
 
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }
 };
 /// `lateral` is the lateral tolerance in the part's unit.
 [[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan, double lateral);
+
+/// Where the search for side actions of a direction is not worth it.
+struct ActionLimit {
+  double most = std::numeric_limits<double>::infinity();  // of their weight and what is added for the surface
+  double per_area = 0.0;                                  // that they form, for the part's unit squared
+};
 
 class DirectionActionFinder {
  public:
@@ -38,14 +49,17 @@ class DirectionActionFinder {
       : model_(model), method_(method), settings_(settings), jobs_(jobs), arena_(arena_threads(jobs)) {}
 
   /// In the order of the directions, whatever the number of threads; nothing for what is not begun when
-  /// `stop` says so, and for what `progress` cancels. `done` is called after each, from any thread.
+  /// `stop` says so, and for what `progress` cancels. `done` is called after each, from any thread. `limits`:
+  /// of each, or none.
   [[nodiscard]] std::vector<std::optional<DirectionActions>> find(std::span<const glm::dvec3> directions,
+                                                                  std::span<const ActionLimit> limits,
                                                                   const Progress& progress,
                                                                   const std::function<bool()>& stop,
                                                                   const std::function<void()>& done);
 
  private:
   [[nodiscard]] std::optional<DirectionActions> find_one(const glm::dvec3& direction,
+                                                         const ActionLimit& limit,
                                                          const Progress& progress) const;
 
   const PartModel& model_;

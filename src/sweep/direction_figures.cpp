@@ -231,7 +231,7 @@ bool needs_actions(const Objective& objective) {
 }
 
 bool seeks_actions(const SweepSettings& settings) {
-  return settings.actions || needs_actions(settings.objective);
+  return settings.actions || settings.rank == SweepRank::mold || needs_actions(settings.objective);
 }
 
 double unreleased_penalty(const DirectionFacts& facts) {

@@ -36,6 +36,20 @@ void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& pr
   arena_.execute([&] { find_beside(measured, {.patches = true, .parting = true}, progress); });
 }
 
+void DirectionMeasurer::find_lines(std::span<MeasuredDirection* const> measured, const Progress& progress) {
+  arena_.execute([&] {
+    tbb::parallel_for(std::size_t{0}, measured.size(), [&](std::size_t k) {
+      tbb::this_task_arena::isolate([&] {
+        try {
+          find_beside(*measured[k], {.parting = true}, progress);
+        } catch (const Cancelled&) {
+          measured[k]->parting.reset();
+        }
+      });
+    });
+  });
+}
+
 std::vector<std::optional<MeasuredDirection>> DirectionMeasurer::measure(std::span<const ScoringTask> tasks,
                                                                          std::span<const FacetIndex> first,
                                                                          const Progress& progress,

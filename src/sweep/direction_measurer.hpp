@@ -49,6 +49,8 @@ class DirectionMeasurer {
 
   /// Finds what else there is of a direction, as far as it is not known. Throws Cancelled.
   void complete(MeasuredDirection& measured, const Progress& progress);
+  /// Finds the parting lines of several at a time; of those that `progress` cancels there is none.
+  void find_lines(std::span<MeasuredDirection* const> measured, const Progress& progress);
 
  private:
   void find_beside(MeasuredDirection& measured, const MeasuredBeside& asked, const Progress& progress) const;

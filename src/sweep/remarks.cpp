@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "classify/figures.hpp"
+#include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_texts.hpp"
@@ -27,7 +28,7 @@ std::string difference_text(const PartModel& model, const SweepCandidate& than,
   return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
 }
 
-std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
+std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool by_molds) {
   const double error = best.classification.uncertainty.total();
   if (undercut_area(best) <= error) {
     return fmt::format("The best direction has no undercut that could be told from none (± {}).",
@@ -38,8 +39,10 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
                               : *count == 0.0
                                   ? " in specks"
                                   : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
-  return fmt::format("No direction that was tried is free of undercut; the best leaves {}{}.",
-                     area_text(model, undercut_area(best)), patches);
+  return fmt::format(
+      "{} {}{}.",
+      by_molds ? "The best leaves" : "No direction that was tried is free of undercut; the best leaves",
+      area_text(model, undercut_area(best)), patches);
 }
 
 /// The first direction that does not tie with the best.
@@ -52,7 +55,11 @@ const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
 void remark_on_actions(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
   const auto unknown = std::ranges::count_if(
       result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
-  if (unknown > 0) {
+  if (unknown > 0 && result.settings.rank == SweepRank::mold && result.complete) {
+    remarks.push_back(fmt::format(
+        "{} of the directions listed certainly need heavier side actions; which was not looked for.",
+        unknown));
+  } else if (unknown > 0) {
     remarks.push_back(
         fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,
                     result.candidates.size()));
@@ -70,7 +77,8 @@ void remark_on_user(const PartModel& model, const SweepResult& result, std::vect
   const SweepCandidate& best = result.candidates.front();
   for (const SweepCandidate& given : result.candidates) {
     if (!given.candidate.from_user()) continue;
-    const std::string name = fmt::format("The direction given, {},", figures(given.candidate.direction, 1.0));
+    const std::string name =
+        fmt::format("The direction given, {},", direction_words(given.candidate.direction));
     if (given.tie_group == 1) {
       const SweepCandidate* next = runner_up(result.candidates);
       remarks.push_back(
@@ -123,7 +131,7 @@ void remark_on_proof(const PartModel& model, const SweepResult& result, std::vec
                           "largest about {}; {}{}.",
                           area_text(model, free->bound), extent_of_open(*free),
                           100.0 * (1.0 - free->proved_share),
-                          direction_text(free->open.front().cap.direction), grade_text(model, *free),
+                          direction_words(free->open.front().cap.direction), grade_text(model, *free),
                           free->complete ? "" : "; ended early"));
   }
 }
@@ -134,6 +142,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   std::vector<std::string> remarks;
   if (result.candidates.empty()) return remarks;
   const SweepCandidate& best = result.candidates.front();
+  const bool by_molds = result.settings.rank == SweepRank::mold;
   const auto ties = std::count_if(result.candidates.begin(), result.candidates.end(),
                                   [](const SweepCandidate& candidate) { return candidate.tie_group == 1; });
   const auto scored = std::ranges::count(result.candidates, false, &SweepCandidate::measured);
@@ -142,15 +151,22 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
         fmt::format("Ended early: {} of the {} directions listed were not measured, only scored.", scored,
                     result.candidates.size()));
   }
-  remarks.push_back(on_undercut(model, best));
+  remarks.push_back(on_undercut(model, best, by_molds));
   if (seeks_actions(result.settings)) remark_on_actions(model, result, remarks);
+  if (result.recommended) {
+    const Recommendation& recommended = *result.recommended;
+    remarks.push_back(fmt::format("{}: {}; {}.",
+                                  recommended.provisional ? "Recommended by what was found" : "Recommended",
+                                  recommended.name, recommended.why));
+  }
   if (ties > 1) {
     remarks.push_back(fmt::format("{} directions tie for the best within their uncertainty.", ties));
   }
   remark_on_user(model, result, remarks);
   const SweepCandidate* next = runner_up(result.candidates);
-  if (next != nullptr && std::none_of(result.candidates.begin(), result.candidates.end(),
-                                      [](const auto& c) { return c.candidate.from_user(); })) {
+  if (!by_molds && next != nullptr &&
+      std::none_of(result.candidates.begin(), result.candidates.end(),
+                   [](const auto& c) { return c.candidate.from_user(); })) {
     const std::string actions = side_actions_text(model, *next);
     remarks.push_back(fmt::format("The next, number {}, has {} undercut{}.", next->rank,
                                   difference_text(model, best, *next),

@@ -8,10 +8,14 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 #include "mold/direction.hpp"
+#include "mold/direction_words.hpp"
 #include "mold/measure.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/basin_search.hpp"
@@ -21,6 +25,7 @@
 #include "sweep/direction_measurer.hpp"
 #include "sweep/direction_rating.hpp"
 #include "sweep/listing.hpp"
+#include "sweep/mold_ranking.hpp"
 #include "sweep/polish.hpp"
 #include "sweep/proving.hpp"
 #include "sweep/remarks.hpp"
@@ -41,10 +46,14 @@ constexpr std::size_t k_measured_together = 8;
 // seconds.
 constexpr std::size_t k_with_actions_per_listed = 2;
 constexpr std::size_t k_most_polished = 3;
+// Of directions followed to their side actions: in all, and of those found by search.
+constexpr std::size_t k_least_pool = 12, k_least_found = 4;
 
-/// The regions of what is listed are exact, whatever the readout that one's classifications have.
-SweepSettings with_exact_figures(SweepSettings settings) {
+/// The regions of what is listed are exact, whatever the readout that one's classifications have; and what is
+/// proved is the objective.
+SweepSettings settled(SweepSettings settings) {
   settings.method.readout = Readout::exact;
+  if (settings.prove_pct || settings.all_free_pct) settings.rank = SweepRank::objective;
   return settings;
 }
 
@@ -53,32 +62,42 @@ class SweepRun {
   SweepRun(std::shared_ptr<const PartModel> model, const SweepSettings& settings, const Progress& progress,
            const SweepListener& listener)
       : model_(*model),
-        settings_(with_exact_figures(settings)),
+        settings_(settled(settings)),
         clock_(progress, settings.time_limit_s),
         listener_(listener),
         rating_(model_, settings_),
         pools_(std::move(model), settings_),
         measurer_(model_, settings_.method, ScoringPool::threads(settings.jobs), rating_.beside()),
         actions_(model_, settings_.method, settings_.action_settings, ScoringPool::threads(settings.jobs)),
+        molds_(model_, settings_, rating_, clock_, measurer_, actions_),
         limit_(wanted(), settings.apart_deg) {
     validate(settings.method, model_.frame.diagonal);
   }
 
-  SweepResult run() {
+  /// `best_alone`: what cannot be recommended is not looked at.
+  SweepResult run(bool best_alone) {
     result_.settings = settings_;
     result_.engine = pools_.description();
     result_.jobs = ScoringPool::threads(settings_.jobs);
-    score_candidates();
-    refine();
-    keep_contenders();
-    measure_contenders();
-    polish_best();
-    prove();
-    choose();
-    find_side_actions();
-    list();
+    std::vector<Candidate> candidates = candidates_of_the_part();
+    if (settings_.rank == SweepRank::mold) {
+      look_at_named(candidates);
+      if (!best_alone || !molds_.is_free()) look_at_others(candidates, best_alone);
+      list_as_molds();
+    } else {
+      score_candidates(candidates);
+      refine();
+      keep_contenders();
+      measure_contenders();
+      polish_best();
+      prove();
+      choose();
+      find_side_actions();
+      list();
+    }
     measure_axes();
     judge_proofs(result_);
+    recommend();
     result_.remarks = sweep_remarks(model_, result_);
     result_.complete = !clock_.cut_short();
     result_.elapsed_s = clock_.elapsed_s();
@@ -86,21 +105,34 @@ class SweepRun {
   }
 
  private:
-  void score_candidates();
+  [[nodiscard]] std::vector<Candidate> candidates_of_the_part();
+  void score_candidates(std::vector<Candidate>& candidates);
+  void look_at_named(std::vector<Candidate>& candidates);
+  void look_at_others(std::vector<Candidate>& candidates, bool best_alone);
+  void list_as_molds();
+  void recommend();
+  void reset_limit();
   void score_batch(std::span<Candidate> batch, std::size_t before, std::size_t total);
   void refine();
   void tell(const EvaluatedDirection& evaluated);
   void keep_contenders();
   void measure_contenders();
+  void measure_first();
   [[nodiscard]] bool surely_hidden(const Contender& contender) const;
   void measure_batch(std::span<Contender> batch, const std::function<bool()>& stop);
+  [[nodiscard]] bool may_gain(const Contender& found) const;
   [[nodiscard]] Polishing polishing();
   void polish_best();
   [[nodiscard]] std::vector<std::size_t> contenders_to_polish() const;
+  /// Looked at to the end, whatever its score.
+  [[nodiscard]] bool is_named(const Candidate& candidate) const {
+    return candidate.from_user() || (settings_.rank == SweepRank::mold && candidate.canonical);
+  }
   void prove();
   void choose();
   void find_side_actions();
   void list();
+  [[nodiscard]] std::vector<std::optional<TiltMargin>> tilts_of(std::span<const Contender> listed);
   void measure_axes();
   [[nodiscard]] SweepCandidate listed_candidate(const Contender& contender,
                                                 const std::optional<TiltMargin>& tilt);
@@ -122,13 +154,15 @@ class SweepRun {
   ScoringPools pools_;
   DirectionMeasurer measurer_;
   DirectionActionFinder actions_;
+  MoldRanking molds_;
   ListingLimit limit_;           // by scores, then by measured areas
   std::vector<Candidate> axes_;  // of the part
   std::vector<Contender> contenders_;
+  std::vector<Contender> named_;  // by the user or by the part's shape, where directions rank as molds go
   SweepResult result_;
 };
 
-void SweepRun::score_candidates() {
+std::vector<Candidate> SweepRun::candidates_of_the_part() {
   CandidateOptions options;
   options.kinds = settings_.kinds;
   options.uniform_count = static_cast<std::size_t>(settings_.directions);
@@ -145,11 +179,15 @@ void SweepRun::score_candidates() {
     axes_ = axes_of(candidates);
     prepared.get();
   } catch (const Cancelled&) {
-    return;
+    return {};
   }
+  return candidates;
+}
+
+void SweepRun::score_candidates(std::vector<Candidate>& candidates) {
   // Candidates of the part come first and set a low limit for those of the even set.
   for (std::size_t first = 0; first < candidates.size(); first += k_batch) {
-    if (contenders_.empty() ? clock_.cancelled() : clock_.stopped()) break;
+    if (result_.evaluated.empty() ? clock_.cancelled() : clock_.stopped()) break;
     const std::size_t count = std::min(k_batch, candidates.size() - first);
     score_batch(std::span(candidates).subspan(first, count), first, candidates.size());
   }
@@ -160,7 +198,7 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
   const double limit = settings_.thorough ? k_no_limit : listing_limit();
   std::vector<ScoringTask> tasks;
   for (const Candidate& candidate : batch) {
-    tasks.push_back({candidate.direction, candidate.from_user() ? k_no_limit : limit});
+    tasks.push_back({candidate.direction, is_named(candidate) ? k_no_limit : limit});
   }
   const auto evaluated = [&](std::size_t i, const DirectionScore& score) {
     return evaluated_direction(batch[i].direction, batch[i].kind(), score);
@@ -171,7 +209,7 @@ void SweepRun::score_batch(std::span<Candidate> batch, std::size_t before, std::
     if (listener_.evaluated) listener_.evaluated(evaluated(i, score));
   };
   // The first directions are scored even when the time is over already: there is a best one to tell.
-  const bool is_first = contenders_.empty();
+  const bool is_first = result_.evaluated.empty();
   const auto scores = pools_.engine().score(
       tasks, [&] { return is_first ? clock_.cancelled() : clock_.stopped(); }, listener);
   for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -232,7 +270,7 @@ void SweepRun::keep_contenders() {
 /// listed.
 void SweepRun::measure_contenders() {
   std::vector<Contender> open = std::exchange(contenders_, {});
-  limit_ = ListingLimit(wanted(), settings_.apart_deg);
+  reset_limit();
   for (std::size_t first = 0; first < open.size();) {
     clock_.report(sweep_stage::k_measuring, static_cast<double>(first) / static_cast<double>(open.size()));
     const double limit = listing_limit();
@@ -247,7 +285,11 @@ void SweepRun::measure_contenders() {
     }
     measure_batch(batch, [this] { return clock_.stopped(); });
   }
-  // Even when the time is over the best direction so far gets its figures.
+  if (named_.empty()) measure_first();
+}
+
+/// Even when the time is over the best direction so far gets its figures.
+void SweepRun::measure_first() {
   if (!contenders_.empty() && !contenders_.front().measured && !clock_.cancelled()) {
     std::vector<Contender> scored = std::exchange(contenders_, {});
     measure_batch({scored.data(), 1}, [this] { return clock_.cancelled(); });
@@ -268,7 +310,7 @@ void SweepRun::measure_batch(std::span<Contender> batch, const std::function<boo
   const double limit = listing_limit();
   std::vector<ScoringTask> tasks;
   for (const Contender& contender : batch)
-    tasks.push_back({contender.candidate.direction, contender.candidate.from_user() ? k_no_limit : limit});
+    tasks.push_back({contender.candidate.direction, is_named(contender.candidate) ? k_no_limit : limit});
   auto measured = measurer_.measure(tasks, {}, clock_.until_cancelled(), stop);
   const bool stopped = stop();
   for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -288,13 +330,16 @@ void SweepRun::measure_batch(std::span<Contender> batch, const std::function<boo
 
 /// Of the best those that lie apart.
 std::vector<std::size_t> SweepRun::contenders_to_polish() const {
-  const std::size_t most = std::min(k_most_polished, static_cast<std::size_t>(settings_.refine));
+  const bool by_molds = settings_.rank == SweepRank::mold;
+  const std::size_t most =
+      std::min(by_molds ? std::size_t{1} : k_most_polished, static_cast<std::size_t>(settings_.refine));
   std::vector<std::size_t> chosen;
   double limit = k_no_limit;
   for (const std::size_t i : contender_order()) {
     if (chosen.size() == most) break;
     const Contender& contender = contenders_[i];
     if (!contender.measured || contender.figures.value > limit) continue;
+    if (by_molds && !may_gain(contender)) continue;
     const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
       return line_angle_deg(contenders_[other].candidate.direction, contender.candidate.direction) >
              settings_.apart_deg;
@@ -306,6 +351,14 @@ std::vector<std::size_t> SweepRun::contenders_to_polish() const {
     chosen.push_back(i);
   }
   return chosen;
+}
+
+/// Less undercut than all that the shape names, by more than it is worth to leave that.
+bool SweepRun::may_gain(const Contender& found) const {
+  const double worth = 0.01 * settings_.worth_pct * model_.geometry.total_area;
+  return std::ranges::none_of(named_, [&](const Contender& each) {
+    return each.measured && each.figures.undercut <= found.figures.undercut + worth;
+  });
 }
 
 Polishing SweepRun::polishing() {
@@ -340,10 +393,12 @@ SweepCandidate SweepRun::listed_candidate(const Contender& contender, const std:
   listed.measured = contender.measured != nullptr;
   listed.tilt = tilt;
   listed.actions = contender.actions;
+  listed.beside = contender.beside;
   Classification& classification = listed.classification;
   if (listed.measured) {
     classification = contender.measured->classification;
     listed.undercuts = contender.measured->undercuts;
+    listed.line = contender.measured->parting;
   } else {
     classification = rating_.classification(contender.candidate.direction, contender.score);
     classification.near_vertical_area =
@@ -383,7 +438,7 @@ void SweepRun::find_side_actions() {
   std::mutex mutex;
   std::size_t done = 0;
   const auto found = actions_.find(
-      directions, clock_.until_cancelled(), [this] { return clock_.stopped(); },
+      directions, {}, clock_.until_cancelled(), [this] { return clock_.stopped(); },
       [&] {
         const std::lock_guard lock(mutex);
         clock_.report(sweep_stage::k_actions,
@@ -420,14 +475,7 @@ void SweepRun::list() {
     for (RankedFigures& each : figures) each.patches = 0.0;
   }
   const Ranking ranking = rating_.rank(figures);
-  std::vector<glm::dvec3> directions;
-  for (const Contender& contender : listed) directions.push_back(contender.candidate.direction);
-  const std::vector<std::optional<TiltMargin>> tilts =
-      tilt_margins({.pools = pools_,
-                    .clock = clock_,
-                    .growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area,
-                    .jobs = result_.jobs},
-                   directions);
+  const std::vector<std::optional<TiltMargin>> tilts = tilts_of(listed);
   for (const std::size_t i : ranking.order) {
     SweepCandidate candidate = listed_candidate(listed[i], tilts[i]);
     candidate.rank = result_.candidates.size() + 1;
@@ -436,6 +484,96 @@ void SweepRun::list() {
     result_.candidates.push_back(std::move(candidate));
   }
   mark_ties(result_.candidates);
+}
+
+std::vector<std::optional<TiltMargin>> SweepRun::tilts_of(std::span<const Contender> listed) {
+  std::vector<glm::dvec3> directions;
+  for (const Contender& contender : listed) directions.push_back(contender.candidate.direction);
+  return tilt_margins({.pools = pools_,
+                       .clock = clock_,
+                       .growth = settings_.tilt_growth_pct * 0.01 * model_.geometry.total_area,
+                       .jobs = result_.jobs},
+                      directions);
+}
+
+/// Directions that the part's shape names are followed to their side actions, whatever their undercut.
+void SweepRun::look_at_named(std::vector<Candidate>& candidates) {
+  const auto others = std::stable_partition(candidates.begin(), candidates.end(),
+                                            [this](const Candidate& each) { return is_named(each); });
+  std::vector<Candidate> named(std::make_move_iterator(candidates.begin()), std::make_move_iterator(others));
+  candidates.erase(candidates.begin(), others);
+  score_candidates(named);
+  std::vector<Contender> open = std::exchange(contenders_, {});
+  std::ranges::stable_sort(open, {}, [](const Contender& c) { return c.figures.undercut; });
+  clock_.report(sweep_stage::k_measuring, 0.0);
+  measure_batch(open, [this] { return clock_.stopped(); });
+  measure_first();
+  // What is likely to need nothing comes first.
+  std::ranges::stable_sort(contenders_, {}, [](const Contender& c) { return c.figures.undercut; });
+  molds_.find_costs(contenders_);
+  named_ = std::exchange(contenders_, {});
+}
+
+/// Of the others those found by search, and what has least undercut.
+void SweepRun::look_at_others(std::vector<Candidate>& candidates, bool best_alone) {
+  reset_limit();
+  score_candidates(candidates);
+  // Search begins from those that are named, too.
+  contenders_.insert(contenders_.end(), named_.begin(), named_.end());
+  if (!molds_.is_free()) refine();
+  std::erase_if(contenders_, [this](const Contender& contender) { return is_named(contender.candidate); });
+  keep_contenders();
+  measure_contenders();
+  if (!molds_.is_free()) polish_best();
+  const std::size_t most = best_alone
+                               ? std::max(k_least_found, k_least_pool - std::min(k_least_pool, named_.size()))
+                               : std::max(k_least_pool, top());
+  contenders_ = contenders_to_list(rating_, contenders_, contender_order(),
+                                   {.most = most, .apart_deg = settings_.apart_deg});
+  molds_.find_costs(contenders_);
+  // What was given up by what its actions form may yet weigh less than one found by search.
+  if (molds_.found_leads(named_, contenders_)) molds_.find_costs(named_, true);
+}
+
+void SweepRun::list_as_molds() {
+  contenders_.insert(contenders_.begin(), named_.begin(), named_.end());
+  if (clock_.stopped() && !clock_.cancelled())
+    std::erase_if(contenders_, [](const Contender& contender) { return !contender.measured; });
+  MoldRanking::Listed listed = molds_.listed(std::move(contenders_));
+  complete(listed.contenders);
+  std::vector<RankedFigures> figures;
+  for (const Contender& contender : listed.contenders) figures.push_back(contender.figures);
+  const Ranking pareto = rating_.rank(figures);
+  const std::vector<std::optional<TiltMargin>> tilts = tilts_of(listed.contenders);
+  for (std::size_t k = 0; k < listed.contenders.size(); ++k) {
+    SweepCandidate candidate = listed_candidate(listed.contenders[k], tilts[k]);
+    candidate.rank = k + 1;
+    candidate.tie_group = k == 0 ? 1 : result_.candidates.back().tie_group + (listed.ties[k] ? 0 : 1);
+    candidate.pareto = pareto.pareto[k];
+    candidate.rank_reasons = std::move(listed.reasons[k]);
+    if (candidate.actions) ++result_.with_actions;
+    result_.candidates.push_back(std::move(candidate));
+  }
+  mark_ties(result_.candidates);
+}
+
+void SweepRun::recommend() {
+  if (settings_.rank != SweepRank::mold || result_.candidates.empty() || clock_.cancelled()) return;
+  try {
+    result_.recommended =
+        recommendation(model_, settings_.method, result_.candidates, clock_.until_cancelled());
+    result_.recommended->provisional = clock_.cut_short();
+  } catch (const Cancelled&) {
+  }
+}
+
+/// Those that are named have figures and count from the beginning.
+void SweepRun::reset_limit() {
+  limit_ = ListingLimit(wanted(), settings_.apart_deg);
+  for (const Contender& each : named_) {
+    if (each.measured)
+      limit_.add(each.candidate.direction, each.figures.undercut + each.figures.undercut_uncertainty);
+  }
 }
 
 /// Those that listed directions lean from by less than the required draft.
@@ -479,17 +617,25 @@ void SweepRun::complete(std::vector<Contender>& listed) {
 
 SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
                       const Progress& progress, const SweepListener& listener) {
-  return SweepRun(std::move(model), settings, progress, listener).run();
+  return SweepRun(std::move(model), settings, progress, listener).run(false);
 }
 
-glm::dvec3 best_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
-                          const Progress& progress) {
+BestDirection best_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
+                             const Progress& progress) {
   SweepSettings settings;
   settings.method = method;
-  const SweepResult result = run_sweep(model, settings, progress, {});
+  const SweepResult result = SweepRun(model, settings, progress, {}).run(true);
   if (progress.cancelled()) throw Cancelled();
-  CHECK(!result.candidates.empty());
-  return result.candidates.front().candidate.direction;
+  CHECK(result.recommended);
+  const glm::dvec3& direction = result.recommended->direction;
+  const NearestAxis nearest = nearest_axis(direction);
+  BestDirection best{.direction = direction, .why = result.recommended->why, .off_axis = {}};
+  if (!nearest.is_met()) {
+    best.off_axis_deg = nearest.angle_deg;
+    best.off_axis = fmt::format("the best direction is no axis of the file: {}, {} from {}",
+                                direction_text(direction), angle_text(nearest.angle_deg), nearest.name);
+  }
+  return best;
 }
 
 }  // namespace moldlight

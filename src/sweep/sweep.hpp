@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
@@ -24,9 +25,15 @@ struct SweepListener {
 [[nodiscard]] SweepResult run_sweep(std::shared_ptr<const PartModel> model, const SweepSettings& settings,
                                     const Progress& progress, const SweepListener& listener);
 
-/// The first of the directions that a sweep with the usual settings finds for this method. Throws as
-/// run_sweep() does.
-[[nodiscard]] glm::dvec3 best_direction(const std::shared_ptr<const PartModel>& model,
-                                        const MethodSettings& method, const Progress& progress);
+/// What a sweep with the usual settings recommends for a method.
+struct BestDirection {
+  glm::dvec3 direction{0, 0, 1};  // unit; the core is on its side
+  std::string why;
+  double off_axis_deg = 0.0;  // from the nearest axis of the file; 0 for an axis
+  std::string off_axis;       // that it is none, for the user; empty for an axis
+};
+/// Looks at no more than that takes. Throws as run_sweep() does.
+[[nodiscard]] BestDirection best_direction(const std::shared_ptr<const PartModel>& model,
+                                           const MethodSettings& method, const Progress& progress);
 
 }  // namespace moldlight

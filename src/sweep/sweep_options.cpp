@@ -102,8 +102,19 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "undercut:1,draw-depth:0.1. Side actions and their travel are found for twice as many directions as "
        "are listed, those of the least undercut.",
        TextKind<S>{"LIST", [](const S& s) { return s.objective.text; },
-                   [](S& s, std::string_view text) { s.objective = parse_objective(text); },
+                   [](S& s, std::string_view text) {
+                     s.objective = parse_objective(text);
+                     s.rank = SweepRank::objective;
+                   },
                    objective_names()}},
+      {"rank", "--rank", "Rank", "",
+       "Rank as a mold maker does, by what nothing releases, side actions, parting line, draft, undercut and "
+       "depth, in this order, or by the objective alone, which is what naming one or a proof asks for.",
+       choice<&S::rank>({"mold", "objective"})},
+      {"worth_pct", "--worth", "Worth leaving an axis", "% of the part's area",
+       "A direction found by search within 10 degrees of one that the part's shape names must save so much "
+       "undercut, or side actions, to be listed in its place.",
+       RealKind<S>{&S::worth_pct, 0.0, 100.0, 0.1}},
       {"candidates", "--candidates", "Candidates", "",
        "Sources of candidate directions, separated by commas, or all or none.",
        SetKind<S>{names_of(all_candidate_kinds()), [](const S& s) { return names_of(s.kinds); },

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "classify/figures.hpp"
 #include "io/png.hpp"
+#include "mold/direction_words.hpp"
 #include "picture/contact_sheet.hpp"
 #include "picture/direction_sphere.hpp"
 #include "sweep/direction_figures.hpp"
@@ -104,7 +105,7 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
 ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate) {
   ContactTile tile;
   tile.number = fmt::format("{}", candidate.rank);
-  tile.heading = fmt::format("along {}", with_minus(direction_text(candidate.classification.direction)));
+  tile.heading = fmt::format("along {}", with_minus(direction_words(candidate.classification.direction)));
   if (!candidate.tie.empty()) tile.remark = fmt::format("tie {}", candidate.tie);
   for (const std::string_view key : k_tile_figures) {
     tile.figures.push_back(

@@ -11,6 +11,7 @@
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
 #include "io/atomic_file.hpp"
+#include "mold/direction_words.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_texts.hpp"
 
@@ -45,11 +46,38 @@ Json axis_json(const PartModel& model, const SweepCandidate& candidate) {
           {"reverse_draft", candidate.axis->classification.reverse_draft.area}};
 }
 
+Json beside_json(const std::optional<BesideDirection>& beside) {
+  if (!beside) return {};
+  Json json = {{"direction", vector_json(beside->direction)},
+               {"name", beside->name},
+               {"angle_deg", beside->angle_deg},
+               {"undercut", beside->undercut},
+               {"actions", nullptr},
+               {"side_actions", nullptr},
+               {"outer_climb", beside->climb ? Json(*beside->climb) : Json()}};
+  if (beside->actions) {
+    json["actions"] = beside->actions->text();
+    json["side_actions"] = beside->actions->weight;
+  }
+  return json;
+}
+
+Json recommended_json(const SweepResult& result) {
+  if (!result.recommended) return {};
+  const Recommendation& recommended = *result.recommended;
+  return {{"direction", vector_json(recommended.direction)},
+          {"name", recommended.name},
+          {"why", recommended.why},
+          {"beside", beside_json(recommended.beside)},
+          {"provisional", recommended.provisional}};
+}
+
 Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   // One spelling of a classification: what the sweep says of a direction is taken from what classify says.
   const Json classified = classify_json(model, candidate.classification);
   const auto if_measured = [&](Json value) { return candidate.measured ? value : Json(); };
   const bool leans_somewhere = candidate.tilt && !candidate.tilt->at_least();
+  const std::optional<Canonical>& canonical = candidate.candidate.canonical;
   Json sources = Json::array();
   for (const CandidateSource& source : candidate.candidate.sources) {
     sources.push_back(
@@ -58,6 +86,10 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
   Json json = {{"rank", candidate.rank},
                {"tie_group", candidate.tie_group},
                {"direction", classified["direction"]},
+               {"name", direction_words(candidate.classification.direction)},
+               {"canonical", canonical ? Json(canonical->name) : Json()},
+               {"rank_reasons", candidate.rank_reasons},
+               {"beside", beside_json(candidate.beside)},
                {"sources", sources},
                {"measured", candidate.measured},
                {"areas", classified["areas"]},
@@ -145,19 +177,21 @@ std::string candidate_table(const PartModel& model, const SweepResult& result, T
   std::vector<std::string> head = {"#", "tie", "direction"};
   const std::size_t before_figures = head.size();
   for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
-  if (wide) head.insert(head.end(), {"Pareto", "why"});
+  if (wide) head.insert(head.end(), {"Pareto", "vector", "why"});
   std::vector<bool> left(head.size(), false);
-  left[1] = true;
+  left[1] = left[2] = true;
   for (std::size_t k = 0; k < columns.size(); ++k)
     left[before_figures + k] = columns[k]->kind == FigureKind::actions;
   left.back() = left.back() || wide;
   table.add(std::move(head));
   for (const SweepCandidate& candidate : result.candidates) {
     std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,
-                                    direction_text(candidate.classification.direction, wide ? 5 : 3)};
+                                    direction_words(candidate.classification.direction)};
     for (const DirectionFigure* column : columns)
       row.push_back(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
-    if (wide) row.insert(row.end(), {candidate.pareto ? "*" : "", reasons_text(candidate.candidate)});
+    if (wide)
+      row.insert(row.end(), {candidate.pareto ? "*" : "", direction_text(candidate.classification.direction),
+                             reasons_text(candidate.candidate)});
     table.add(std::move(row));
   }
   return table.text(left);
@@ -170,10 +204,15 @@ Json sweep_json(const PartModel& model, const SweepResult& result) {
   for (const SweepCandidate& candidate : result.candidates) {
     candidates.push_back(candidate_json(model, candidate));
   }
-  Json json = {{"schema", "moldlight.sweep/2"},     {"part", part_json(model, model.warnings)},
-               {"settings", settings_json(result)}, {"evaluated", result.evaluated.size()},
-               {"skipped", result.skipped},         {"complete", result.complete},
-               {"elapsed_s", result.elapsed_s},     {"remarks", result.remarks},
+  Json json = {{"schema", "moldlight.sweep/3"},
+               {"part", part_json(model, model.warnings)},
+               {"settings", settings_json(result)},
+               {"evaluated", result.evaluated.size()},
+               {"skipped", result.skipped},
+               {"complete", result.complete},
+               {"elapsed_s", result.elapsed_s},
+               {"remarks", result.remarks},
+               {"recommended", recommended_json(result)},
                {"candidates", candidates}};
   if (result.proof) json["proof"] = proof_json(*result.proof, false);
   if (result.all_free) json["all_free"] = proof_json(*result.all_free, true);

@@ -11,7 +11,7 @@
 
 namespace moldlight {
 
-/// Schema `moldlight.sweep/2`. Lengths and areas are in the part's unit, angles in degrees. A candidate's
+/// Schema `moldlight.sweep/3`. Lengths and areas are in the part's unit, angles in degrees. A candidate's
 /// figures are those of classify_json() under the same keys. Only `elapsed_s` differs from run to run, and
 /// nothing with the number of threads.
 [[nodiscard]] nlohmann::ordered_json sweep_json(const PartModel& model, const SweepResult& result);

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "classify/classification.hpp"
+#include "parting/line_figures.hpp"
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/direction_actions.hpp"
 #include "sweep/sweep_proof.hpp"
@@ -41,6 +42,17 @@ struct AxisBeside {
   Classification classification;  // facet fractions are dropped
 };
 
+/// The direction that a listed one stands for, or that stands for it where it is not worth it: within 10
+/// degrees of each other, one canonical and one found by search.
+struct BesideDirection {
+  glm::dvec3 direction{0, 0, 1};  // unit, on the side of the direction listed
+  std::string name = {};
+  double angle_deg = 0.0;
+  double undercut = 0.0;                         // area
+  std::optional<DirectionActions> actions = {};  // where they were found
+  std::optional<double> climb = {};              // of the outer parting line, where it was found
+};
+
 struct SweepCandidate {
   std::size_t rank = 0;       // 1 is best
   std::size_t tie_group = 0;  // 1 is the best direction's
@@ -53,9 +65,21 @@ struct SweepCandidate {
   std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known
   std::optional<UndercutTotals> undercuts;     // empty where it was not measured, or the sweep ended before
   std::optional<DirectionActions> actions;     // empty where they were not looked for
+  std::optional<LineFigures> line;             // of the parting line; empty where it was not looked for
   std::optional<TiltMargin> tilt;              // empty where the sweep ended before
   std::optional<AxisBeside> axis;              // where there is one beside it, and time was left
   bool pareto = false;
+  std::vector<std::string> rank_reasons;  // what speaks against it beside the one before, by rank as molds go
+  std::optional<BesideDirection> beside;
+};
+
+/// What a mold maker would take.
+struct Recommendation {
+  glm::dvec3 direction{0, 0, 1};  // unit; the core is on its side
+  std::string name = {};          // the canonical one, else in words
+  std::string why = {};
+  std::optional<BesideDirection> beside = {};
+  bool provisional = false;  // made before all was found
 };
 
 struct SweepResult {
@@ -67,10 +91,11 @@ struct SweepResult {
   std::size_t skipped = 0;  // candidates that could not get into the list and were not looked at closer
   bool complete = true;
   double elapsed_s = 0.0;
-  std::vector<SweepCandidate> candidates;  // best first
-  std::optional<SweepProof> proof;         // that nothing is better than the best, where it was asked for
-  std::optional<SweepProof> all_free;      // of all directions that are as good as was asked for
-  std::vector<std::string> remarks;        // for the user
+  std::vector<SweepCandidate> candidates;     // best first
+  std::optional<Recommendation> recommended;  // where directions are ranked as molds go
+  std::optional<SweepProof> proof;            // that nothing is better than the best, where it was asked for
+  std::optional<SweepProof> all_free;         // of all directions that are as good as was asked for
+  std::vector<std::string> remarks;           // for the user
 };
 
 }  // namespace moldlight

@@ -19,6 +19,9 @@ namespace moldlight {
 /// processor, or by shadow maps on the GL, in batches.
 enum class SweepEngine : std::uint8_t { rays, gl };
 
+/// What directions are listed by: as a mold maker weighs them (sweep/mold_rank), or by the objective.
+enum class SweepRank : std::uint8_t { mold, objective };
+
 /// What a proof counts: the samples that score directions, or the surface itself, in pieces of facets.
 enum class ProofGrade : std::uint8_t { samples, area };
 
@@ -54,6 +57,10 @@ struct SweepSettings {
   bool actions = false;  // find the side actions of what is listed, also where the objective needs none
   ActionSettings action_settings = {};
   double pressure = 0.0;  // cavity pressure for the clamp force, force per area unit of the part; 0: none
+  SweepRank rank = SweepRank::mold;
+  /// By which a direction found by search must beat a canonical one beside it, per cent of the part's area in
+  /// undercut, [0, 100].
+  double worth_pct = 0.5;
   Objective objective = parse_objective("undercut");
   /// Prove that no direction has less than the best by more than this, per cent of the part's area, [0, 100].
   std::optional<double> prove_pct = {};

@@ -43,6 +43,21 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
                      FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
 }
 
+std::string mold_text(const PartModel& model, const SweepCandidate& candidate) {
+  constexpr double k_planar_share = 1e-4;  // of the diagonal
+  std::string text;
+  if (candidate.actions)
+    text = candidate.actions->weight > 0.0 || candidate.actions->totals.unreleased_area > 0.0
+               ? side_actions_text(model, candidate)
+               : "no side action";
+  if (!candidate.line) return text;
+  const double climb = candidate.line->outer_climb;
+  return text + (text.empty() ? "" : ", ") +
+         (climb <= k_planar_share * model.frame.diagonal
+              ? "planar parting line"
+              : fmt::format("parting line climbs {:.3g} {}", climb, length_unit(model.part)));
+}
+
 double undercut_area(const SweepCandidate& candidate) {
   return candidate.classification.areas[Region::undercut];
 }

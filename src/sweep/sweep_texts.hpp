@@ -20,6 +20,10 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 /// "2 slides, 1 lifter; 12.3 mm² left"; empty where side actions were not looked for.
 [[nodiscard]] std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate);
 
+/// "1 slide, planar parting line", "no side action, parting line climbs 14 mm": what a mold along it is like,
+/// as far as it is known.
+[[nodiscard]] std::string mold_text(const PartModel& model, const SweepCandidate& candidate);
+
 [[nodiscard]] double undercut_area(const SweepCandidate& candidate);
 
 }  // namespace moldlight

@@ -35,11 +35,14 @@ class SmallPart {
     return arguments;
   }
 
-  /// Arguments of a quick sweep, and more.
+  /// Arguments of a quick sweep by undercut, and more.
   [[nodiscard]] std::vector<std::string> sweep(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {
-        "sweep",     file(),  "--directions", "60",  "--refine",          "2",    "--top",     "4",
-        "--samples", "20000", "--resolution", "256", "--scoring-samples", "2000", "--backend", "osmesa"};
+    std::vector<std::string> arguments = {"sweep",        file(),      "--directions",
+                                          "60",           "--refine",  "2",
+                                          "--top",        "4",         "--rank",
+                                          "objective",    "--samples", "20000",
+                                          "--resolution", "256",       "--scoring-samples",
+                                          "2000",         "--backend", "osmesa"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }

@@ -71,9 +71,10 @@ TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
 TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
   const SmallPart part;
   const Json json = sweep_of(part.sweep({"--json", "-", "--pressure", "30"}));
-  EXPECT_EQ(json["schema"], "moldlight.sweep/2");
+  EXPECT_EQ(json["schema"], "moldlight.sweep/3");
   EXPECT_EQ(keys(json), (Names{"schema", "part", "settings", "evaluated", "skipped", "complete", "elapsed_s",
-                               "remarks", "candidates", "verdict"}));
+                               "remarks", "recommended", "candidates", "verdict"}));
+  EXPECT_TRUE(json["recommended"].is_null()) << "not by an objective";
   EXPECT_EQ(json["complete"], true);
   EXPECT_GT(json["evaluated"].get<int>(), 60);
   ASSERT_GE(json["candidates"].size(), 2u);
@@ -105,6 +106,27 @@ TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
   EXPECT_DOUBLE_EQ(best["clamp_force"].get<double>(), 30.0 * best["projected_area"].get<double>());
   EXPECT_EQ(best["sources"][0]["kind"], "axis");
   EXPECT_FALSE(json["settings"].contains("jobs")) << "the report does not depend on it";
+}
+
+TEST(SweepCommand, RecommendsAsAMoldMakerRanks) {
+  const SmallPart part;
+  const Json json = sweep_of(with(part.sweep({"--json", "-"}), "--rank", "mold"));
+  const Json& recommended = json["recommended"];
+  EXPECT_EQ(keys(recommended), (Names{"direction", "name", "why", "beside", "provisional"}));
+  EXPECT_EQ(recommended["name"], "z") << "the cup opens upwards";
+  EXPECT_EQ(recommended["direction"], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(recommended["provisional"], false);
+  EXPECT_NE(recommended["why"].get<std::string>().find("the core is on the side of z"), std::string::npos);
+  const Json& candidates = json["candidates"];
+  ASSERT_GE(candidates.size(), 2U);
+  EXPECT_EQ(candidates[0]["canonical"], "z");
+  EXPECT_EQ(candidates[0]["name"], "z");
+  EXPECT_TRUE(candidates[0]["rank_reasons"].empty());
+  EXPECT_FALSE(candidates[1]["rank_reasons"].empty());
+  const auto classified = run_moldlight(part.sweep({"--objective", "undercut", "--json", "-"}));
+  EXPECT_TRUE(json_of(classified.out)["recommended"].is_null()) << "who names an objective ranks by it";
+  const std::string table = run_moldlight(with(part.sweep(), "--rank", "mold")).out;
+  EXPECT_NE(table.find("Recommended: z; "), std::string::npos) << table;
 }
 
 /// The figures of a sweep's candidates against classify, called with `classify` and its direction changed.

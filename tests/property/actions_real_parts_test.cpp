@@ -106,6 +106,7 @@ TEST(RealParts, UndercutsAreCountedAlikeWithAndWithoutSideActions) {
     SweepSettings settings;
     settings.directions = 20;
     settings.refine = 0;
+    settings.rank = SweepRank::objective;
     settings.top = 2;
     settings.user_directions = {{0.3, 0.5, 0.8}};
     const SweepResult result = run_sweep(model, settings, Progress(), {});

@@ -58,6 +58,7 @@ void expect_pull_is_best(const std::filesystem::path& file, const glm::dvec3& di
   SweepSettings settings;
   settings.directions = 100;
   settings.refine = 2;
+  settings.rank = SweepRank::objective;
   settings.top = 4;
   const SweepResult result = run_sweep(model, settings, Progress{}, {});
   const Query query{rotation * direction, settings.method};

@@ -34,6 +34,7 @@ void expect_nothing_better(const std::filesystem::path& file) {
   const auto model = load_part(file.string(), {}, Progress{});
   if (!model->health.closed) return;
   SweepSettings settings;
+  settings.rank = SweepRank::objective;
   settings.top = 3;
   const SweepResult sweep = run_sweep(model, settings, Progress{}, {});
   const Classification& best = sweep.candidates.front().classification;

@@ -22,6 +22,7 @@ class SweepEndedEarly : public testing::Test {
     settings_.directions = 60;
     settings_.refine = 1;
     settings_.top = 4;
+    settings_.rank = SweepRank::objective;
   }
 
   /// Cancelled when it reports this stage for the `times`th time.

@@ -26,6 +26,7 @@ SweepSettings quick_settings() {
   SweepSettings settings;
   settings.directions = 200;
   settings.refine = 3;
+  settings.rank = SweepRank::objective;
   settings.top = 4;
   return settings;
 }

@@ -83,7 +83,7 @@ RevisionComparer::Compared RevisionComparer::compare(const Comparing& wanted, st
   ComparedQuery query{wanted.query.direction, wanted.query.direction, wanted.query.method};
   if (wanted.settings.each_best) {
     if (!best || best->b != b || best->method != query.method)
-      best = Best{b, query.method, best_direction(b, query.method, progress)};
+      best = Best{b, query.method, best_direction(b, query.method, progress).direction};
     progress.report("comparing", 0.0);  // a sweep that is cancelled has a result
     query.fresh = best->direction;
   }

@@ -8,13 +8,21 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
+#include "mold/direction_words.hpp"
 
 namespace moldlight {
 namespace {
 
 bool more_exact(const Candidate& a, const Candidate& b) {
   const CandidateSource &first = a.sources.front(), &second = b.sources.front();
+  if (a.from_user() != b.from_user()) return a.from_user();
+  if (a.canonical.has_value() != b.canonical.has_value()) return a.canonical.has_value();
   return first.kind != second.kind ? first.kind < second.kind : first.share > second.share;
+}
+
+bool are_one(const Candidate& kept, const Candidate& candidate, double tolerance_deg) {
+  const bool given = kept.from_user() && candidate.canonical;
+  return line_angle_deg(kept.direction, candidate.direction) <= (given ? k_on_axis_deg : tolerance_deg);
 }
 
 }  // namespace
@@ -44,11 +52,16 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
   std::size_t others = 0;
   for (Candidate& candidate : candidates) {
     const auto end = merged.begin() + static_cast<std::ptrdiff_t>(others);
-    const auto same = std::find_if(merged.begin(), end, [&](const Candidate& kept) {
-      return line_angle_deg(kept.direction, candidate.direction) <= tolerance_deg;
-    });
+    const auto same = std::find_if(
+        merged.begin(), end, [&](const Candidate& kept) { return are_one(kept, candidate, tolerance_deg); });
     if (same != end) {
-      same->sources.insert(same->sources.end(), candidate.sources.begin(), candidate.sources.end());
+      if (!same->canonical) same->canonical = candidate.canonical;
+      for (CandidateSource& source : candidate.sources) {
+        const bool told = std::ranges::any_of(same->sources, [&](const CandidateSource& other) {
+          return other.kind == source.kind && other.reason == source.reason;
+        });
+        if (!told) same->sources.push_back(std::move(source));
+      }
       continue;
     }
     const bool is_uniform = candidate.kind() == CandidateKind::uniform;

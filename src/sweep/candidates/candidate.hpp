@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,11 +40,18 @@ struct CandidateSource {
   double share = 0.0;  // of the surface that speaks for the direction, [0, 1]; 0 where that means nothing
 };
 
+/// What makes a direction canonical: one that the shape of the part names.
+struct Canonical {
+  std::string name;    // "z", "normal of the largest plane, 38 % of the surface"
+  double share = 0.0;  // of the surface that speaks for it, [0, 1]
+};
+
 struct Candidate {
   /// Unit. On the half-sphere of half_sphere(); only directions given by the user keep the sense they came
   /// in.
   glm::dvec3 direction{0, 0, 1};
   std::vector<CandidateSource> sources;  // at least one, by kind
+  std::optional<Canonical> canonical = {};
 
   [[nodiscard]] CandidateKind kind() const { return sources.front().kind; }
   [[nodiscard]] bool from_user() const { return kind() == CandidateKind::user; }
@@ -52,7 +60,8 @@ struct Candidate {
 };
 
 /// One candidate for each set of directions within `tolerance_deg` of the most exact of them, counting d and
-/// -d once; it has all their sources. Ordered by kind, then by share, then as they came.
+/// -d once; it has all their sources. Ordered by kind, then by share, then as they came. The user's comes
+/// first, then what is canonical; a canonical one is merged with the user's only where they are the same.
 [[nodiscard]] std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates,
                                                       double tolerance_deg);
 

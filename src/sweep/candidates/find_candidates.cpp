@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sweep/candidates/candidate_sources.hpp"
+#include "sweep/candidates/canonical.hpp"
 
 namespace moldlight {
 
@@ -39,6 +40,11 @@ std::vector<Candidate> find_candidates(const PartModel& model, const CandidateOp
   };
 
   std::vector<Candidate> all = user_candidates(options.user);
+  if (has_area) {
+    std::ranges::copy_if(canonical_candidates(model), std::back_inserter(all), [&](const Candidate& each) {
+      return std::ranges::find(options.kinds, each.kind()) != options.kinds.end();
+    });
+  }
   for (std::size_t i = 0; i < options.kinds.size(); ++i) {
     progress.report("candidates", static_cast<double>(i) / static_cast<double>(options.kinds.size()));
     std::vector<Candidate> found = ask(options.kinds[i]);

@@ -37,6 +37,7 @@ glm::dvec3 leaning(double degrees) {
 TEST(AxisBeside, IsListedWithItsFigures) {
   const auto model = test::model_of(tilted_block());
   SweepSettings settings;
+  settings.rank = SweepRank::objective;
   settings.directions = 100;
   settings.user_directions = {leaning(0.6)};
   const SweepResult result = run_sweep(model, settings, Progress{}, {});

@@ -160,6 +160,8 @@ TEST(Objective, SaysWhetherItNeedsSideActions) {
   EXPECT_TRUE(needs_actions(parse_objective("undercut:1,side-actions:0.1")));
   EXPECT_TRUE(needs_actions(parse_objective("travel")));
   SweepSettings settings;
+  EXPECT_TRUE(seeks_actions(settings)) << "as molds go";
+  settings.rank = SweepRank::objective;
   EXPECT_FALSE(seeks_actions(settings));
   settings.actions = true;
   EXPECT_TRUE(seeks_actions(settings));

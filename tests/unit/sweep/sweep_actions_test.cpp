@@ -78,6 +78,7 @@ SweepSettings of_axes() {
   SweepSettings settings;
   settings.kinds = {CandidateKind::axis};
   settings.refine = 0;
+  settings.rank = SweepRank::objective;
   settings.top = 3;
   return settings;
 }

@@ -1,0 +1,73 @@
+#include "actions/least_weight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "actions/action_kind.hpp"
+#include "mesh/union_find.hpp"
+#include "mold/map_frame.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// How a patch lies about its centre.
+struct Spread {
+  double radius = 0.0;    // of the ball around it
+  bool is_round = false;  // it goes all the way round the direction through its centre
+};
+
+Spread spread(const SplitMesh& split, const Undercut& patch, const glm::dvec3& direction) {
+  constexpr double k_least_hole = 0.2;  // of the greatest distance
+  const MapFrame frame = map_frame(direction);
+  Spread found;
+  unsigned quarters = 0;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
+  for (const std::uint32_t piece : patch.pieces) {
+    for (const VertexIndex corner : split.pieces[piece].corners) {
+      const glm::dvec3 off = split.vertices[corner] - patch.centre;
+      found.radius = std::max(found.radius, glm::length(off));
+      const double x = glm::dot(off, frame.x), y = glm::dot(off, frame.y), across = std::hypot(x, y);
+      nearest = std::min(nearest, across);
+      farthest = std::max(farthest, across);
+      quarters |= 1U << ((x > 0.0 ? 1U : 0U) + (y > 0.0 ? 2U : 0U));
+    }
+  }
+  found.is_round = quarters == 15U && nearest > k_least_hole * farthest;
+  return found;
+}
+
+}  // namespace
+
+double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
+                    const glm::dvec3& direction, const ActionSettings& settings) {
+  const std::vector<Undercut>& patches = undercuts.patches;
+  const double reach =
+      std::hypot(settings.bundle_across_mm, settings.bundle_along_mm) * unit_per_mm(model.part);
+  std::vector<Spread> spreads;
+  for (const Undercut& patch : patches) spreads.push_back(spread(split, patch, direction));
+  UnionFind near(patches.size());
+  for (std::uint32_t b = 0; b < patches.size(); ++b) {
+    for (std::uint32_t a = 0; a < b; ++a) {
+      const double gap =
+          glm::distance(patches[a].centre, patches[b].centre) - spreads[a].radius - spreads[b].radius;
+      if (gap <= reach) near.join(a, b);
+    }
+  }
+  std::vector<double> weights(patches.size(), 0.0);  // of groups, at their first patches
+  for (std::uint32_t k = 0; k < patches.size(); ++k) {
+    const double own = facts(spreads[k].is_round ? ActionKind::strip : ActionKind::slide).weight;
+    double& weight = weights[near.find(k)];
+    weight = weight > 0.0 ? std::min(weight, own) : own;
+  }
+  double sum = 0.0;
+  for (const double weight : weights) sum += weight;
+  return sum;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,15 @@
+// What a part's undercuts ask for at the very least, told without looking for side actions.
+#pragma once
+
+#include "actions/action_settings.hpp"
+#include "actions/undercut.hpp"
+
+namespace moldlight {
+
+/// What the side actions of a direction weigh at least. Undercuts are put together that one slide might form,
+/// with what may lie between them: each such group needs an action of its own. That is a slide, the lightest,
+/// but for what goes all the way round, from which the part may be stripped.
+[[nodiscard]] double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
+                                  const glm::dvec3& direction, const ActionSettings& settings);
+
+}  // namespace moldlight

@@ -1,0 +1,137 @@
+#include "sweep/candidates/canonical.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/faces.hpp"
+#include "sweep/candidates/candidate_sources.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_group_deg = 0.1;     // lines of one group
+constexpr double k_flat_deg = 0.05;     // normals of a plane from their mean
+constexpr double k_on_file_deg = 0.02;  // a group that an axis of the file stands for
+constexpr double k_least_share = 0.01;  // of the surface
+constexpr std::size_t k_most = 12;
+constexpr std::size_t k_most_groups = 256;  // beyond them there is nothing large in free-form surfaces
+
+/// A plane or a round wall.
+struct Feature {
+  glm::dvec3 line{0, 0, 1};  // unit
+  double area = 0.0;
+  bool round = false;
+};
+
+struct Group {
+  glm::dvec3 head{0, 0, 1};                   // line of its largest member
+  glm::dvec3 of_planes{0.0}, of_rounds{0.0};  // lines on the head's side, by area
+  double area = 0.0;
+
+  /// Normals of planes are known better than axes.
+  [[nodiscard]] glm::dvec3 line() const {
+    return half_sphere(glm::normalize(glm::length(of_planes) > 0.0 ? of_planes : of_rounds));
+  }
+  [[nodiscard]] bool round() const { return glm::length(of_planes) <= 0.0; }
+};
+
+/// Faces all of whose facets face the same way.
+void add_planes(const PartModel& model, std::vector<Feature>& features) {
+  const FacetGeometry& geometry = model.geometry;
+  const Faces faces = smooth_faces(model.part.mesh, geometry, model.adjacency);
+  const double least_cosine = std::cos(glm::radians(k_flat_deg));
+  for (std::uint32_t face = 0; face < faces.count(); ++face) {
+    glm::dvec3 sum(0.0);
+    double area = 0.0;
+    for (const FacetIndex facet : faces.facets(face)) {
+      sum += geometry.areas[facet] * geometry.normals[facet];
+      area += geometry.areas[facet];
+    }
+    const double length = glm::length(sum);
+    if (area > 0.0 && length >= least_cosine * area)
+      features.push_back({.line = sum / length, .area = area, .round = false});
+  }
+}
+
+std::vector<Group> grouped(std::vector<Feature> features) {
+  std::ranges::stable_sort(features, std::greater{}, &Feature::area);
+  std::vector<Group> groups;
+  for (const Feature& feature : features) {
+    auto group = std::ranges::find_if(
+        groups, [&](const Group& each) { return line_angle_deg(each.head, feature.line) <= k_group_deg; });
+    if (group == groups.end()) {
+      if (groups.size() == k_most_groups) continue;
+      group = groups.insert(groups.end(), Group{.head = feature.line});
+    }
+    const double sign = glm::dot(group->head, feature.line) < 0.0 ? -1.0 : 1.0;
+    (feature.round ? group->of_rounds : group->of_planes) += sign * feature.area * feature.line;
+    group->area += feature.area;
+  }
+  std::ranges::stable_sort(groups, std::greater{}, &Group::area);
+  return groups;
+}
+
+Candidate canonical(const glm::dvec3& direction, CandidateKind kind, std::string name, double share,
+                    std::string reason) {
+  return {.direction = direction,
+          .sources = {{kind, std::move(reason), share}},
+          .canonical = Canonical{.name = std::move(name), .share = share}};
+}
+
+}  // namespace
+
+std::vector<Candidate> canonical_candidates(const PartModel& model) {
+  const FacetGeometry& geometry = model.geometry;
+  std::vector<Feature> features;
+  add_planes(model, features);
+  for (const CurvedPatch& patch : curved_patches(geometry, model.adjacency))
+    features.push_back({.line = patch.axis, .area = patch.area, .round = true});
+  const std::vector<Group> groups = grouped(std::move(features));
+
+  std::vector<Candidate> found = coordinate_axis_candidates();
+  for (Candidate& axis : found) {
+    double share = 0.0;
+    for (const Group& group : groups) {
+      if (line_angle_deg(axis.direction, group.line()) <= k_on_file_deg) share += group.area;
+    }
+    axis.canonical = Canonical{.name = axis.direction.x > 0.0   ? "x"
+                                       : axis.direction.y > 0.0 ? "y"
+                                                                : "z",
+                               .share = share / geometry.total_area};
+  }
+  const std::size_t axes = found.size();
+  bool named = false;
+  for (const Group& group : groups) {
+    const double share = group.area / geometry.total_area;
+    if (found.size() == k_most || share < k_least_share) break;
+    const bool largest = !std::exchange(named, true);
+    const glm::dvec3 line = group.line();
+    if (std::ranges::any_of(std::span(found).first(axes), [&](const Candidate& axis) {
+          return line_angle_deg(axis.direction, line) <= k_on_file_deg;
+        }))
+      continue;
+    const std::string of_surface =
+        fmt::format("{:.{}f} % of the surface", 100.0 * share, share < 0.095 ? 1 : 0);
+    const std::string name = fmt::format("{}, {}",
+                                         group.round() ? "axis of round walls"
+                                         : largest     ? "normal of the largest plane"
+                                                       : "normal of planes",
+                                         of_surface);
+    found.push_back(
+        canonical(line, group.round() ? CandidateKind::revolution : CandidateKind::plane, name, share, name));
+  }
+  if (named) return found;
+  for (Candidate& principal : principal_axis_candidates(model.part.mesh, geometry)) {
+    principal.canonical = Canonical{.name = principal.sources.front().reason, .share = 0.0};
+    found.push_back(std::move(principal));
+  }
+  return found;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,150 @@
+#include "sweep/mold_rank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace moldlight {
+
+namespace {
+
+using enum MoldCriterion;
+
+struct CriterionFacts {
+  double band;
+  std::string_view words;  // of the difference in per cent, and whether it is more or less
+};
+
+constexpr std::array<CriterionFacts, k_mold_criteria> k_facts = {{
+    {0.5, ""},
+    {1e-2, "leaves {} % of the surface {} that nothing releases"},
+    {0.05, ""},
+    {0.02, "its parting line climbs {} % of the diagonal {}"},
+    {0.02, "{} % of the surface {} has too little draft"},
+    {5e-3, "has {} % of the surface {} undercut"},
+    {0.02, "draws {} % of the diagonal {} deep"},
+    {0.02, ""},
+}};
+
+MoldCriterion criterion(std::size_t place) { return static_cast<MoldCriterion>(place); }
+
+std::optional<MoldCriterion> deciding(const MoldCost& worse, const MoldCost& better) {
+  for (std::size_t k = 0; k < k_mold_criteria; ++k) {
+    if (worse.values[k] > better.values[k] + k_facts[k].band) return criterion(k);
+  }
+  return std::nullopt;
+}
+
+/// "1 lifter more, 2 slides less"
+std::string actions_difference(const MoldCost& one, const MoldCost& other) {
+  std::string more, less;
+  for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
+    const std::size_t a = one.counts[kind], b = other.counts[kind], count = a > b ? a - b : b - a;
+    if (count == 0) continue;
+    const ActionFacts& words = facts(static_cast<ActionKind>(kind));
+    std::string& text = a > b ? more : less;
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? words.singular : words.plural);
+  }
+  if (!more.empty()) more += " more";
+  if (!less.empty()) less += " less";
+  return more + (more.empty() || less.empty() ? "" : ", ") + less;
+}
+
+std::string per_cent(double share) {
+  return fmt::format(fmt::runtime(share < 0.095 ? "{:.2g}" : "{:.0f}"), 100.0 * share);
+}
+
+/// A figure in which two directions may differ, told of the one.
+struct Difference {
+  double by = 0.0;  // in bands; less is better
+  std::string text;
+};
+
+Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCost& other) {
+  const CriterionFacts& facts = k_facts[static_cast<std::size_t>(criterion)];
+  const double by = one.of(criterion) - other.of(criterion);
+  if (criterion == found)
+    return {by / facts.band,
+            by > 0.0 ? "is no direction that the part's shape names" : "is named by the part's shape"};
+  return {by / facts.band,
+          fmt::format(fmt::runtime(facts.words), per_cent(std::abs(by)), by > 0.0 ? "more" : "less")};
+}
+
+std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
+  const double by_formed = one.formed - other.formed;
+  return {difference(found, one, other),
+          difference(unreleased, one, other),
+          {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other)},
+          {k_effort_of_formed * by_formed / mold_band(effort),
+           fmt::format("its side actions form {} % of the surface {}", per_cent(std::abs(by_formed)),
+                       by_formed > 0.0 ? "more" : "less")},
+          difference(line, one, other),
+          difference(draft, one, other),
+          difference(undercut, one, other),
+          difference(depth, one, other)};
+}
+
+}  // namespace
+
+double mold_effort(const MoldCost& cost) {
+  constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
+  constexpr double k_weight_of_rest = 4;  // more than any one side action
+  const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
+  return rest + cost.weight + k_effort_of_formed * cost.formed + k_effort_of_draft * cost.of(draft) +
+         std::min(1.0, cost.of(line));
+}
+
+double mold_band(MoldCriterion criterion) { return k_facts[static_cast<std::size_t>(criterion)].band; }
+
+bool costs_no_more(const MoldCost& one, const MoldCost& other) {
+  return one.of(unreleased) <= other.of(unreleased) + mold_band(unreleased) &&
+         one.weight <= other.weight + mold_band(effort);
+}
+
+void compare_found(std::span<MoldCost> costs) {
+  for (MoldCost& cost : costs) {
+    const bool beaten = !cost.canonical && std::ranges::any_of(costs, [&](const MoldCost& other) {
+      return other.canonical && costs_no_more(other, cost);
+    });
+    cost.of(found) = beaten ? 1.0 : 0.0;
+  }
+}
+
+MoldOrder mold_order(std::span<const MoldCost> costs) {
+  std::vector<std::size_t> left(costs.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  MoldOrder found;
+  while (!left.empty()) {
+    std::vector<std::size_t> tied = left;
+    for (std::size_t k = 0; k < k_mold_criteria; ++k) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::size_t i : tied) least = std::min(least, costs[i].values[k]);
+      std::erase_if(tied, [&](std::size_t i) { return costs[i].values[k] > least + k_facts[k].band; });
+    }
+    const std::size_t first = tied.front();
+    found.decided_by.push_back(found.order.empty() ? std::nullopt
+                                                   : deciding(costs[first], costs[found.order.back()]));
+    found.order.push_back(first);
+    std::erase(left, first);
+  }
+  return found;
+}
+
+std::vector<std::string> rank_reasons(const MoldCost& one, const MoldCost& other) {
+  std::vector<std::string> against, in_favour;
+  for (const Difference& each : differences(one, other)) {
+    if (each.by > 1.0) {
+      against.push_back(each.text);
+    } else if (each.by < -1.0) {
+      in_favour.push_back("but " + each.text);
+    }
+  }
+  against.insert(against.end(), in_favour.begin(), in_favour.end());
+  return against;
+}
+
+}  // namespace moldlight

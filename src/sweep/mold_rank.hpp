@@ -1,0 +1,73 @@
+// What a mold maker ranks parting directions by.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "actions/action_kind.hpp"
+
+namespace moldlight {
+
+/// In this order. All are figures of which less is better.
+enum class MoldCriterion : std::uint8_t {
+  found,       // 1 for a direction that the part's shape does not name, beside one that it names and that
+               // costs no more
+  unreleased,  // surface that no side action releases that has room, share of the part's
+  effort,      // weight of the side actions, and what is added to it, see mold_effort()
+  line,        // climb and steep steps of the parting line, share of the diagonal
+  draft,       // surface with too little draft or with reverse draft, share of the part's
+  undercut,    // share of the part's surface
+  depth,       // draw depth, share of the diagonal
+  support,     // share of the surface that does not speak for the direction
+};
+inline constexpr std::size_t k_mold_criteria = 8;
+
+struct MoldCost {
+  std::array<double, k_mold_criteria> values{};
+  bool canonical = false;
+  double weight = 0.0;                               // of side actions
+  double formed = 0.0;                               // by them, share of the part's surface
+  std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
+
+  [[nodiscard]] double of(MoldCriterion criterion) const {
+    return values[static_cast<std::size_t>(criterion)];
+  }
+  double& of(MoldCriterion criterion) { return values[static_cast<std::size_t>(criterion)]; }
+};
+
+/// Of the surface that side actions form, as a share: each fifth weighs as much as a slide.
+inline constexpr double k_effort_of_formed = 5.0;
+/// Of surface without draft, as a share: half of it weighs as much as a slide.
+inline constexpr double k_effort_of_draft = 2.0;
+/// The weight of side actions, with what they form, the draft that is missing, the climb of the line, which
+/// is never more than a slide, and more than any one action where something is left unreleased: few slides
+/// are no gain where the part lies on its side in the mold. Set the other figures before.
+[[nodiscard]] double mold_effort(const MoldCost& cost);
+
+/// Figures that differ by less tie.
+[[nodiscard]] double mold_band(MoldCriterion criterion);
+
+/// Whether the one leaves no more surface unreleased and needs no heavier set of side actions.
+[[nodiscard]] bool costs_no_more(const MoldCost& one, const MoldCost& other);
+
+struct MoldOrder {
+  std::vector<std::size_t> order;  // best first, indices into the costs
+  /// By place in the order: what decided against it beside the one before; none for the first, and where all
+  /// that counts ties.
+  std::vector<std::optional<MoldCriterion>> decided_by;
+};
+/// Settles what is found beside what the shape names.
+void compare_found(std::span<MoldCost> costs);
+/// The first is what remains where, criterion by criterion, all go that are worse than the best left by more
+/// than the band; of what ties in all, the first given. The next is the first of the others, and so on.
+[[nodiscard]] MoldOrder mold_order(std::span<const MoldCost> costs);
+
+/// "needs 1 lifter more", "its parting line climbs more, by 3.1 % of the part's diagonal": what speaks
+/// against the one beside the other, what decides first, and what speaks for it last.
+[[nodiscard]] std::vector<std::string> rank_reasons(const MoldCost& one, const MoldCost& other);
+
+}  // namespace moldlight

@@ -1,0 +1,234 @@
+#include "sweep/mold_ranking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "mold/direction_words.hpp"
+#include "sweep/core_side.hpp"
+#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_texts.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_together = 4;     // between two looks at what is certain to be heavier
+constexpr double k_same_place_deg = 3.0;  // beside a canonical direction that costs no more nothing is listed
+constexpr double k_beside_deg = 10.0;     // where a canonical direction stands for one found by search
+
+double angle_deg(const Contender& a, const Contender& b) {
+  return line_angle_deg(a.candidate.direction, b.candidate.direction);
+}
+
+}  // namespace
+
+MoldCost MoldRanking::cost(const Contender& contender) const {
+  const Classification& found = contender.measured->classification;
+  const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
+  const double diagonal = model_.frame.diagonal;
+  const LineFigures& line = *contender.measured->parting;
+  MoldCost cost;
+  cost.counts = contender.actions->totals.counts;
+  cost.canonical = contender.canonical();
+  cost.weight = contender.actions->weight;
+  cost.of(MoldCriterion::unreleased) =
+      (contender.actions->totals.unreleased_area + contender.actions->without_room) / area;
+  cost.formed = contender.actions->formed_area / area;
+  cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
+  cost.of(MoldCriterion::draft) = (found.near_vertical_area + found.reverse_draft.area) / area;
+  // Specks are no undercut.
+  cost.of(MoldCriterion::undercut) =
+      contender.actions->undercuts.count == 0 ? 0.0 : found.areas[Region::undercut] / area;
+  cost.of(MoldCriterion::depth) = contender.figures.draw_depth / diagonal;
+  cost.of(MoldCriterion::support) =
+      1.0 - (contender.canonical() ? contender.candidate.canonical->share : 0.0);
+  cost.of(MoldCriterion::effort) = mold_effort(cost);
+  return cost;
+}
+
+void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
+  const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
+  std::vector<Contender*> open;
+  for (Contender& contender : contenders) {
+    if (contender.measured && !contender.cost) open.push_back(&contender);
+  }
+  for (std::size_t first = 0; first < open.size() && !clock_.stopped(); first += k_together) {
+    clock_.report(sweep_stage::k_actions, static_cast<double>(first) / static_cast<double>(open.size()));
+    const auto batch = std::span(open).subspan(first, std::min(k_together, open.size() - first));
+    std::vector<glm::dvec3> directions;
+    std::vector<ActionLimit> limits;
+    for (const Contender* contender : batch) {
+      const Classification& known = contender->measured->classification;
+      directions.push_back(contender->candidate.direction);
+      limits.push_back(
+          {.most = least_effort_ + mold_band(MoldCriterion::effort) -
+                   k_effort_of_draft * (known.near_vertical_area + known.reverse_draft.area) / area,
+           .per_area = k_effort_of_formed / area});
+    }
+    if (to_the_end) limits.clear();
+    const auto found = actions_.find(
+        directions, limits, clock_.until_cancelled(), [this] { return clock_.stopped(); }, [] {});
+    std::vector<Contender*> looked_at;
+    std::vector<std::shared_ptr<MeasuredDirection>> with_line;
+    std::vector<MeasuredDirection*> lines;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      if (!found[k]) continue;
+      batch[k]->actions = found[k];
+      if (found[k]->given_up) continue;
+      looked_at.push_back(batch[k]);
+      with_line.push_back(std::make_shared<MeasuredDirection>(*batch[k]->measured));
+      with_line.back()->undercuts = found[k]->undercuts;
+      lines.push_back(with_line.back().get());
+    }
+    measurer_.find_lines(lines, clock_.until_cancelled());
+    for (std::size_t k = 0; k < looked_at.size(); ++k) {
+      if (!with_line[k]->parting) continue;
+      Contender& contender = *looked_at[k];
+      contender.measured = with_line[k];
+      contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
+      contender.cost = cost(contender);
+      if (contender.cost->of(MoldCriterion::unreleased) > mold_band(MoldCriterion::unreleased)) continue;
+      least_effort_ = std::min(least_effort_, contender.cost->of(MoldCriterion::effort));
+      free_ = free_ || (contender.canonical() && contender.cost->weight <= 0.0);
+    }
+  }
+}
+
+bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const Contender> found) const {
+  std::vector<MoldCost> costs;
+  for (const auto& contenders : {named, found}) {
+    for (const Contender& contender : contenders) {
+      if (contender.cost) costs.push_back(*contender.cost);
+    }
+  }
+  compare_found(costs);
+  return !costs.empty() && !costs[mold_order(costs).order.front()].canonical;
+}
+
+/// Within 10 degrees of the canonical one.
+bool MoldRanking::is_worth(const Contender& found, const Contender& canonical) const {
+  if (!costs_no_more(*canonical.cost, *found.cost)) return true;
+  if (angle_deg(found, canonical) <= k_same_place_deg) return false;
+  const double saved = canonical.cost->of(MoldCriterion::undercut) - found.cost->of(MoldCriterion::undercut);
+  return saved > 0.01 * settings_.worth_pct ||
+         (found.actions->undercuts.count == 0 && canonical.actions->undercuts.count > 0);
+}
+
+/// The canonical direction that is listed in its place; null for none. A canonical one gives way to those
+/// alone that come before it.
+const Contender* MoldRanking::stands_for(const std::vector<Contender>& contenders,
+                                         const Contender& found) const {
+  for (const Contender& other : contenders) {
+    if (&other == &found) {
+      if (found.canonical()) return nullptr;
+      continue;
+    }
+    if (!other.canonical() || !other.cost) continue;
+    const double angle = angle_deg(other, found);
+    if (angle > (found.canonical() ? k_same_place_deg : k_beside_deg)) continue;
+    if (found.canonical() ? !found.cost || costs_no_more(*other.cost, *found.cost)
+                          : !found.cost || !is_worth(found, other))
+      return &other;
+  }
+  return nullptr;
+}
+
+BesideDirection MoldRanking::beside(const Contender& contender, const Contender& of) const {
+  const glm::dvec3& direction = contender.candidate.direction;
+  const glm::dvec3 turned = glm::dot(direction, of.candidate.direction) < 0.0 ? -direction : direction;
+  BesideDirection found{
+      .direction = turned,
+      .name = contender.canonical() ? contender.candidate.canonical->name : direction_words(turned),
+      .angle_deg = angle_deg(contender, of),
+      .undercut = contender.figures.undercut};
+  if (contender.actions && !contender.actions->given_up) found.actions = contender.actions;
+  if (contender.measured && contender.measured->parting)
+    found.climb = contender.measured->parting->outer_climb;
+  return found;
+}
+
+MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const {
+  // What has a cost by what molds are ranked by, then the rest by undercut.
+  std::vector<Contender> known, rest;
+  for (Contender& contender : contenders) (contender.cost ? known : rest).push_back(std::move(contender));
+  std::vector<MoldCost> costs;
+  for (const Contender& contender : known) costs.push_back(*contender.cost);
+  compare_found(costs);
+  for (std::size_t k = 0; k < known.size(); ++k) known[k].cost = costs[k];
+  std::vector<Contender> ordered;
+  for (const std::size_t i : mold_order(costs).order) ordered.push_back(std::move(known[i]));
+  std::ranges::stable_sort(
+      rest, {}, [](const Contender& c) { return std::pair(c.measured == nullptr, c.figures.undercut); });
+  std::ranges::move(rest, std::back_inserter(ordered));
+
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    Contender& contender = ordered[i];
+    const Contender* other = contender.candidate.from_user() ? nullptr : stands_for(ordered, contender);
+    if (other != nullptr) {
+      auto& stands = ordered[static_cast<std::size_t>(other - ordered.data())].beside;
+      const bool better = contender.measured && contender.figures.undercut < other->figures.undercut &&
+                          (!stands || contender.figures.undercut < stands->undercut);
+      if (!contender.canonical() && better) stands = beside(contender, *other);
+      continue;
+    }
+    const auto near = std::ranges::find_if(
+        kept, [&](std::size_t k) { return angle_deg(ordered[k], contender) <= settings_.apart_deg; });
+    const bool room = kept.size() < static_cast<std::size_t>(settings_.top) && near == kept.end();
+    if (room || contender.candidate.from_user()) kept.push_back(i);
+  }
+  Listed list;
+  for (const std::size_t i : kept) put(list, ordered, i);
+  return list;
+}
+
+void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const {
+  Contender contender = contenders[which];
+  if (!contender.canonical() && contender.cost) {
+    // What it is worth more than.
+    for (const Contender& other : contenders) {
+      if (contender.beside || !other.canonical() || angle_deg(other, contender) > k_beside_deg) continue;
+      contender.beside = beside(other, contender);
+    }
+  }
+  std::vector<std::string> reasons;
+  bool ties = false;
+  if (!contender.cost) {
+    reasons = {contender.actions
+                   ? fmt::format("its side actions weigh {:.2g} at least and form {:.2g} % of the surface",
+                                 contender.actions->weight,
+                                 100.0 * contender.actions->formed_area / model_.geometry.total_area)
+                   : "its side actions were not looked for"};
+    contender.actions.reset();
+  } else if (!list.contenders.empty() && list.contenders.back().cost) {
+    reasons = rank_reasons(*contender.cost, *list.contenders.back().cost);
+    ties = mold_order(std::array{*list.contenders.back().cost, *contender.cost}).decided_by.back() ==
+           std::nullopt;
+  }
+  list.contenders.push_back(std::move(contender));
+  list.ties.push_back(ties);
+  list.reasons.push_back(std::move(reasons));
+}
+
+Recommendation recommendation(const PartModel& model, const MethodSettings& method,
+                              std::span<const SweepCandidate> candidates, const Progress& progress) {
+  const SweepCandidate& best = candidates.front();
+  const CoreSide core = core_side(model, {best.candidate.direction, method}, progress);
+  Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
+                       .why = mold_text(model, best),
+                       .beside = best.beside};
+  found.name = direction_words(found.direction);
+  if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
+    found.name = best.candidate.canonical->name;
+  if (candidates.size() > 1 && !candidates[1].rank_reasons.empty())
+    found.why += fmt::format("; the next, {}, {}", direction_words(candidates[1].candidate.direction),
+                             candidates[1].rank_reasons.front());
+  found.why += "; " + core.why;
+  return found;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,71 @@
+// Ranks directions as a mold maker does: finds side actions and parting lines, and says which canonical
+// direction stands for one found by search.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sweep/contender.hpp"
+#include "sweep/direction_actions.hpp"
+#include "sweep/direction_measurer.hpp"
+#include "sweep/direction_rating.hpp"
+#include "sweep/sweep_clock.hpp"
+
+namespace moldlight {
+
+class MoldRanking {
+ public:
+  /// All must outlive it.
+  MoldRanking(const PartModel& model, const SweepSettings& settings, const DirectionRating& rating,
+              const SweepClock& clock, DirectionMeasurer& measurer, DirectionActionFinder& actions)
+      : model_(model),
+        settings_(settings),
+        rating_(rating),
+        clock_(clock),
+        measurer_(measurer),
+        actions_(actions) {}
+
+  /// Finds the costs of what is measured, in this order, as far as there is time; those certain to need
+  /// heavier side actions than the best so far go without, unless they are followed `to_the_end`.
+  void find_costs(std::span<Contender> contenders, bool to_the_end = false);
+
+  /// Whether one found by search comes before all the others, as far as costs are known.
+  [[nodiscard]] bool found_leads(std::span<const Contender> named, std::span<const Contender> found) const;
+
+  /// A canonical direction needs no side action, so that nothing found by search comes before it.
+  [[nodiscard]] bool is_free() const { return free_; }
+
+  /// Those to list, best first, what has no cost behind what has; with what stands beside them. Found by
+  /// search is listed beside a canonical direction only where it is worth it.
+  struct Listed {
+    std::vector<Contender> contenders;
+    std::vector<bool> ties;  // with the one before
+    std::vector<std::vector<std::string>> reasons;
+  };
+  [[nodiscard]] Listed listed(std::vector<Contender> contenders) const;
+
+ private:
+  [[nodiscard]] MoldCost cost(const Contender& contender) const;
+  [[nodiscard]] bool is_worth(const Contender& found, const Contender& canonical) const;
+  [[nodiscard]] BesideDirection beside(const Contender& contender, const Contender& of) const;
+  void put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const;
+  [[nodiscard]] const Contender* stands_for(const std::vector<Contender>& contenders,
+                                            const Contender& found) const;
+
+  const PartModel& model_;
+  const SweepSettings& settings_;
+  const DirectionRating& rating_;
+  const SweepClock& clock_;
+  DirectionMeasurer& measurer_;
+  DirectionActionFinder& actions_;
+  double least_effort_ = std::numeric_limits<double>::infinity();  // of those that leave nothing unreleased
+  bool free_ = false;
+};
+
+/// The first of them, which side of it is the core, and why. Throws Cancelled.
+[[nodiscard]] Recommendation recommendation(const PartModel& model, const MethodSettings& method,
+                                            std::span<const SweepCandidate> candidates,
+                                            const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,100 @@
+#include "sweep/mold_rank.hpp"
+
+#include <gtest/gtest.h>
+
+namespace moldlight {
+namespace {
+
+using enum MoldCriterion;
+using Numbers = std::vector<std::size_t>;
+
+MoldCost cost(std::initializer_list<std::pair<MoldCriterion, double>> values) {
+  MoldCost made;
+  for (const auto& [criterion, value] : values) made.of(criterion) = value;
+  return made;
+}
+
+Numbers order(const std::vector<MoldCost>& costs) { return mold_order(costs).order; }
+
+TEST(MoldRank, ComparesByOneCriterionAfterTheOther) {
+  EXPECT_EQ(order({cost({{found, 1.0}}), cost({{unreleased, 0.5}})}), (Numbers{1, 0}));
+  EXPECT_EQ(order({cost({{unreleased, 0.1}}), cost({{effort, 9.0}})}), (Numbers{1, 0}));
+  EXPECT_EQ(order({cost({{effort, 1.2}}), cost({{effort, 1.0}, {line, 0.5}})}), (Numbers{1, 0}));
+  EXPECT_EQ(order({cost({{draft, 0.3}}), cost({{draft, 0.1}, {undercut, 0.2}})}), (Numbers{1, 0}));
+  EXPECT_EQ(order({cost({{depth, 0.3}}), cost({{depth, 0.1}})}), (Numbers{1, 0}));
+}
+
+TEST(MoldRank, WhatDiffersByLessThanABandTies) {
+  for (std::size_t k = 0; k < k_mold_criteria; ++k) {
+    const auto criterion = static_cast<MoldCriterion>(k);
+    const double band = mold_band(criterion);
+    EXPECT_EQ(order({cost({{criterion, 0.9 * band}}), {}}), (Numbers{0, 1})) << k;
+    EXPECT_EQ(order({cost({{criterion, 1.1 * band}}), {}}), (Numbers{1, 0})) << k;
+    EXPECT_EQ(mold_order(std::vector{cost({{criterion, 0.9 * band}}), MoldCost{}}).decided_by[1],
+              std::nullopt);
+    EXPECT_EQ(mold_order(std::vector{cost({{criterion, 1.1 * band}}), MoldCost{}}).decided_by[1], criterion);
+  }
+}
+
+TEST(MoldRank, IsTheSameInWhateverOrderTheyCome) {
+  const MoldCost a = cost({{effort, 1.0}, {line, 0.3}}), b = cost({{effort, 1.0}, {draft, 0.1}}),
+                 c = cost({{effort, 2.0}});
+  EXPECT_EQ(order({a, b, c}), (Numbers{1, 0, 2}));
+  EXPECT_EQ(order({c, a, b}), (Numbers{2, 1, 0}));
+}
+
+TEST(MoldRank, SaysWhatDecides) {
+  MoldCost one = cost({{effort, 2.4}}), other = cost({{effort, 1.0}, {line, 0.25}});
+  one.weight = 2.4;
+  one.counts[static_cast<std::size_t>(ActionKind::lifter)] = 2;
+  other.weight = 1.0;
+  other.counts[static_cast<std::size_t>(ActionKind::slide)] = 1;
+  EXPECT_EQ(rank_reasons(one, other),
+            (std::vector<std::string>{"needs 2 lifters more, 1 slide less",
+                                      "but its parting line climbs 25 % of the diagonal less"}));
+  EXPECT_EQ(rank_reasons(cost({{unreleased, 0.02}}), {}),
+            (std::vector<std::string>{"leaves 2 % of the surface more that nothing releases"}));
+  EXPECT_TRUE(rank_reasons(one, one).empty());
+}
+
+TEST(MoldRank, AddsToTheWeightWhatSideActionsFormAndDraftAndLine) {
+  MoldCost one = cost({{draft, 0.5}, {line, 3.0}}), other = cost({{draft, 0.5}, {line, 0.0}});
+  one.weight = 1.0;
+  one.counts[static_cast<std::size_t>(ActionKind::slide)] = 1;
+  one.formed = 0.4;
+  other.weight = 2.0;
+  other.counts[static_cast<std::size_t>(ActionKind::slide)] = 2;
+  EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 1.0);
+  EXPECT_DOUBLE_EQ(mold_effort(other), 2.0 + 1.0);
+  EXPECT_EQ(rank_reasons(one, other),
+            (std::vector<std::string>{"its side actions form 40 % of the surface more",
+                                      "its parting line climbs 300 % of the diagonal more",
+                                      "but needs 1 slide less"}));
+}
+
+MoldCost of_weight(double weight, bool canonical, double left = 0.0) {
+  MoldCost made = cost({{unreleased, left}, {effort, weight}});
+  made.weight = weight;
+  made.canonical = canonical;
+  return made;
+}
+
+TEST(MoldRank, CostIsWhatNothingReleasesAndSideActions) {
+  EXPECT_TRUE(costs_no_more(cost({{line, 0.9}, {effort, 3.0}}), {})) << "by the weight alone";
+  EXPECT_TRUE(costs_no_more(of_weight(1.0, true), of_weight(1.2, true)));
+  EXPECT_FALSE(costs_no_more(of_weight(1.2, true), of_weight(1.0, true)));
+  EXPECT_FALSE(costs_no_more(of_weight(0.0, true, 0.1), of_weight(1.0, true)));
+}
+
+TEST(MoldRank, WhatWasFoundMustBeatAllThatTheShapeNames) {
+  std::vector<MoldCost> costs = {of_weight(1.0, false), of_weight(1.0, true), of_weight(3.0, true)};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{1, 2, 0}));
+  EXPECT_EQ(rank_reasons(costs[0], costs[1]).front(), "is no direction that the part's shape names");
+  costs = {of_weight(2.0, true), of_weight(1.0, false)};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{1, 0}));
+}
+
+}  // namespace
+}  // namespace moldlight
