@@ -98,12 +98,16 @@ class LeastSet {
 
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
+    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
     for (const std::size_t atom : cover.uncovered) {
+      if (atoms_[atom].shallow) {
+        of_atom[atom] = k_no_action_of_piece;
+        continue;
+      }
       draft.plan.unreleased.push_back(atoms_[atom].patch);
       draft.plan.unreleased_area += atoms_[atom].area();
     }
     std::ranges::sort(draft.plan.unreleased);
-    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
     std::vector<Left> chosen;
     for (const std::size_t c : cover.columns) {
       std::vector<std::size_t> left = columns_[c].atoms;

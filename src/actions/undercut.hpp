@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "actions/part_axes.hpp"
 #include "classify/part_model.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "mold/exact/split_mesh.hpp"
@@ -15,29 +17,55 @@ namespace moldlight {
 
 /// A connected patch of undercut surface. Lengths and areas are in the part's unit.
 struct Undercut {
-  std::vector<std::uint32_t> pieces;  // of the split mesh, rising
+  std::vector<std::uint32_t> pieces;  // of the split mesh, in the order of their places
   double area = 0.0;
   glm::dvec3 centre{0.0};    // of its area
   double size_across = 0.0;  // its greatest extent across the parting direction
   double size_along = 0.0;
 };
 
+/// Why a patch counts as no undercut. Small: it fits into a disc of the least depth, or is a thousandth of
+/// all undercut at most. Narrow: than the least depth. Shallow: a move across d by the least depth clears it.
+enum class SpeckReason : std::uint8_t { small, narrow, shallow };
+/// "smaller than a thousandth of the undercut", …
+[[nodiscard]] std::string_view speck_text(SpeckReason reason);
+
+/// A patch, or a part of one, that counts as no undercut. In the part's unit.
+struct Speck {
+  double area = 0.0;
+  glm::dvec3 place{0.0};  // on it
+  SpeckReason reason = SpeckReason::small;
+};
+
 struct Undercuts {
   std::vector<Undercut> patches;  // the largest first
-  std::size_t dropped = 0;        // patches that fit into a disc of the lateral tolerance or are smaller, or
-                                  // of which no point is farther than that, across d, from where it is free
-  double dropped_area = 0.0;
+  std::vector<Speck> specks;      // the largest first
+  PartAxes axes;                  // by which places are put into an order
 };
+
+/// What a release must move by to be worth an action: less is play.
+inline constexpr double k_least_travel_mm = 0.05;
+/// The floor of an undercut's depth: the lateral tolerance, or this least travel where that is more; share of
+/// the diagonal. Parts below 10 mm have a smaller one: many are in metres or inches that no file names.
+[[nodiscard]] double least_depth(const PartModel& model, const ExactQuery& query, double least_travel_mm);
 
 /// The undercut pieces of a part split for `query`, connected where they share a vertex or come as near to
 /// each other as twice the lateral tolerance on surface that faces the same way.
 [[nodiscard]] Undercuts find_undercuts(const PartModel& model, const SplitMesh& split,
-                                       const ExactQuery& query);
+                                       const ExactQuery& query, double least_travel_mm = k_least_travel_mm);
 
 /// How many patches they are, where these facets have undercut, and no others. Takes less than the exact
 /// regions. Throws Cancelled.
-[[nodiscard]] std::size_t count_undercuts(const PartModel& model, const ExactQuery& query,
-                                          std::span<const FacetIndex> facets, const Progress& progress);
+struct UndercutCount {
+  const ExactQuery& query;
+  std::span<const FacetIndex> facets;
+  double least_travel_mm = k_least_travel_mm;
+};
+[[nodiscard]] std::size_t count_undercuts(const PartModel& model, const UndercutCount& asked,
+                                          const Progress& progress);
+
+/// How much of a part's unit a millimetre is; 1 for a part whose file names none.
+[[nodiscard]] double unit_per_mm(const Part& part);
 
 /// A point of an undercut, and the surface there.
 struct UndercutSample {

@@ -25,7 +25,7 @@ using test::SolidBuilder;
 
 constexpr double k_pi = std::numbers::pi;
 
-ActionPlan plan_of(const TriangleMesh& mesh, const glm::dvec3& direction, double strip_strain_pct = 0.0) {
+ActionPlan plan_of(const TriangleMesh& mesh, const glm::dvec3& direction, double strip_strain_pct = 100.0) {
   Part part;
   part.mesh = mesh;
   part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
@@ -34,6 +34,7 @@ ActionPlan plan_of(const TriangleMesh& mesh, const glm::dvec3& direction, double
   query.direction = direction;
   ActionSettings settings;
   settings.strip_strain_pct = strip_strain_pct;
+  settings.least_travel_mm = 0.0;
   return find_actions(*model, classify_exact(*model, query, Progress(), true), settings, Progress());
 }
 
