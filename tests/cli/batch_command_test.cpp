@@ -90,7 +90,7 @@ TEST(Batch, OddNamesMissingFilesAndDuplicates) {
   EXPECT_NE(retried.out.find("0 done, 3 failed, 3 passed over"), std::string::npos) << retried.out;
   const std::string table = parts.path("all.csv");
   ASSERT_EQ(parts.batch("merge", {"--csv", table}).exit_code, 0);
-  EXPECT_NE(file_bytes(table).find("\"parts/line\nend.off\",--unit=mm --direction=z"), std::string::npos)
+  EXPECT_NE(file_bytes(table).find("parts/line\\u000Aend.off,'--unit=mm --direction=z"), std::string::npos)
       << file_bytes(table);
 }
 

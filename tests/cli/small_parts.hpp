@@ -60,7 +60,7 @@ class SmallParts {
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
       if (entry.path().extension() != ".json") continue;
       auto result = json_of(file_bytes(entry.path()));
-      for (const char* member : {"elapsed_s", "finished_at"}) result.erase(member);
+      for (const char* member : {"elapsed_s", "finished_at", "checksum"}) result.erase(member);
       if (result.contains("report")) result["report"].erase("timings_ms");
       found[entry.path().filename().string()] = std::move(result);
     }

@@ -99,7 +99,7 @@ std::vector<std::string> violations(const std::string& layer, const std::string&
     if (std::regex_search(line, match, k_include)) {
       const std::string header = match[1];
       const std::string folder = header.substr(0, header.find('/'));
-      if (allowed_layers().contains(folder) && folder != layer &&
+      if (folder != header && allowed_layers().contains(folder) && folder != layer &&
           !allowed_layers().at(layer).contains(folder)) {
         found.push_back(header);
       }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/stopwatch.hpp"
+#include "parting/make_halves.hpp"
 #include "support/known_pulls.hpp"
 #include "support/manifest.hpp"
 #include "support/shared_parts.hpp"

@@ -18,7 +18,7 @@ namespace {
 constexpr double k_group_deg = 0.1;     // lines of one group
 constexpr double k_flat_deg = 0.05;     // normals of a plane from their mean
 constexpr double k_on_file_deg = 0.02;  // a group that an axis of the file stands for
-constexpr double k_least_share = 0.01;  // of the surface
+constexpr double k_least_canonical_share = 0.01;  // of the surface
 constexpr std::size_t k_most = 12;
 constexpr std::size_t k_most_groups = 256;  // beyond them there is nothing large in free-form surfaces
 
@@ -109,7 +109,7 @@ std::vector<Candidate> canonical_candidates(const PartModel& model) {
   bool named = false;
   for (const Group& group : groups) {
     const double share = group.area / geometry.total_area;
-    if (found.size() == k_most || share < k_least_share) break;
+    if (found.size() == k_most || share < k_least_canonical_share) break;
     const bool largest = !std::exchange(named, true);
     const glm::dvec3 line = group.line();
     if (std::ranges::any_of(std::span(found).first(axes), [&](const Candidate& axis) {

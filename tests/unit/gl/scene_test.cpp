@@ -35,7 +35,6 @@ void main() {
 })"},
     {"fan.frag", R"(#version 330 core
 #include "common/palette.glsl"
-#include "gl/headless_context.hpp"
 in vec3 v_position;
 flat in uint v_id;
 layout(location = 0) out vec4 o_colour;
