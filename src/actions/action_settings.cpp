@@ -1,5 +1,7 @@
 #include "actions/action_settings.hpp"
 
+#include "mesh/length_unit.hpp"
+
 namespace moldlight {
 
 std::span<const Option<ActionSettings>> action_options() {
@@ -16,15 +18,13 @@ std::span<const Option<ActionSettings>> action_options() {
        RealKind<S>{&S::lifter_angle_deg, 1.0, 45.0, 0.5}},
       {"lifter_room_mm", "--lifter-room", "Lifter room", "mm",
        "What a lifter needs beyond its travel, for its own thickness and to stay clear; one with less is "
-       "rejected.",
+       "told "
+       "as such, and taken for want of others.",
        RealKind<S>{&S::lifter_room_mm, 0.0, 1000.0, 0.5}},
       {"clearance_mm", "--clearance", "Clearance", "mm", "What a slide travels beyond the least.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},
-      {"least_travel_mm", "--least-travel", "Least travel", "mm",
-       "What a shorter way releases is no undercut, nor is what is within the lateral tolerance.",
-       RealKind<S>{&S::least_travel_mm, 0.0, 1000.0, 0.05}},
       {"strip_strain_pct", "--strip-strain", "Strip strain", "%",
-       "Largest strain at which a ring may be stripped off; 0: none is stripped.",
+       "Largest strain at which a ring may be stripped off; 0: any is told, and the verdict left to you.",
        RealKind<S>{&S::strip_strain_pct, 0.0, 100.0, 0.5}},
       {"bundle_across_mm", "--bundle-across", "Bundle across", "mm",
        "Undercuts that one slide forms are no farther apart across its direction.",
@@ -43,6 +43,11 @@ std::span<const Option<ActionSettings>> action_options() {
                    .set = [](S& s, std::string_view text) { s.pins = parse_pins(text); }}},
   };
   return k_options;
+}
+
+double unit_per_mm(const Part& part) {
+  const auto unit = find_length_unit(part.unit);
+  return 1.0 / (unit ? unit->mm : 1.0);
 }
 
 }  // namespace moldlight

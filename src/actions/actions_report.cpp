@@ -99,17 +99,6 @@ Json action_json(const SideAction& action) {
           {"meets", numbers_json(action.meets)}};
 }
 
-Json rejected_json(const RejectedAction& rejected) {
-  return {{"patch", rejected.patch + 1},
-          {"kind", facts(rejected.kind).name},
-          {"direction", vector_json(rejected.direction)},
-          {"travel", rejected.travel},
-          {"side", side_name(rejected.core_side)},
-          {"reason", reject_text(rejected.reason)},
-          {"place", vector_json(rejected.place)},
-          {"room", finite(rejected.room)}};
-}
-
 std::string patches_text(const std::vector<std::size_t>& patches) {
   constexpr std::size_t k_most = 6;
   std::string text;
@@ -182,20 +171,24 @@ std::string meetings_text(const ActionPlan& plan) {
 std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
   constexpr std::size_t k_most = 6;
   std::string rows;
-  for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
-    const RejectedAction& rejected = plan.rejected[k];
-    rows += fmt::format("{}{} ({:.3g} {}: {}, {:.2f} {})", k == 0 ? "" : ", ", rejected.patch + 1,
-                        rejected.travel, unit, reject_text(rejected.reason), rejected.room, unit);
+  std::size_t number = 0;
+  double needed = 0.0;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const SideAction& action = plan.actions[k];
+    if (has_room(action) || ++number > k_most) continue;
+    needed = action.room_needed;
+    rows += fmt::format("{}{} ({:.2f} {})", number == 1 ? "" : ", ", k + 1, action.clear_to - action.travel,
+                        unit);
   }
-  if (rows.empty()) return "";
-  return fmt::format("\nLifters that cannot be built, for undercuts: {}{}.\n", rows,
-                     plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
+  if (number == 0) return "";
+  return fmt::format("\nLifters with less room beyond their travel than {:.3g} {}: rows {}{}.\n", needed,
+                     unit, rows, number > k_most ? fmt::format(" … {} in all", number) : "");
 }
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
   const auto& [model, result, settings, plan, changes] = report;
   Json json;
-  json["schema"] = "moldlight.actions/2";
+  json["schema"] = "moldlight.actions/1";
   json["part"] = part_json(model, result.warnings);
   json["direction"] = vector_json(result.direction);
   json["settings"] = options_json(method_options(), result.settings);
@@ -207,14 +200,8 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   }
   json["actions"] = Json::array();
   for (const SideAction& action : plan.actions) json["actions"].push_back(action_json(action));
-  json["rejected"] = Json::array();
-  for (const RejectedAction& rejected : plan.rejected) json["rejected"].push_back(rejected_json(rejected));
   json["unreleased"] = {{"area", plan.unreleased_area}, {"patches", numbers_json(plan.unreleased)}};
-  json["dropped"] = {{"number", plan.specks.size()}, {"area", speck_area(plan)}};
-  json["specks"] = Json::array();
-  for (const Speck& speck : plan.specks)
-    json["specks"].push_back(
-        {{"area", speck.area}, {"place", vector_json(speck.place)}, {"reason", speck_text(speck.reason)}});
+  json["dropped"] = {{"number", plan.dropped}, {"area", plan.dropped_area}};
   json["optimal"] = plan.optimal;
   return json;
 }
@@ -248,11 +235,9 @@ std::string actions_table(const ActionsReport& report) {
     if (plan.patches[patch].pin)
       fmt::format_to(out, "undercut {}: {}\n", patch + 1, unreleased_text(plan, patch));
   }
-  if (!plan.specks.empty())
-    fmt::format_to(
-        out, "{} too small or too shallow for an action, {} {}.\n",
-        plan.specks.size() == 1 ? "One speck is" : fmt::format("{} specks are", plan.specks.size()),
-        figure(speck_area(plan)), area_unit);
+  if (plan.dropped > 0)
+    fmt::format_to(out, "{} patches within the lateral tolerance are left out, {} {}.\n", plan.dropped,
+                   figure(plan.dropped_area), area_unit);
   text += plan.optimal ? "No cheaper set of the actions that were tried releases as much.\n"
                        : "A cheaper set may exist: the search for the least was given up.\n";
   text += changes_text(changes, unit, area_unit);

@@ -20,7 +20,7 @@ struct ActionsReport {
   std::span<const ToBeFree> changes = {};  // of each patch; empty where they were not looked for
 };
 
-/// Schema `moldlight.actions/2`. Lengths and areas are in the part's unit, angles in degrees; what does not
+/// Schema `moldlight.actions/1`. Lengths and areas are in the part's unit, angles in degrees; what does not
 /// apply or is without end is null. Patches are numbered from 1, the largest first.
 [[nodiscard]] nlohmann::ordered_json actions_json(const ActionsReport& report);
 

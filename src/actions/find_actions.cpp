@@ -1,10 +1,8 @@
 // Pulls for each undercut, those that several can share, and the cheapest set of them.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -38,8 +36,8 @@ class Finder {
         settings_(settings),
         progress_(progress),
         query_(exact_query(model, result.query())),
-        undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
-        pulls_(model, query_, undercuts_.axes, settings, progress),
+        pulls_(model, query_, settings, progress),
+        undercuts_(find_undercuts(model, split_, query_, progress)),
         faces_(part_faces(model.part, model.geometry, model.adjacency)),
         unit_per_mm_(unit_per_mm(model.part)) {}
 
@@ -48,16 +46,14 @@ class Finder {
     find_pulls();
     progress_.report("looking for threads", 0.4);
     revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_, progress_}, atoms_);
-    set_shallow_apart();
     split_the_rest();
     find_inserts();
     std::vector<Column> columns = find_columns();
     const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_};
     ActionPlan plan = least_set(
         context, atoms_, std::move(columns), [&](std::size_t atom) { return ways_round(atom); }, progress_);
-    plan.specks = undercuts_.specks;
-    add_shallow_specks(plan);
-    add_rejected(plan);
+    plan.dropped = undercuts_.dropped;
+    plan.dropped_area = undercuts_.dropped_area;
     report(plan);
     return plan;
   }
@@ -79,64 +75,24 @@ class Finder {
   /// Bodies of a part may overlap. What of an undercut lies within another body becomes an atom of its own.
   void set_covered_apart() {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
-      const auto is_covered = [&](const UndercutSample& sample) {
-        return pulls_.release().is_covered(sample);
-      };
-      if (std::ranges::all_of(atoms_[k].samples, is_covered)) {
-        atoms_[k].covered = true;
-        atoms_[k].whole = false;
+      Atom covered{.patch = k, .samples = {}, .whole = false, .pin = atoms_[k].pin, .covered = true};
+      std::vector<UndercutSample> bare;
+      for (const UndercutSample& sample : atoms_[k].samples)
+        (pulls_.release().is_covered(sample) ? covered.samples : bare).push_back(sample);
+      if (covered.area() <= k_blocked_share * atoms_[k].area()) continue;
+      if (bare.empty()) {
+        atoms_[k] = std::move(covered);
         continue;
       }
-      std::optional<Atom> covered = taken_out(atoms_[k], is_covered);
-      if (!covered) continue;
-      covered->covered = true;
-      atoms_.push_back(std::move(*covered));
+      atoms_[k].samples = std::move(bare);
+      atoms_[k].whole = false;
+      atoms_.push_back(std::move(covered));
     }
-  }
-
-  /// Takes the samples that `goes` says out of an atom, into one of their own that is returned; none where
-  /// they are too few for one, or all of it.
-  template <typename Goes>
-  [[nodiscard]] std::optional<Atom> taken_out(Atom& atom, const Goes& goes) const {
-    Atom taken{.patch = atom.patch, .samples = {}, .whole = false, .pin = atom.pin};
-    std::vector<UndercutSample> rest;
-    for (const UndercutSample& sample : atom.samples) (goes(sample) ? taken.samples : rest).push_back(sample);
-    if (rest.empty() || taken.area() <= k_blocked_share * atom.area()) return std::nullopt;
-    atom.samples = std::move(rest);
-    atom.whole = false;
-    return taken;
-  }
-
-  /// What nothing releases whole may be released but for what needs no release.
-  void set_shallow_apart() {
-    const std::vector<char> revolved = revolved_atoms();
-    std::vector<std::optional<Atom>> shallow(atoms_.size());
-    for_each_atom([&](std::size_t k) {
-      Atom& atom = atoms_[k];
-      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.wanted()) return;
-      shallow[k] = taken_out(atom, [&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
-      if (!shallow[k]) return;
-      shallow[k]->shallow = true;
-      find_pulls_of(atom);
-    });
-    for (std::optional<Atom>& atom : shallow) {
-      if (atom) atoms_.push_back(std::move(*atom));
-    }
-  }
-
-  void add_shallow_specks(ActionPlan& plan) const {
-    for (const Atom& atom : atoms_) {
-      if (!atom.shallow) continue;
-      const glm::dvec3 at(atom.samples.front().position);
-      plan.specks.push_back(
-          {atom.area(), model_.frame.center + model_.frame.diagonal * at, SpeckReason::shallow});
-    }
-    std::ranges::stable_sort(plan.specks, std::greater(), &Speck::area);
   }
 
   [[nodiscard]] std::vector<PullCandidate> candidates(const Atom& atom) const {
-    auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], settings_);
-    const auto fan = pull_fan(undercuts_.axes);
+    auto tried = own_pulls(model_, split_, undercuts_.patches[atom.patch], query_.direction, settings_);
+    const auto fan = pull_fan(query_.direction);
     tried.insert(tried.end(), fan.begin(), fan.end());
     return tried;
   }
@@ -153,52 +109,9 @@ class Finder {
   void find_pulls() {
     progress_.report("looking for side actions", 0.0);
     for_each_atom([&](std::size_t k) {
-      if (atoms_[k].wanted()) find_pulls_of(atoms_[k]);
+      Atom& atom = atoms_[k];
+      if (atom.wanted()) atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
     });
-  }
-
-  void find_pulls_of(Atom& atom) const {
-    atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
-    set_rejected_apart(atom);
-  }
-
-  static void set_rejected_apart(Atom& atom) {
-    const auto known = static_cast<std::ptrdiff_t>(atom.rejected.size());
-    std::erase_if(atom.pulls, [&](const Pull& pull) {
-      if (pull.lack) atom.rejected.push_back(pull);
-      return pull.lack.has_value();
-    });
-    std::ranges::stable_sort(atom.rejected.begin() + known, atom.rejected.end(), {}, &Pull::travel);
-  }
-
-  /// Whether neither slide nor lifter of the plan releases any of an undercut.
-  [[nodiscard]] static bool is_left(const ActionPlan& plan, std::size_t patch) {
-    const bool unreleased = std::ranges::find(plan.unreleased, patch) != plan.unreleased.end();
-    return unreleased || std::ranges::any_of(plan.actions, [&](const SideAction& action) {
-             return action.kind == ActionKind::insert &&
-                    std::ranges::find(action.patches, patch) != action.patches.end();
-           });
-  }
-
-  void add_rejected(ActionPlan& plan) const {
-    const double diagonal = model_.frame.diagonal;
-    // Of the whole undercut before one of its parts.
-    std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
-    for (const Atom& atom : atoms_) {
-      if (!atom.rejected.empty() && first[atom.patch] == nullptr) first[atom.patch] = &atom.rejected.front();
-    }
-    for (std::size_t patch = 0; patch < first.size(); ++patch) {
-      if (first[patch] == nullptr || !is_left(plan, patch)) continue;
-      const Pull& pull = *first[patch];
-      plan.rejected.push_back({.patch = patch,
-                               .kind = pull.kind,
-                               .direction = pull.direction,
-                               .travel = pull.travel * diagonal,
-                               .core_side = pull.core_side,
-                               .reason = pull.lack->reason,
-                               .place = model_.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
-                               .room = pull.lack->room * diagonal});
-    }
   }
 
   /// 1 for each atom that a thread or a ring releases.
@@ -229,12 +142,12 @@ class Finder {
     const std::vector<char> revolved = revolved_atoms();
     ActionSettings all_round = settings_;
     all_round.incline_deg = 90.0;
-    const std::vector<PullCandidate> sphere = pull_sphere(undercuts_.axes);
+    const std::vector<PullCandidate> sphere = pull_sphere();
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {
       const Atom& atom = atoms_[k];
       if (revolved[k] != 0 || !atom.pulls.empty() || !atom.allows(ActionKind::insert)) return;
-      auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], all_round);
+      auto tried = own_pulls(model_, split_, undercuts_.patches[atom.patch], query_.direction, all_round);
       tried.insert(tried.end(), sphere.begin(), sphere.end());
       parts[k] = pulls_.find_inserts(atom.samples, tried, undercuts_.patches[atom.patch].area);
     });
@@ -246,14 +159,12 @@ class Finder {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool whole = atoms_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
-        Atom atom{.patch = atoms_[k].patch,
-                  .samples = std::move(parts[k][part].samples),
-                  .pulls = std::move(parts[k][part].pulls),
-                  .rejected = part == 0 ? std::move(atoms_[k].rejected) : std::vector<Pull>(),
-                  .whole = whole,
-                  .pin = atoms_[k].pin,
-                  .covered = atoms_[k].covered};
-        set_rejected_apart(atom);
+        Atom atom{atoms_[k].patch,
+                  std::move(parts[k][part].samples),
+                  std::move(parts[k][part].pulls),
+                  whole,
+                  atoms_[k].pin,
+                  atoms_[k].covered};
         if (part == 0) {
           atoms_[k] = std::move(atom);
         } else {
@@ -281,7 +192,8 @@ class Finder {
     std::vector<Pull> pulls = pulls_.turned(atom.samples, atom.pulls);
     for (const ActionKind kind : {ActionKind::inclined, ActionKind::lifter}) {
       if (!atom.allows(kind)) continue;
-      add_feasible(pulls_.find(atom.samples, candidates(atom), kind), pulls);
+      const std::vector<Pull> more = pulls_.find(atom.samples, candidates(atom), kind);
+      pulls.insert(pulls.end(), more.begin(), more.end());
     }
     if (atom.allows(ActionKind::lifter)) {
       std::vector<PullCandidate> across = candidates(atom);
@@ -290,15 +202,12 @@ class Finder {
           return std::abs(glm::dot(tried.direction, pull.direction)) > k_across;
         });
       });
-      add_feasible(pulls_.find(atom.samples, across, ActionKind::lifter), pulls);
+      const std::vector<Pull> more = pulls_.find(atom.samples, across, ActionKind::lifter);
+      pulls.insert(pulls.end(), more.begin(), more.end());
     }
     std::vector<Column> columns;
     for (const Pull& pull : pulls) add_pull_columns(atoms_, pulls_, sharing_reach(), number, pull, columns);
     return columns;
-  }
-
-  static void add_feasible(const std::vector<Pull>& more, std::vector<Pull>& pulls) {
-    std::ranges::copy_if(more, std::back_inserter(pulls), [](const Pull& pull) { return !pull.lack; });
   }
 
   void report(ActionPlan& plan) const {
@@ -339,8 +248,8 @@ class Finder {
   const ActionSettings& settings_;
   const Progress& progress_;
   ExactQuery query_;
-  Undercuts undercuts_;
   PullFinder pulls_;
+  Undercuts undercuts_;
   Faces faces_;
   double unit_per_mm_;
   std::vector<Atom> atoms_;

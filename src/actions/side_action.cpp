@@ -13,11 +13,6 @@ bool has_room(const SideAction& action) {
          action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding);
 }
 
-std::string_view reject_text(RejectReason reason) {
-  return reason == RejectReason::no_room ? "no room for its thickness beyond its travel"
-                                         : "no way out along its half after its travel";
-}
-
 const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
   const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
     return std::ranges::find(action.patches, patch) != action.patches.end();
@@ -31,12 +26,6 @@ std::string unreleased_text(const ActionPlan& plan, std::size_t patch) {
   return fmt::format("{} releases {}",
                      pin ? fmt::format("no {}", facts(*pin->kind).singular) : "nothing that was tried",
                      action_of(plan, patch) == nullptr ? "it" : "the rest of it");
-}
-
-double speck_area(const ActionPlan& plan) {
-  double area = 0.0;
-  for (const Speck& speck : plan.specks) area += speck.area;
-  return area;
 }
 
 bool is_stuck(double left, double area, double lateral) {
@@ -58,7 +47,7 @@ ActionTotals totals_of(const ActionPlan& plan, double lateral) {
 
 UndercutTotals undercut_totals(const ActionPlan& plan) {
   UndercutTotals totals{
-      .count = plan.patches.size(), .specks = plan.specks.size(), .speck_area = speck_area(plan)};
+      .count = plan.patches.size(), .specks = plan.dropped, .speck_area = plan.dropped_area};
   for (const UndercutReport& patch : plan.patches) totals.area += patch.undercut.area;
   return totals;
 }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -47,25 +46,6 @@ struct SideAction {
 /// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
 [[nodiscard]] bool has_room(const SideAction& action);
 
-/// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
-/// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel.
-enum class RejectReason : std::uint8_t { no_room, no_way_out };
-/// "no room for its thickness", …
-[[nodiscard]] std::string_view reject_text(RejectReason reason);
-
-/// Lengths are in the part's unit.
-struct RejectedAction {
-  std::size_t patch = 0;  // number among the undercuts
-  ActionKind kind = ActionKind::lifter;
-  glm::dvec3 direction{1, 0, 0};  // unit
-  double travel = 0.0;
-  bool core_side = true;
-  RejectReason reason = RejectReason::no_room;
-  glm::dvec3 place{0.0};  // on the undercut, from where it fails
-  double room = 0.0;      // beyond the travel from there; what is needed is the lifter's
-};
-
 /// An undercut and what was found out about it.
 struct UndercutReport {
   Undercut undercut;
@@ -82,14 +62,13 @@ struct UndercutReport {
 inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
-  std::vector<UndercutReport> patches;   // the largest first
-  std::vector<Speck> specks;             // what counts as no undercut, the largest first
-  std::vector<SideAction> actions;       // the largest area first
-  std::vector<RejectedAction> rejected;  // the shortest for each undercut that is left for want of it, or for
-                                         // an insert
-  std::vector<std::size_t> unreleased;   // patches that nothing releases, or not all of, rising
-  std::vector<double> unreleased_areas;  // what of each of these is left
-  double unreleased_area = 0.0;          // of all
+  std::vector<UndercutReport> patches;  // the largest first
+  std::size_t dropped = 0;              // specks, and what is clear within the lateral tolerance
+  double dropped_area = 0.0;
+  std::vector<SideAction> actions;            // the largest area first
+  std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
+  std::vector<double> unreleased_areas;       // what of each of these is left
+  double unreleased_area = 0.0;               // of all
   std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
@@ -112,7 +91,6 @@ struct ActionTotals {
 /// Whether what is left of an undercut keeps the part in its mold: more than 0.5 % of its area, and more than
 /// the lateral tolerance squared.
 [[nodiscard]] bool is_stuck(double left, double area, double lateral);
-[[nodiscard]] double speck_area(const ActionPlan& plan);
 
 /// "2 slides, 1 lifter"; "none" where nothing is needed.
 [[nodiscard]] std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts);

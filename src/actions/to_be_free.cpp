@@ -39,11 +39,10 @@ class Changes {
           const Progress& progress)
       : model_(model),
         split_(*result.split),
-        settings_(with_thin_lifters(settings)),
+        settings_(settings),
         query_(exact_query(model, result.query())),
         frame_(map_frame(query_.direction)),
-        axes_(part_axes(model, query_.direction)),
-        pulls_(model, query_, axes_, settings, progress) {}
+        pulls_(model, query_, settings, progress) {}
 
   [[nodiscard]] ToBeFree of(const UndercutReport& told, const SideAction* action) const {
     ToBeFree change;
@@ -57,16 +56,10 @@ class Changes {
   }
 
  private:
-  /// How far a point must move says what to change, whether a lifter has room or not.
-  [[nodiscard]] static ActionSettings with_thin_lifters(ActionSettings settings) {
-    settings.lifter_room_mm = 0.0;
-    return settings;
-  }
-
   void find_depth(const Undercut& undercut, ToBeFree& change) const {
     const auto samples = sample_undercut(model_, split_, undercut, k_depth_samples);
-    auto tried = own_pulls({model_, split_, axes_}, undercut, settings_);
-    const auto fan = pull_fan(axes_);
+    auto tried = own_pulls(model_, split_, undercut, query_.direction, settings_);
+    const auto fan = pull_fan(query_.direction);
     tried.insert(tried.end(), fan.begin(), fan.end());
     const std::vector<Pull> found = pulls_.find(samples, tried, ActionKind::lifter);
     const auto least = std::ranges::min_element(found, {}, &Pull::travel);
@@ -92,10 +85,10 @@ class Changes {
         const bool all = std::ranges::all_of(samples, [&](const UndercutSample& sample) {
           const glm::dvec3 from = glm::dvec3(sample.position) - axis_at;
           const glm::dvec3 radial = from - glm::dot(from, about.direction) * about.direction;
-          const auto travel = pulls_.release().first_clear(std::span(&sample, 1),
-                                                           {sense * glm::normalize(radial), side, 0.0});
+          const auto travel = pulls_.release().first_clear(
+              std::span(&sample, 1), sense * glm::normalize(radial), side, least.value_or(1.0));
           greatest = std::max(greatest, travel.value_or(0.0));
-          return travel.has_value() && greatest <= least.value_or(1.0);
+          return travel.has_value();
         });
         if (all) least = std::min(least.value_or(1.0), greatest);
       }
@@ -211,10 +204,9 @@ class Changes {
 
   const PartModel& model_;
   const SplitMesh& split_;
-  ActionSettings settings_;
+  const ActionSettings& settings_;
   ExactQuery query_;
   MapFrame frame_;
-  PartAxes axes_;
   PullFinder pulls_;
 };
 

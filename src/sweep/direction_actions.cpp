@@ -40,8 +40,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
     if (std::isfinite(limit.most)) {
-      const Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
-                                                 Progress(&progress), settings_.least_travel_mm);
+      const Undercuts undercuts =
+          find_undercuts(model_, *split.split, exact_query(model_, split.query()), Progress(&progress));
       const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       const UndercutTotals totals = totals_of(undercuts);
       if (weight + limit.per_area * totals.area > limit.most)

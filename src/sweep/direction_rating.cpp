@@ -34,7 +34,6 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
       corners_.push_back(mesh.vertices[vertex] - model.frame.center);
     }
   }
-  beside_.least_travel_mm = settings.action_settings.least_travel_mm;
   by_actions_ = needs_actions(settings.objective);
   before_actions_ = settings.objective;
   for (Objective::Term& term : before_actions_.terms) {

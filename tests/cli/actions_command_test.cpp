@@ -38,7 +38,7 @@ TEST_F(Actions, AreToldInJson) {
   const auto run = run_moldlight(actions({"--json", "-", "--clearance", "5"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(run.out);
-  EXPECT_EQ(json["schema"], "moldlight.actions/2");
+  EXPECT_EQ(json["schema"], "moldlight.actions/1");
   EXPECT_EQ(json["settings"]["clearance_mm"], 5.0);
   EXPECT_EQ(json["settings"]["tau_deg"], 1.0);
   ASSERT_EQ(json["patches"].size(), 1U);

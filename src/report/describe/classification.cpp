@@ -25,8 +25,8 @@ Section checked_draft_section(const ReportContext& context, const Study& study) 
 Report classify_report(const ReportContext& context, Study& study) {
   const PartModel& model = *context.model;
   const Classification& result = study.find<SplitRegions>(context.progress).result;
-  const Undercuts found = find_undercuts(model, *result.split, exact_query(model, result.query()),
-                                         context.progress, study.questions().actions.least_travel_mm);
+  const Undercuts found =
+      find_undercuts(model, *result.split, exact_query(model, result.query()), context.progress);
   Report report = begin_report(context, "Parting direction", result.direction);
   take_verdict(study.verdict(context.progress), report);
 

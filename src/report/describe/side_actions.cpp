@@ -62,11 +62,10 @@ Section plan_section(const ActionsReport& found) {
   }
   std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
                                    : "A cheaper set may exist: the search for the least was given up.";
-  if (!plan.specks.empty())
-    small += fmt::format(
-        " {} too small or too shallow for an action, {} {}.",
-        plan.specks.size() == 1 ? "One speck is" : fmt::format("{} specks are", plan.specks.size()),
-        figure(speck_area(plan)), area_unit);
+  if (plan.dropped > 0)
+    small += fmt::format(" {} within the lateral tolerance {} left out, {} {}.",
+                         plan.dropped == 1 ? "One patch" : fmt::format("{} patches", plan.dropped),
+                         plan.dropped == 1 ? "is" : "are", figure(plan.dropped_area), area_unit);
   section.blocks.emplace_back(Text{small, TextLook::quiet});
   return section;
 }
