@@ -176,10 +176,17 @@ class Trial {
 
   void tell_surface(const ForcedSlope& forced) {
     const double square = frame_.diagonal * frame_.diagonal;
-    halves_.surface = surface_figures(sheets_, asked_.settings.slope_deg, k_narrow, attempt_.tolerance);
-    for (double* area :
-         {&halves_.surface.parting_area, &halves_.surface.shut_off_area, &halves_.surface.too_steep_area})
+    halves_.surface = surface_figures(
+        sheets_,
+        {.slope_deg = asked_.settings.slope_deg, .narrow = k_narrow, .tolerance = attempt_.tolerance});
+    SurfaceFigures& surface = halves_.surface;
+    for (double* area : {&surface.parting_area, &surface.shut_off_area, &surface.too_steep_area,
+                         &surface.shelf_area, &surface.ramp_area})
       *area *= square;
+    const double middle = glm::dot(halves_.centre, halves_.frame.z);
+    for (double* height :
+         {&surface.shelf_height, &surface.low, &surface.high, &surface.rim_low, &surface.rim_high})
+      *height = middle + frame_.diagonal * *height;
     if (forced.tangent > 0.0) {
       halves_.forced_deg = glm::degrees(std::atan(forced.tangent));
       halves_.forced_at = frame_.in_part(0.5 * (forced.high + forced.low));

@@ -11,7 +11,7 @@
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "parting/hull/bodies.hpp"
-#include "parting/hull/half_checks.hpp"
+#include "parting/hull/surface_figures.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_frame.hpp"
 #include "parting/mold_settings.hpp"

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <map>
-#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -19,53 +17,15 @@
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
 #include "support/exact_crossing.hpp"
-#include "support/known_pulls.hpp"
-#include "support/manifest.hpp"
 #include "support/mold_checks.hpp"
-#include "support/shared_parts.hpp"
+#include "support/mold_rows.hpp"
 
 namespace moldlight {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct PartFile {
-  fs::path path;
-  std::vector<glm::dvec3> directions;  // three axes, and the known pull where it is none of them
-  glm::dvec3 pull{0, 0, 1};            // known, or z
-};
-
-PartFile part_file(const fs::path& path, std::span<const test::KnownPull> pulls) {
-  PartFile part{.path = path, .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (const test::KnownPull& known : pulls) {
-    if (path.filename() != known.file) continue;
-    part.pull = known.direction;
-    if (std::ranges::find(part.directions, part.pull) == part.directions.end())
-      part.directions.push_back(part.pull);
-  }
-  return part;
-}
-
-/// `most_facets`: larger ones take as long as all others.
-std::vector<PartFile> part_files(std::size_t most_facets = 70000) {
-  std::vector<fs::path> demos;
-  for (const auto& entry : fs::directory_iterator(test::asset_folder() / "parts"))
-    demos.push_back(entry.path());
-  std::ranges::sort(demos);
-  std::vector<PartFile> files;
-  for (const fs::path& path : demos) files.push_back(part_file(path, test::k_demo_pulls));
-  if (const auto shared = test::shared_folder()) {
-    for (const test::ManifestRow& row : test::read_manifest()) {
-      if (!row.file.starts_with("bad/") && row.facets.value_or(0) > 0 && *row.facets <= most_facets)
-        files.push_back(part_file(*shared / "parts" / row.file, test::k_shared_pulls));
-    }
-  }
-  return files;
-}
-
-std::string row_name(const PartFile& file, const glm::dvec3& d) {
-  return fmt::format("{} along {}, {}, {}", file.path.filename().string(), d.x, d.y, d.z);
-}
+using test::part_rows;
+using test::PartRows;
+using test::row_name;
 
 MoldHalves halves_of(const PartModel& model, const glm::dvec3& d) {
   return make_halves(model, d, {.height = glm::dot(model.frame.center, d)}, {}, Progress{});
@@ -136,7 +96,7 @@ void check_bodies(const MoldHalves& halves, const WrittenMold& written, double d
 
 TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
   Tally tally;
-  for (const PartFile& file : part_files()) {
+  for (const PartRows& file : part_rows()) {
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     static_cast<void>(model->exact(Progress{}));
@@ -189,7 +149,7 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
 TEST(MoldHalvesOfParts, FillTheBlockOnce) {
   std::size_t rows = 0, misplaced = 0, crossing = 0, by_rounding = 0;
   constexpr std::size_t k_points = 100000;
-  for (const PartFile& file : part_files(25000)) {
+  for (const PartRows& file : part_rows(25000)) {
     if (rows >= 10) break;
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
@@ -228,7 +188,7 @@ TEST(MoldHalvesOfParts, FillTheBlockOnce) {
 /// Every 0.2 of the part's unit, or a thousandth of its height where that is more.
 TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
   std::size_t rows = 0, sections = 0;
-  for (const PartFile& file : part_files(20000)) {
+  for (const PartRows& file : part_rows(20000)) {
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     const WrittenMold written = written_mold(halves_of(*model, file.pull));
@@ -251,7 +211,7 @@ TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
 TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
   std::size_t rows = 0, free_of_actions = 0, as_asked = 0, with_other_count = 0;
   std::vector<double> times_ms;
-  for (const PartFile& file : part_files()) {
+  for (const PartRows& file : part_rows()) {
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     static_cast<void>(model->exact(Progress{}));

@@ -19,16 +19,6 @@ struct GraphTest {
 [[nodiscard]] GraphTest graph_test(const std::vector<glm::dvec3>& vertices,
                                    const std::vector<std::array<SheetVertex, 3>>& facets, double sign);
 
-/// The sheet `parting`: what hangs together with the block's rim, and the shut-offs.
-struct SurfaceFigures {
-  double parting_area = 0.0, shut_off_area = 0.0, steepest_deg = 0.0;
-  double too_steep_area = 0.0;  // steeper than asked
-};
-/// Slopes are those of facets that are wider than `narrow`, less what a height that is off by `tolerance`
-/// makes of them.
-[[nodiscard]] SurfaceFigures surface_figures(const Sheets& sheets, double slope_deg, double narrow,
-                                             double tolerance);
-
 /// Facets whose least height is below `thinnest`, and a corner of the longest of them.
 struct Needles {
   std::size_t count = 0;
