@@ -139,6 +139,19 @@ std::string insert_actions_text(const MoldReport& report) {
   return text;
 }
 
+/// How a toolmaker cuts the surface around the part: its plane, what leads from there to the line, and how
+/// much the block's edge rises.
+Json surface_json(const MoldReport& report) {
+  const SurfaceFigures& surface = report.halves.surface;
+  return {{"shelf", {{"height", surface.shelf_height}, {"share", surface.shelf_share()}}},
+          {"ramps", surface.ramp_area},
+          {"land", land_width(report.settings, report.model.frame.diagonal)},
+          {"rise", surface.high - surface.low},
+          {"rim_range", surface.rim_high - surface.rim_low},
+          {"faces", surface.faces},
+          {"margin", report.halves.margin}};
+}
+
 /// Halves, surfaces, inserts; null where there are none.
 void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
@@ -153,6 +166,7 @@ void add_halves(const MoldReport& report, Json& json) {
                                  {"forced_deg", halves.forced_deg},
                                  {"forced_at", halves.forced_at ? point_json(*halves.forced_at) : Json()}}
                           : Json();
+  json["surface"] = made ? surface_json(report) : Json();
   json["halves"] = Json();
   json["inserts"] = Json::array();
   json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
