@@ -137,8 +137,11 @@ std::optional<double> number_at(const Json& json, std::string_view path) {
 
 /// What of the report has the figures.
 const Json& figures_of(std::string_view command, const Json& report, std::string_view file) {
-  const std::string schema = fmt::format("moldlight.{}/2", command);
-  const bool known = report.is_object() && report.contains("schema") && report["schema"] == schema;
+  // Figures of a sweep stand where they stood in the schema before.
+  const std::string schema = fmt::format("moldlight.{}/{}", command, command == "sweep" ? 3 : 2);
+  const bool known =
+      report.is_object() && report.contains("schema") &&
+      (report["schema"] == schema || report["schema"] == fmt::format("moldlight.{}/2", command));
   if (!known)
     throw UsageError(
         fmt::format("--baseline: {} is no report of moldlight {} --json ({})", file, command, schema));

@@ -32,7 +32,7 @@ namespace moldlight {
 [[nodiscard]] nlohmann::ordered_json actions_json(Study& study, const Progress& progress);
 /// Schema `moldlight.mold/2`.
 [[nodiscard]] nlohmann::ordered_json mold_json(Study& study, const Progress& progress);
-/// Schema `moldlight.sweep/2`: each direction's verdict, and that of the first.
+/// Schema `moldlight.sweep/3`: each direction's verdict, and that of the first.
 [[nodiscard]] nlohmann::ordered_json sweep_json_with_verdicts(const PartModel& model,
                                                               const SweepResult& result);
 

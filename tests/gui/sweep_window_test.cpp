@@ -51,6 +51,7 @@ SweepSettings long_sweep() {
   sweep.directions = k_many;
   sweep.scoring_samples = 200'000;
   sweep.thorough = true;
+  sweep.rank = SweepRank::objective;  // which measures nothing before all is scored
   return sweep;
 }
 

@@ -124,14 +124,15 @@ VerdictCard verdict_card(const AppState& state) {
 }
 
 void draw_verdict(const PanelContext& context) {
-  constexpr std::size_t k_most_lines = 4;
-  constexpr float k_line = 18.0F;
+  constexpr float k_line = 18.0F, k_low_window = 600.0F;
   const Ui& ui = context.ui;
+  // In a low window the panels below need the room; the tooltip has it all.
+  const std::size_t most_lines = ImGui::GetIO().DisplaySize.y < ui.px(k_low_window) ? 2 : 4;
   const VerdictCard verdict = verdict_card(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = ImGui::GetContentRegionAvail().x;
   const float room = width - ui.px(26);
-  const std::vector<std::string> lines = lines_within(ui.fonts.strong, verdict.sentence, room, k_most_lines);
+  const std::vector<std::string> lines = lines_within(ui.fonts.strong, verdict.sentence, room, most_lines);
   const float height = ui.px(4.0F + k_line * static_cast<float>(lines.size()));
   const Pressable sentence = pressable(ui, "verdict", {width, height});
   const glm::vec2 at = sentence.box.min;
