@@ -124,7 +124,7 @@ VerdictCard verdict_card(const AppState& state) {
 }
 
 void draw_verdict(const PanelContext& context) {
-  constexpr float k_line = 18.0F, k_low_window = 600.0F;
+  constexpr float k_line = 18.0F, k_low_window = 680.0F;
   const Ui& ui = context.ui;
   // In a low window the panels below need the room; the tooltip has it all.
   const std::size_t most_lines = ImGui::GetIO().DisplaySize.y < ui.px(k_low_window) ? 2 : 4;
