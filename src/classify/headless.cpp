@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "classify/classifier.hpp"
-#include "mold/second_depth.hpp"
 #include "gl/headless_context.hpp"
+#include "mold/second_depth.hpp"
 
 namespace moldlight {
 

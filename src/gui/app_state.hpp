@@ -33,11 +33,11 @@ struct Figures {
   // Of the maps that tell the regions shown; none if they do not.
   std::shared_ptr<const MapComparison> maps = {};
   std::optional<UndercutTotals> undercuts = {};  // not known while the direction moves
-  bool stale = false;                         // of other settings than the present ones
-  bool pale = false;                          // so for long enough to be shown as such
-  bool measuring = false;                     // more is to come: other figures, or the split mesh
-  std::uint64_t revision = 0;                 // rises when others are shown
-  std::string error = {};                     // why there are none
+  bool stale = false;                            // of other settings than the present ones
+  bool pale = false;                             // so for long enough to be shown as such
+  bool measuring = false;                        // more is to come: other figures, or the split mesh
+  std::uint64_t revision = 0;                    // rises when others are shown
+  std::string error = {};                        // why there are none
 };
 
 struct Loading {

@@ -42,7 +42,8 @@ struct MoldReport {
 /// Faces given by hand that the halves form otherwise: how much, where, why.
 [[nodiscard]] std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& halves);
 
-/// Schema `moldlight.mold/2`, without its verdict. Lengths and areas are in the part's unit, angles in degrees.
+/// Schema `moldlight.mold/2`, without its verdict. Lengths and areas are in the part's unit, angles in
+/// degrees.
 [[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
 
 /// The verdict, who forms what, the loops, the checks.

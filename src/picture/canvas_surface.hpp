@@ -10,8 +10,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/utf8.hpp"
-#include "picture/strokes.hpp"
 #include "picture/letters.hpp"
+#include "picture/strokes.hpp"
 
 namespace moldlight {
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "gl/headless_context.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/map_lookup.hpp"
 #include "support/shapes.hpp"
-#include "gl/headless_context.hpp"
 
 namespace moldlight {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gl/headless_context.hpp"
 #include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
 #include "support/boxes.hpp"
@@ -15,7 +16,6 @@
 #include "support/golden.hpp"
 #include "support/shape_picture.hpp"
 #include "support/sight_line.hpp"
-#include "gl/headless_context.hpp"
 
 namespace moldlight {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
 #include "gl/headless_context.hpp"
 
 namespace moldlight::test {

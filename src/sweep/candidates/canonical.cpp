@@ -15,9 +15,9 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_group_deg = 0.1;     // lines of one group
-constexpr double k_flat_deg = 0.05;     // normals of a plane from their mean
-constexpr double k_on_file_deg = 0.02;  // a group that an axis of the file stands for
+constexpr double k_group_deg = 0.1;               // lines of one group
+constexpr double k_flat_deg = 0.05;               // normals of a plane from their mean
+constexpr double k_on_file_deg = 0.02;            // a group that an axis of the file stands for
 constexpr double k_least_canonical_share = 0.01;  // of the surface
 constexpr std::size_t k_most = 12;
 constexpr std::size_t k_most_groups = 256;  // beyond them there is nothing large in free-form surfaces

@@ -8,8 +8,8 @@
 
 #include "backends.hpp"
 #include "base/error.hpp"
-#include "gl/objects.hpp"
 #include "gl/headless_context.hpp"
+#include "gl/objects.hpp"
 
 namespace moldlight::gl {
 namespace {
