@@ -40,10 +40,10 @@ class BodyMaker {
         release_(model, exact_query(model, result.query())) {
     std::set<FacetIndex> formed;
     for (const std::size_t patch : action_.patches) {
-      const UndercutReport& told = plan.patches[patch];
+      const UndercutReport& noted = plan.patches[patch];
       // What is formed with an undercut goes with the action that releases most of it.
       if (!action_.about && action_of(plan, patch) == &action_)
-        formed.insert(told.formed.begin(), told.formed.end());
+        formed.insert(noted.formed.begin(), noted.formed.end());
     }
     for (std::uint32_t piece = 0; piece < split_.pieces.size(); ++piece) {
       const bool own = plan.action_of_piece[piece] == static_cast<std::int32_t>(number);

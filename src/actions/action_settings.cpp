@@ -1,7 +1,5 @@
 #include "actions/action_settings.hpp"
 
-#include "mesh/length_unit.hpp"
-
 namespace moldlight {
 
 std::span<const Option<ActionSettings>> action_options() {
@@ -18,13 +16,15 @@ std::span<const Option<ActionSettings>> action_options() {
        RealKind<S>{&S::lifter_angle_deg, 1.0, 45.0, 0.5}},
       {"lifter_room_mm", "--lifter-room", "Lifter room", "mm",
        "What a lifter needs beyond its travel, for its own thickness and to stay clear; one with less is "
-       "told "
-       "as such, and taken for want of others.",
+       "rejected.",
        RealKind<S>{&S::lifter_room_mm, 0.0, 1000.0, 0.5}},
       {"clearance_mm", "--clearance", "Clearance", "mm", "What a slide travels beyond the least.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},
+      {"least_travel_mm", "--least-travel", "Least travel", "mm",
+       "What a shorter way releases is no undercut, nor is what is within the lateral tolerance.",
+       RealKind<S>{&S::least_travel_mm, 0.0, 1000.0, 0.05}},
       {"strip_strain_pct", "--strip-strain", "Strip strain", "%",
-       "Largest strain at which a ring may be stripped off; 0: any is told, and the verdict left to you.",
+       "Largest strain at which a ring may be stripped off; 0: none is stripped.",
        RealKind<S>{&S::strip_strain_pct, 0.0, 100.0, 0.5}},
       {"bundle_across_mm", "--bundle-across", "Bundle across", "mm",
        "Undercuts that one slide forms are no farther apart across its direction.",
@@ -35,6 +35,12 @@ std::span<const Option<ActionSettings>> action_options() {
       {"side_directions", "--side-direction", "Side directions", "",
        "A direction that a side action may take, tried beside those of the part; may be given several times.",
        DirectionsKind<S>{&S::side_directions}},
+      {"prices", "--prices", "Prices", "",
+       "What each kind of action costs in the choice of the least set; a slide is 1. A JSON file such as "
+       "{\"lifter\": 2}, or lifter=2,insert=5.",
+       TextKind<S>{.name = "FILE.json",
+                   .get = [](const S& s) { return prices_text(s.prices); },
+                   .set = [](S& s, std::string_view text) { s.prices = parse_prices(text); }}},
       {"pins", "--pins", "Pins", "",
        "Undercuts that one kind of action alone may release, or none: a point on each, its area and the "
        "kind.",
@@ -43,11 +49,6 @@ std::span<const Option<ActionSettings>> action_options() {
                    .set = [](S& s, std::string_view text) { s.pins = parse_pins(text); }}},
   };
   return k_options;
-}
-
-double unit_per_mm(const Part& part) {
-  const auto unit = find_length_unit(part.unit);
-  return 1.0 / (unit ? unit->mm : 1.0);
 }
 
 }  // namespace moldlight

@@ -6,9 +6,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "actions/action_prices.hpp"
 #include "actions/pins.hpp"
 #include "classify/option.hpp"
-#include "mesh/part.hpp"
 
 namespace moldlight {
 
@@ -19,20 +19,19 @@ struct ActionSettings {
   double lifter_angle_deg = 8.0;  // of a lifter to the ejection, [1, 45]: couples its travel and its stroke
   double lifter_room_mm = 3.0;    // that a lifter needs beyond its travel: its own thickness and play
   double clearance_mm = 3.0;      // added to a slide's least travel, [0, 1000]
-  double strip_strain_pct = 0.0;  // largest strain at which a ring is stripped off, [0, 100]; 0: any
+  double least_travel_mm = k_least_travel_mm;  // what a shorter way releases is no undercut, [0, 1000]
+  double strip_strain_pct = 5.0;               // up to which a ring may be stripped off, [0, 100]
   double bundle_across_mm =
       50.8;                       // undercuts that one slide forms are no farther apart across its direction,
   double bundle_along_mm = 25.4;  // and along it (published by a vendor of cost estimation), [0, 10000]
   std::vector<glm::dvec3> side_directions = {};  // always tried, and taken as they are; not zero
   std::vector<ActionPin> pins = {};
+  ActionPrices prices = default_prices();
 
   bool operator==(const ActionSettings&) const = default;
 };
 
 [[nodiscard]] std::span<const Option<ActionSettings>> action_options();
-
-/// How much of a part's unit a millimetre is; 1 for a part whose file names none.
-[[nodiscard]] double unit_per_mm(const Part& part);
 
 /// Two undercuts share a slide only if the directions they would have alone are within this angle.
 inline constexpr double k_bundle_deg = 30.0;

@@ -11,7 +11,7 @@ namespace moldlight {
 
 /// "slide_1": the kind and the number that the report gives it, from 1.
 [[nodiscard]] std::string action_name(const ActionPlan& plan, std::size_t action);
-/// Told apart by hue, over and over for many; undercuts' red is left out.
+/// Distinguished by hue, over and over for many; undercuts' red is left out.
 [[nodiscard]] Colour action_colour(std::size_t action);
 
 /// Writes the split part with its facets grouped by what forms them, in the formats of write_grouped_mesh():

@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "actions/action_figures.hpp"
+#include "actions/best_changes.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
@@ -20,8 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 std::string_view side_name(bool core_side) { return region_name(core_side ? Region::core : Region::cavity); }
 
@@ -63,74 +63,85 @@ Json change_json(const Part& part, const ToBeFree& change) {
 }
 
 Json patch_json(const Part& part, const UndercutReport& patch, std::size_t number) {
-  return {{"id", number},
-          {"area", patch.undercut.area},
-          {"formed_area", patch.formed_area},
-          {"centre", vector_json(patch.undercut.centre)},
-          {"size_across", patch.undercut.size_across},
-          {"size_along", patch.undercut.size_along},
-          {"depth", finite(patch.depth)},
-          {"side", side_name(patch.core_side)},
-          {"blocked_by", facets_json(part, patch.blocked_by)},
-          {"point", vector_json(patch.point)},
-          {"pinned", patch.pin ? Json(pin_name(*patch.pin)) : Json()}};
+  Json json = {{"id", number},
+               {"centre", vector_json(patch.undercut.centre)},
+               {"side", side_name(patch.core_side)},
+               {"blocked_by", facets_json(part, patch.blocked_by)},
+               {"point", vector_json(patch.point)},
+               {"pinned", patch.pin ? Json(pin_name(*patch.pin)) : Json()}};
+  put_figures(found_figures(undercut_figures(), patch), json);
+  return json;
+}
+
+/// When it moves: 1 before the mold opens, 2 the halves, 3 with the ejection, 4 by hand.
+int sequence_of(ActionKind kind) {
+  switch (kind) {
+    case ActionKind::lifter:
+    case ActionKind::strip:
+      return 3;
+    case ActionKind::insert:
+      return 4;
+    default:
+      return 1;
+  }
 }
 
 Json action_json(const SideAction& action) {
-  const bool thread = action.kind == ActionKind::unscrew;
   Json axis;
   if (action.about)
     axis = {{"point", vector_json(action.about->point)}, {"direction", vector_json(action.about->direction)}};
-  return {{"kind", facts(action.kind).name},
-          {"direction", vector_json(action.direction)},
-          {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
-          {"travel", action.travel},
-          {"stroke", action.stroke ? Json(*action.stroke) : Json()},
-          {"axis", axis},
-          {"pitch", thread ? Json(action.about->pitch) : Json()},
-          {"turns", thread ? Json(action.about->turns) : Json()},
-          {"strain", action.kind == ActionKind::strip ? Json(action.about->strain) : Json()},
-          {"patches", numbers_json(action.patches)},
-          {"area", action.area},
-          {"side", side_name(action.core_side)},
-          {"clear_to", finite(action.clear_to)},
-          {"room_needed", action.kind == ActionKind::lifter ? Json(action.room_needed) : Json()},
-          {"has_room", has_room(action)},
-          {"meets", numbers_json(action.meets)}};
+  Json json = {{"kind", facts(action.kind).name},
+               {"feature", action.feature},
+               {"sequence", sequence_of(action.kind)},
+               {"direction", vector_json(action.direction)},
+               {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
+               {"axis", axis},
+               {"patches", numbers_json(action.patches)},
+               {"side", side_name(action.core_side)},
+               {"has_room", has_room(action)},
+               {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
+               {"meets", numbers_json(action.meets)}};
+  put_figures(found_figures(action_figures(), action), json);
+  return json;
 }
 
-std::string patches_text(const std::vector<std::size_t>& patches) {
-  constexpr std::size_t k_most = 6;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(patches.size(), k_most); ++k)
-    text += fmt::format("{}{}", k == 0 ? "" : " ", patches[k] + 1);
-  return patches.size() > k_most ? fmt::format("{} … {} in all", text, patches.size()) : text;
+/// Each with what would have to be done to its undercuts, where that was looked for.
+Json saving_json(const SavingChange& change, const ActionsReport& report) {
+  Json todo = Json::array();
+  for (const std::size_t patch : change.patches) {
+    if (patch < report.changes.size())
+      todo.push_back(change_text(report.changes[patch], length_unit(report.model.part),
+                                 powered_unit(report.model.part, 2)));
+  }
+  return {{"patches", numbers_json(change.patches)},
+          {"actions", numbers_json(change.actions)},
+          {"saves", change.saves},
+          {"to_be_free", todo}};
+}
+
+Json rejected_json(const RejectedAction& rejected) {
+  return {{"patch", rejected.patch + 1},
+          {"kind", facts(rejected.kind).name},
+          {"direction", vector_json(rejected.direction)},
+          {"travel", rejected.travel},
+          {"side", side_name(rejected.core_side)},
+          {"reason", reject_text(rejected.reason)},
+          {"place", vector_json(rejected.place)},
+          {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()}};
 }
 
 /// Without the sign of what two decimals show as 0.
 double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value; }
 
-std::string changes_text(std::span<const ToBeFree> changes, const std::string& unit,
-                         const std::string& area_unit) {
-  constexpr std::size_t k_most = 6;
-  if (changes.empty()) return "";
-  std::string text = "\nWithout side actions, what reaches over an undercut would have to be\n";
-  for (std::size_t k = 0; k < std::min(changes.size(), k_most); ++k)
-    text += fmt::format("{:>4}  {}\n", k + 1, change_text(changes[k], unit, area_unit));
-  if (changes.size() > k_most) text += fmt::format("   …  {} in all\n", changes.size());
-  return text;
-}
-
 }  // namespace
 
 std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
   std::string text;
-  if (change.depth) text = fmt::format("cut back by {:.4g} {}", *change.depth, unit);
+  if (change.depth) text = fmt::format("cut back by {} {}", rounded(*change.depth), unit);
   if (const auto& window = change.window) {
-    const std::string least = fmt::format("{:.3g}", window->least_thickness);
-    const std::string greatest = fmt::format("{:.3g}", window->thickness);
+    const std::string least = rounded(window->least_thickness), greatest = rounded(window->thickness);
     text += fmt::format("{}opened towards {} by a window of {} {} through {}{} {}",
-                        text.empty() ? "" : ", or ", side_name(window->core_side), figure(window->area),
+                        text.empty() ? "" : ", or ", side_name(window->core_side), rounded(window->area),
                         area_unit, least == greatest ? "" : least + " to ", greatest, unit);
   }
   return text.empty() ? "-" : text;
@@ -163,7 +174,7 @@ std::string meetings_text(const ActionPlan& plan) {
   }
   if (number == 0) return "";
   const std::string_view who = slides == number ? "Slides" : slides == 0 ? "Lifters" : "Slides and lifters";
-  return fmt::format("\n{} would meet, since their ways cross{}: rows {}{}.\n", who,
+  return fmt::format("{} would meet, since their ways cross{}: rows {}{}.", who,
                      plan.optimal ? ", and nothing that was tried avoids it" : "", pairs,
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
@@ -171,24 +182,20 @@ std::string meetings_text(const ActionPlan& plan) {
 std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
   constexpr std::size_t k_most = 6;
   std::string rows;
-  std::size_t number = 0;
-  double needed = 0.0;
-  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
-    const SideAction& action = plan.actions[k];
-    if (has_room(action) || ++number > k_most) continue;
-    needed = action.room_needed;
-    rows += fmt::format("{}{} ({:.2f} {})", number == 1 ? "" : ", ", k + 1, action.clear_to - action.travel,
-                        unit);
+  for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
+    const RejectedAction& rejected = plan.rejected[k];
+    rows += fmt::format("{}{} ({:.3g} {}: {}, {:.2f} {})", k == 0 ? "" : ", ", rejected.patch + 1,
+                        rejected.travel, unit, reject_text(rejected.reason), rejected.room, unit);
   }
-  if (number == 0) return "";
-  return fmt::format("\nLifters with less room beyond their travel than {:.3g} {}: rows {}{}.\n", needed,
-                     unit, rows, number > k_most ? fmt::format(" … {} in all", number) : "");
+  if (rows.empty()) return "";
+  return fmt::format("Lifters that cannot be built, for undercuts: {}{}.", rows,
+                     plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
 }
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
   const auto& [model, result, settings, plan, changes] = report;
   Json json;
-  json["schema"] = "moldlight.actions/1";
+  json["schema"] = "moldlight.actions/2";
   json["part"] = part_json(model, result.warnings);
   json["direction"] = vector_json(result.direction);
   json["settings"] = options_json(method_options(), result.settings);
@@ -200,48 +207,19 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   }
   json["actions"] = Json::array();
   for (const SideAction& action : plan.actions) json["actions"].push_back(action_json(action));
+  json["rejected"] = Json::array();
+  for (const RejectedAction& rejected : plan.rejected) json["rejected"].push_back(rejected_json(rejected));
+  json["changes"] = Json::array();
+  for (const SavingChange& change : best_changes(plan, settings.prices))
+    json["changes"].push_back(saving_json(change, report));
   json["unreleased"] = {{"area", plan.unreleased_area}, {"patches", numbers_json(plan.unreleased)}};
-  json["dropped"] = {{"number", plan.dropped}, {"area", plan.dropped_area}};
+  json["dropped"] = {{"number", speck_count(plan)}, {"area", speck_area(plan)}};
+  json["specks"] = Json::array();
+  for (const Speck& speck : plan.specks)
+    json["specks"].push_back(
+        {{"area", speck.area}, {"place", vector_json(speck.place)}, {"reason", speck_text(speck.reason)}});
   json["optimal"] = plan.optimal;
   return json;
-}
-
-std::string actions_table(const ActionsReport& report) {
-  const auto& [model, result, settings, plan, changes] = report;
-  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
-  const FigureColumn areas(result.total_area), lengths(10.0 * model.frame.diagonal);
-  std::string text = fmt::format("{}: {} undercut{} along {}, {} {} ({})\n", part_name(model.part),
-                                 plan.patches.size(), plan.patches.size() == 1 ? "" : "s",
-                                 figures(result.direction, 1.0), areas.text(result.areas[Region::undercut]),
-                                 area_unit, share_text(result.areas[Region::undercut], result.total_area));
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "side actions: {}\n", actions_text(plan));
-  if (!plan.actions.empty()) {
-    fmt::format_to(out, "\n{:<9} {:>22} {:>17} {:>11} {:>11} {:>11}  undercuts\n", "kind", "direction",
-                   "free to turn", "travel " + unit, "stroke " + unit, "area " + area_unit);
-    for (const SideAction& action : plan.actions) {
-      fmt::format_to(out, "{:<9} {:>22} {:>17} {:>11} {:>11} {:>11}  {}\n", facts(action.kind).name,
-                     direction_text(action.direction, 3), freedom_text(action, unit),
-                     lengths.text(action.travel), action.stroke ? lengths.text(*action.stroke) : "",
-                     areas.text(action.area), patches_text(action.patches));
-    }
-    text += meetings_text(plan) + crowded_text(plan, unit);
-  }
-  if (!plan.unreleased.empty())
-    fmt::format_to(out, "\nNothing that was tried releases {} {} in {} undercuts: {}\n",
-                   areas.text(plan.unreleased_area), area_unit, plan.unreleased.size(),
-                   patches_text(plan.unreleased));
-  for (const std::size_t patch : plan.unreleased) {
-    if (plan.patches[patch].pin)
-      fmt::format_to(out, "undercut {}: {}\n", patch + 1, unreleased_text(plan, patch));
-  }
-  if (plan.dropped > 0)
-    fmt::format_to(out, "{} patches within the lateral tolerance are left out, {} {}.\n", plan.dropped,
-                   figure(plan.dropped_area), area_unit);
-  text += plan.optimal ? "No cheaper set of the actions that were tried releases as much.\n"
-                       : "A cheaper set may exist: the search for the least was given up.\n";
-  text += changes_text(changes, unit, area_unit);
-  return text;
 }
 
 std::string actions_csv(const ActionsReport& report) {

@@ -20,12 +20,9 @@ struct ActionsReport {
   std::span<const ToBeFree> changes = {};  // of each patch; empty where they were not looked for
 };
 
-/// Schema `moldlight.actions/1`. Lengths and areas are in the part's unit, angles in degrees; what does not
+/// Schema `moldlight.actions/2`. Lengths and areas are in the part's unit, angles in degrees; what does not
 /// apply or is without end is null. Patches are numbered from 1, the largest first.
 [[nodiscard]] nlohmann::ordered_json actions_json(const ActionsReport& report);
-
-/// The actions with what they release, then what nothing does, then what to change to do without.
-[[nodiscard]] std::string actions_table(const ActionsReport& report);
 
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);

@@ -12,7 +12,7 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_corners = 64;        // deepest ones that a travel is found for
-constexpr std::size_t k_turned = 200;        // samples that tell how far a lifter may turn
+constexpr std::size_t k_turned = 200;        // samples that show how far a lifter may turn
 constexpr double k_fine_step = 1.0 / 512.0;  // of travels, share of the diagonal
 
 /// Where a travel is found: what lies farthest against the pull, and some of the rest.
@@ -79,6 +79,7 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
         clear_length(release, deepest(context, atoms, column, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
+    if (pull.lack) action.lack = pull.lack->reason;
     action.room_needed = context.pulls.lifter_room() * diagonal;
     pull.interval =
         release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);

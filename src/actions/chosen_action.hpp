@@ -1,4 +1,4 @@
-// A side action as it is told: its travel and what it may turn by as exact as they get.
+// A side action as it is shown: its travel and what it may turn by as exact as they get.
 #pragma once
 
 #include <span>

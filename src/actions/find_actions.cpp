@@ -1,13 +1,16 @@
 // Pulls for each undercut, those that several can share, and the cheapest set of them.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include "actions/action_feature.hpp"
 #include "actions/atom.hpp"
 #include "actions/chosen_action.hpp"
 #include "actions/least_set.hpp"
@@ -36,8 +39,8 @@ class Finder {
         settings_(settings),
         progress_(progress),
         query_(exact_query(model, result.query())),
-        pulls_(model, query_, settings, progress),
-        undercuts_(find_undercuts(model, split_, query_, progress)),
+        undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
+        pulls_(model, query_, undercuts_.axes, settings, progress),
         faces_(part_faces(model.part, model.geometry, model.adjacency)),
         unit_per_mm_(unit_per_mm(model.part)) {}
 
@@ -46,14 +49,16 @@ class Finder {
     find_pulls();
     progress_.report("looking for threads", 0.4);
     revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_, progress_}, atoms_);
+    set_shallow_apart();
     split_the_rest();
     find_inserts();
     std::vector<Column> columns = find_columns();
     const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_};
     ActionPlan plan = least_set(
         context, atoms_, std::move(columns), [&](std::size_t atom) { return ways_round(atom); }, progress_);
-    plan.dropped = undercuts_.dropped;
-    plan.dropped_area = undercuts_.dropped_area;
+    plan.specks = undercuts_.specks;
+    add_shallow_specks(plan);
+    add_rejected(plan);
     report(plan);
     return plan;
   }
@@ -75,24 +80,64 @@ class Finder {
   /// Bodies of a part may overlap. What of an undercut lies within another body becomes an atom of its own.
   void set_covered_apart() {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
-      Atom covered{.patch = k, .samples = {}, .whole = false, .pin = atoms_[k].pin, .covered = true};
-      std::vector<UndercutSample> bare;
-      for (const UndercutSample& sample : atoms_[k].samples)
-        (pulls_.release().is_covered(sample) ? covered.samples : bare).push_back(sample);
-      if (covered.area() <= k_blocked_share * atoms_[k].area()) continue;
-      if (bare.empty()) {
-        atoms_[k] = std::move(covered);
+      const auto is_covered = [&](const UndercutSample& sample) {
+        return pulls_.release().is_covered(sample);
+      };
+      if (std::ranges::all_of(atoms_[k].samples, is_covered)) {
+        atoms_[k].covered = true;
+        atoms_[k].whole = false;
         continue;
       }
-      atoms_[k].samples = std::move(bare);
-      atoms_[k].whole = false;
-      atoms_.push_back(std::move(covered));
+      std::optional<Atom> covered = taken_out(atoms_[k], is_covered);
+      if (!covered) continue;
+      covered->covered = true;
+      atoms_.push_back(std::move(*covered));
     }
   }
 
+  /// Takes the samples that `goes` says out of an atom, into one of their own that is returned; none where
+  /// they are too few for one, or all of it.
+  template <typename Goes>
+  [[nodiscard]] std::optional<Atom> taken_out(Atom& atom, const Goes& goes) const {
+    Atom taken{.patch = atom.patch, .samples = {}, .whole = false, .pin = atom.pin};
+    std::vector<UndercutSample> rest;
+    for (const UndercutSample& sample : atom.samples) (goes(sample) ? taken.samples : rest).push_back(sample);
+    if (rest.empty() || taken.area() <= k_blocked_share * atom.area()) return std::nullopt;
+    atom.samples = std::move(rest);
+    atom.whole = false;
+    return taken;
+  }
+
+  /// What nothing releases whole may be released but for what needs no release.
+  void set_shallow_apart() {
+    const std::vector<char> revolved = revolved_atoms();
+    std::vector<std::optional<Atom>> shallow(atoms_.size());
+    for_each_atom([&](std::size_t k) {
+      Atom& atom = atoms_[k];
+      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.wanted()) return;
+      shallow[k] = taken_out(atom, [&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
+      if (!shallow[k]) return;
+      shallow[k]->shallow = true;
+      find_pulls_of(atom);
+    });
+    for (std::optional<Atom>& atom : shallow) {
+      if (atom) atoms_.push_back(std::move(*atom));
+    }
+  }
+
+  void add_shallow_specks(ActionPlan& plan) const {
+    for (const Atom& atom : atoms_) {
+      if (!atom.shallow) continue;
+      const glm::dvec3 at(atom.samples.front().position);
+      plan.specks.push_back(
+          {atom.area(), model_.frame.center + model_.frame.diagonal * at, SpeckReason::shallow, true});
+    }
+    std::ranges::stable_sort(plan.specks, std::greater(), &Speck::area);
+  }
+
   [[nodiscard]] std::vector<PullCandidate> candidates(const Atom& atom) const {
-    auto tried = own_pulls(model_, split_, undercuts_.patches[atom.patch], query_.direction, settings_);
-    const auto fan = pull_fan(query_.direction);
+    auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], settings_);
+    const auto fan = pull_fan(undercuts_.axes);
     tried.insert(tried.end(), fan.begin(), fan.end());
     return tried;
   }
@@ -109,9 +154,52 @@ class Finder {
   void find_pulls() {
     progress_.report("looking for side actions", 0.0);
     for_each_atom([&](std::size_t k) {
-      Atom& atom = atoms_[k];
-      if (atom.wanted()) atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
+      if (atoms_[k].wanted()) find_pulls_of(atoms_[k]);
     });
+  }
+
+  void find_pulls_of(Atom& atom) const {
+    atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
+    set_rejected_apart(atom);
+  }
+
+  static void set_rejected_apart(Atom& atom) {
+    const auto known = static_cast<std::ptrdiff_t>(atom.rejected.size());
+    std::erase_if(atom.pulls, [&](const Pull& pull) {
+      if (pull.lack) atom.rejected.push_back(pull);
+      return pull.lack.has_value();
+    });
+    std::ranges::stable_sort(atom.rejected.begin() + known, atom.rejected.end(), {}, &Pull::travel);
+  }
+
+  /// Whether actions of the mold that can be built release all of an undercut.
+  [[nodiscard]] static bool is_well_released(const ActionPlan& plan, std::size_t patch) {
+    return std::ranges::find(plan.unreleased, patch) == plan.unreleased.end() &&
+           std::ranges::all_of(plan.actions, [&](const SideAction& action) {
+             return std::ranges::find(action.patches, patch) == action.patches.end() ||
+                    (action.kind != ActionKind::insert && has_room(action));
+           });
+  }
+
+  void add_rejected(ActionPlan& plan) const {
+    const double diagonal = model_.frame.diagonal;
+    // Of the whole undercut before one of its parts.
+    std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
+    for (const Atom& atom : atoms_) {
+      if (!atom.rejected.empty() && first[atom.patch] == nullptr) first[atom.patch] = &atom.rejected.front();
+    }
+    for (std::size_t patch = 0; patch < first.size(); ++patch) {
+      if (first[patch] == nullptr || is_well_released(plan, patch)) continue;
+      const Pull& pull = *first[patch];
+      plan.rejected.push_back({.patch = patch,
+                               .kind = pull.kind,
+                               .direction = pull.direction,
+                               .travel = pull.travel * diagonal,
+                               .core_side = pull.core_side,
+                               .reason = pull.lack->reason,
+                               .place = model_.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
+                               .room = pull.lack->room * diagonal});
+    }
   }
 
   /// 1 for each atom that a thread or a ring releases.
@@ -133,7 +221,26 @@ class Finder {
       if (revolved[k] == 0 && atom.pulls.empty() && atom.wanted())
         parts[k] = pulls_.split(atom.samples, candidates(atom), atom.only());
     });
-    take_parts(parts);
+    std::vector<std::size_t> changed;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      add_crowded(k);
+      if (!parts[k].empty()) changed.push_back(k);
+    }
+    for (std::size_t k = take_parts(parts); k < atoms_.size(); ++k) changed.push_back(k);
+    for (const std::size_t k : changed) add_crowded(k);
+  }
+
+  /// A lifter without its room is kept for what nothing better releases.
+  void add_crowded(std::size_t k) {
+    const Atom& atom = atoms_[k];
+    if (!atom.pulls.empty()) return;
+    const Pull* best = nullptr;
+    for (const Pull& pull : atom.rejected) {
+      if (!pull.is_makeshift()) continue;
+      const auto cost = [&](const Pull& each) { return pull_cost(each, settings_.prices); };
+      if (best == nullptr || cost(pull) < cost(*best)) best = &pull;
+    }
+    if (best != nullptr) crowded_.push_back({*best, {k}});
   }
 
   /// For what no action of the mold releases.
@@ -142,36 +249,45 @@ class Finder {
     const std::vector<char> revolved = revolved_atoms();
     ActionSettings all_round = settings_;
     all_round.incline_deg = 90.0;
-    const std::vector<PullCandidate> sphere = pull_sphere();
+    const std::vector<PullCandidate> sphere = pull_sphere(undercuts_.axes);
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {
       const Atom& atom = atoms_[k];
       if (revolved[k] != 0 || !atom.pulls.empty() || !atom.allows(ActionKind::insert)) return;
-      auto tried = own_pulls(model_, split_, undercuts_.patches[atom.patch], query_.direction, all_round);
+      auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], all_round);
       tried.insert(tried.end(), sphere.begin(), sphere.end());
       parts[k] = pulls_.find_inserts(atom.samples, tried, undercuts_.patches[atom.patch].area);
     });
     take_parts(parts);
   }
 
-  /// Atoms that were split become their parts; the others, which have none, stay.
-  void take_parts(std::vector<std::vector<FreedPart>>& parts) {
+  /// Atoms that were split become their parts, those after the first at the end, which begins where is
+  /// returned; the others, which have none, stay.
+  std::size_t take_parts(std::vector<std::vector<FreedPart>>& parts) {
+    const std::size_t end = atoms_.size();
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool whole = atoms_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
-        Atom atom{atoms_[k].patch,
-                  std::move(parts[k][part].samples),
-                  std::move(parts[k][part].pulls),
-                  whole,
-                  atoms_[k].pin,
-                  atoms_[k].covered};
+        Atom atom{.patch = atoms_[k].patch,
+                  .samples = std::move(parts[k][part].samples),
+                  .pulls = std::move(parts[k][part].pulls),
+                  .rejected = part == 0 ? std::move(atoms_[k].rejected) : std::vector<Pull>(),
+                  .whole = whole,
+                  .pin = atoms_[k].pin,
+                  .covered = atoms_[k].covered};
+        set_rejected_apart(atom);
         if (part == 0) {
           atoms_[k] = std::move(atom);
         } else {
+          for (Column& column : crowded_) {
+            if (std::ranges::find(column.atoms, k) != column.atoms.end())
+              column.atoms.push_back(atoms_.size());
+          }
           atoms_.push_back(std::move(atom));
         }
       }
     }
+    return end;
   }
 
   [[nodiscard]] SharingReach sharing_reach() const {
@@ -182,6 +298,7 @@ class Finder {
   std::vector<Column> find_columns() const {
     std::vector<Column> columns = pull_columns(atoms_, pulls_, sharing_reach());
     columns.insert(columns.begin(), revolved_.begin(), revolved_.end());
+    columns.insert(columns.end(), crowded_.begin(), crowded_.end());
     return columns;
   }
 
@@ -192,8 +309,7 @@ class Finder {
     std::vector<Pull> pulls = pulls_.turned(atom.samples, atom.pulls);
     for (const ActionKind kind : {ActionKind::inclined, ActionKind::lifter}) {
       if (!atom.allows(kind)) continue;
-      const std::vector<Pull> more = pulls_.find(atom.samples, candidates(atom), kind);
-      pulls.insert(pulls.end(), more.begin(), more.end());
+      add_feasible(pulls_.find(atom.samples, candidates(atom), kind), pulls);
     }
     if (atom.allows(ActionKind::lifter)) {
       std::vector<PullCandidate> across = candidates(atom);
@@ -202,43 +318,48 @@ class Finder {
           return std::abs(glm::dot(tried.direction, pull.direction)) > k_across;
         });
       });
-      const std::vector<Pull> more = pulls_.find(atom.samples, across, ActionKind::lifter);
-      pulls.insert(pulls.end(), more.begin(), more.end());
+      add_feasible(pulls_.find(atom.samples, across, ActionKind::lifter), pulls);
     }
     std::vector<Column> columns;
     for (const Pull& pull : pulls) add_pull_columns(atoms_, pulls_, sharing_reach(), number, pull, columns);
     return columns;
   }
 
+  static void add_feasible(const std::vector<Pull>& more, std::vector<Pull>& pulls) {
+    std::ranges::copy_if(more, std::back_inserter(pulls), [](const Pull& pull) { return !pull.lack; });
+  }
+
   void report(ActionPlan& plan) const {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
-      UndercutReport told;
-      told.undercut = undercuts_.patches[k];
-      told.blocked_by = blockers(model_, split_, told.undercut, query_.direction);
-      place(k, told);
+      UndercutReport noted;
+      noted.undercut = undercuts_.patches[k];
+      noted.blocked_by = blockers(model_, split_, noted.undercut, query_.direction);
+      place(k, noted);
       const SideAction* action = action_of(plan, k);
       if (action != nullptr) {
-        told.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
-        told.core_side = action->core_side;
+        noted.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
+        noted.core_side = action->core_side;
       }
-      add_formed_surface({model_, split_, faces_, pulls_.release()}, action, told);
-      plan.patches.push_back(std::move(told));
+      add_formed_surface({model_, split_, faces_, pulls_.release()}, action, noted);
+      plan.patches.push_back(std::move(noted));
     }
+    for (SideAction& action : plan.actions)
+      action.feature = feature_text({model_, split_, pulls_.release()}, plan, action);
   }
 
   /// Where a pin finds it, and the pin that did.
-  void place(std::size_t patch, UndercutReport& told) const {
-    const glm::vec3 centre = model_.frame.to_unit(told.undercut.centre);
+  void place(std::size_t patch, UndercutReport& noted) const {
+    const glm::vec3 centre = model_.frame.to_unit(noted.undercut.centre);
     float nearest = std::numeric_limits<float>::infinity();
     for (const Atom& atom : atoms_) {
       if (atom.patch != patch) continue;
-      if (atom.pin != nullptr) told.pin = *atom.pin;
+      if (atom.pin != nullptr) noted.pin = *atom.pin;
       for (const UndercutSample& sample : atom.samples) {
         const float distance = glm::distance(sample.position, centre);
         if (distance >= nearest) continue;
         nearest = distance;
-        told.point = model_.frame.center + model_.frame.diagonal * glm::dvec3(sample.position);
+        noted.point = model_.frame.center + model_.frame.diagonal * glm::dvec3(sample.position);
       }
     }
   }
@@ -248,12 +369,13 @@ class Finder {
   const ActionSettings& settings_;
   const Progress& progress_;
   ExactQuery query_;
-  PullFinder pulls_;
   Undercuts undercuts_;
+  PullFinder pulls_;
   Faces faces_;
   double unit_per_mm_;
   std::vector<Atom> atoms_;
   std::vector<Column> revolved_;  // threads and rings
+  std::vector<Column> crowded_;   // lifters without the room that they need
 };
 
 }  // namespace

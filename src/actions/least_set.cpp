@@ -73,7 +73,7 @@ class LeastSet {
  private:
   void add(std::vector<Column> columns) {
     for (Column& column : columns) {
-      priced_.push_back({column.atoms, pull_cost(column.pull)});
+      priced_.push_back({column.atoms, pull_cost(column.pull, context_.settings.prices)});
       columns_.push_back(std::move(column));
     }
   }
@@ -98,14 +98,20 @@ class LeastSet {
 
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
+    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
     std::map<std::size_t, double> left_of;  // by patch
-    for (const std::size_t atom : cover.uncovered) left_of[atoms_[atom].patch] += atoms_[atom].area();
+    for (const std::size_t atom : cover.uncovered) {
+      if (atoms_[atom].shallow) {
+        of_atom[atom] = k_no_action_of_piece;
+      } else {
+        left_of[atoms_[atom].patch] += atoms_[atom].area();
+      }
+    }
     for (const auto& [patch, area] : left_of) {
       draft.plan.unreleased.push_back(patch);
       draft.plan.unreleased_areas.push_back(area);
       draft.plan.unreleased_area += area;
     }
-    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
     std::vector<Left> chosen;
     for (const std::size_t c : cover.columns) {
       std::vector<std::size_t> left = columns_[c].atoms;

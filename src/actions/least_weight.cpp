@@ -59,9 +59,13 @@ double least_weight(const PartModel& model, const SplitMesh& split, const Underc
       if (gap <= reach) near.join(a, b);
     }
   }
+  const auto price = [&](ActionKind kind) { return settings.prices[static_cast<std::size_t>(kind)]; };
+  const double straight = std::min({price(ActionKind::slide), price(ActionKind::inclined),
+                                    price(ActionKind::lifter), price(ActionKind::insert)});
+  const double round = std::min({straight, price(ActionKind::unscrew), price(ActionKind::strip)});
   std::vector<double> weights(patches.size(), 0.0);  // of groups, at their first patches
   for (std::uint32_t k = 0; k < patches.size(); ++k) {
-    const double own = facts(spreads[k].is_round ? ActionKind::strip : ActionKind::slide).weight;
+    const double own = spreads[k].is_round ? round : straight;
     double& weight = weights[near.find(k)];
     weight = weight > 0.0 ? std::min(weight, own) : own;
   }

@@ -1,4 +1,4 @@
-// What a part's undercuts ask for at the very least, told without looking for side actions.
+// What a part's undercuts ask for at the very least, found without looking for side actions.
 #pragma once
 
 #include "actions/action_settings.hpp"

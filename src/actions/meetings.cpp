@@ -1,5 +1,6 @@
 // A point is on the way of an action if a ray from it against the action's direction first meets the part on
-// the surface that the action forms, of a lifter within its length.
+// the surface that the action forms, of a lifter within its length. It is in an undercut if it is hidden from
+// both halves.
 #include "actions/meetings.hpp"
 
 #include <algorithm>
@@ -17,7 +18,9 @@ constexpr int k_places = 16;               // on the way of each, where the othe
 constexpr double k_way_beyond = 0.08;      // the part, share of the diagonal
 constexpr double k_parallel = 1e-3;        // sine between directions whose ways cannot cross
 constexpr double k_least_met = 0.02;       // share of the samples
-constexpr double k_inside = 1e-6;          // of barycentric coordinates: rounding
+constexpr int k_places_within = 5;         // in the box round an undercut that another action forms
+constexpr double k_least_within = 0.1;
+constexpr double k_inside = 1e-6;  // of barycentric coordinates: rounding
 
 struct WayReach {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -25,12 +28,13 @@ struct WayReach {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
   }
+  [[nodiscard]] bool has(double value) const { return value >= least && value <= greatest; }
 };
 
 /// In the unit frame.
 struct Way {
   std::size_t action = 0;
-  bool lifts = false;
+  ActionKind kind = ActionKind::slide;
   bool core_side = true;
   glm::dvec3 direction{1, 0, 0};
   double end = 0.0;  // along the direction
@@ -50,7 +54,7 @@ class Meetings {
     std::vector<Undercut> surfaces(plan.actions.size());
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
       const std::int32_t action = plan.action_of_piece[piece];
-      if (action < 0 || !may_meet(plan.actions[static_cast<std::size_t>(action)].kind)) continue;
+      if (action < 0 || plan.actions[static_cast<std::size_t>(action)].kind == ActionKind::strip) continue;
       Undercut& surface = surfaces[static_cast<std::size_t>(action)];
       surface.pieces.push_back(piece);
       surface.area += piece_area(split, split.pieces[piece]);
@@ -59,7 +63,7 @@ class Meetings {
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       if (surfaces[k].area <= 0.0) continue;
       ways_.push_back({.action = k,
-                       .lifts = plan.actions[k].kind == ActionKind::lifter,
+                       .kind = plan.actions[k].kind,
                        .samples = sample_undercut(model, split, surfaces[k], k_way_samples)});
       ways_.back() = moved(ways_.back(), move_of(plan.actions[k]));
     }
@@ -69,8 +73,7 @@ class Meetings {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (std::size_t a = 0; a < ways_.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if (crosses(ways_[a], ways_[b]) || crosses(ways_[b], ways_[a]))
-          found.emplace_back(ways_[b].action, ways_[a].action);
+        if (meet(ways_[a], ways_[b])) found.emplace_back(ways_[b].action, ways_[a].action);
       }
     }
     return found;
@@ -90,31 +93,79 @@ class Meetings {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < b.size(); ++j) {
-        if (crosses(a[i], b[j]) || crosses(b[j], a[i])) found.emplace_back(i, j);
+        if (meet(a[i], b[j])) found.emplace_back(i, j);
       }
     }
     return found;
   }
 
  private:
-  [[nodiscard]] static bool may_meet(ActionKind kind) { return is_slide(kind) || kind == ActionKind::lifter; }
+  [[nodiscard]] bool meet(const Way& one, const Way& other) const {
+    return crosses(one, other) || crosses(other, one) || passes_through(one, other) ||
+           passes_through(other, one);
+  }
+
+  /// Whether a slide goes through the undercut that another action forms.
+  [[nodiscard]] bool passes_through(const Way& one, const Way& other) const {
+    if (!is_slide(one.kind) || share_patch(one, other)) return false;
+    const glm::dvec3 level = glm::normalize(glm::cross(release_.direction(), one.direction));
+    const glm::dvec3 upright = glm::cross(one.direction, level);
+    const WayReach along = other.extent(one.direction), wide = other.extent(level),
+                   high = other.extent(upright);
+    std::size_t met = 0;
+    for (const UndercutSample& sample : one.samples) {
+      const glm::dvec3 from(release_.start(sample, one.direction));
+      if (!wide.has(glm::dot(from, level)) || !high.has(glm::dot(from, upright))) continue;
+      const double at = glm::dot(from, one.direction);
+      const double first = std::max(0.0, along.least - at), last = along.greatest - at;
+      for (int place = 0; place < k_places_within && first < last; ++place) {
+        const double share = (place + 0.5) / k_places_within;
+        if (!is_within(other, from + (first + (last - first) * share) * one.direction)) continue;
+        ++met;
+        break;
+      }
+    }
+    return static_cast<double>(met) > k_least_within * static_cast<double>(one.samples.size());
+  }
+
+  /// What forms an undercut together stands in one space: where the one ends and the other begins is a
+  /// choice.
+  [[nodiscard]] bool share_patch(const Way& one, const Way& other) const {
+    const std::vector<std::size_t>& patches = plan_.actions[other.action].patches;
+    return std::ranges::any_of(plan_.actions[one.action].patches, [&](std::size_t patch) {
+      return std::ranges::find(patches, patch) != patches.end();
+    });
+  }
+
+  /// Whether a point is hidden from both halves, and from one of them by surface that the action forms.
+  [[nodiscard]] bool is_within(const Way& way, const glm::dvec3& point) const {
+    bool formed = false;
+    for (const glm::dvec3& side : {release_.direction(), -release_.direction()}) {
+      const auto hit = model_.rays().first_hit(glm::vec3(point), glm::vec3(side), false);
+      if (!hit) return false;
+      formed = formed || forms(way, *hit, point + static_cast<double>(hit->distance) * side);
+    }
+    return formed;
+  }
 
   [[nodiscard]] Way moved(const Way& way, const ActionMove& move) const {
     Way other = way;
     other.direction = move.direction;
     other.core_side = move.core_side;
-    const double from =
-        way.lifts ? way.extent(move.direction).greatest : release_.reach(move.direction) + k_way_beyond;
+    const double from = way.kind == ActionKind::lifter ? way.extent(move.direction).greatest
+                                                       : release_.reach(move.direction) + k_way_beyond;
     other.end = from + (move.travel + move.room) / model_.frame.diagonal;
     return other;
   }
 
   /// Whether what `one` moves passes where `other` is.
   [[nodiscard]] bool crosses(const Way& one, const Way& other) const {
-    if (one.lifts != other.lifts || (one.lifts && one.core_side != other.core_side)) return false;
+    const bool lift = one.kind == ActionKind::lifter && other.kind == ActionKind::lifter;
+    if (!lift && !(is_slide(one.kind) && is_slide(other.kind))) return false;
+    if (lift && one.core_side != other.core_side) return false;
     const glm::dvec3 normal = glm::cross(one.direction, other.direction);
     const bool parallel = glm::length(normal) < k_parallel;
-    if (parallel && (!one.lifts || glm::dot(one.direction, other.direction) > 0.0)) return false;
+    if (parallel && (!lift || glm::dot(one.direction, other.direction) > 0.0)) return false;
     // Across the other's way, in the plane of both directions.
     const glm::dvec3 across = one.direction - glm::dot(one.direction, other.direction) * other.direction;
     const WayReach level = other.extent(normal), wide = other.extent(across);
@@ -144,11 +195,13 @@ class Meetings {
   [[nodiscard]] bool is_on(const Way& way, const glm::dvec3& point) const {
     if (glm::dot(point, way.direction) > way.end) return false;
     const auto hit = model_.rays().first_hit(glm::vec3(point), glm::vec3(-way.direction), false);
-    if (!hit) return false;
-    const glm::dvec3 at =
-        model_.frame.center +
-        model_.frame.diagonal * (point - static_cast<double>(hit->distance) * way.direction);
-    const auto [begin, end] = pieces_.equal_range(hit->facet);
+    return hit && forms(way, *hit, point - static_cast<double>(hit->distance) * way.direction);
+  }
+
+  /// Whether the action forms the place (unit frame) where a ray met the part.
+  [[nodiscard]] bool forms(const Way& way, const ExactRays::Hit& hit, const glm::dvec3& place) const {
+    const glm::dvec3 at = model_.frame.center + model_.frame.diagonal * place;
+    const auto [begin, end] = pieces_.equal_range(hit.facet);
     return std::any_of(begin, end, [&](const auto& entry) {
       return plan_.action_of_piece[entry.second] == static_cast<std::int32_t>(way.action) &&
              holds(split_.pieces[entry.second].corners, at);

@@ -12,7 +12,8 @@ namespace moldlight {
 /// way it crosses. The way of a slide is what its surface sweeps out to beyond the part, and its travel on.
 /// Two slides whose ways cross stand in each other's way whichever goes first, as long as each reaches
 /// outward along its own direction. The way of a lifter ends its travel and its own thickness beyond what it
-/// forms; lifters of one half move together.
+/// forms; lifters of one half move together. A slide also meets every action, of any kind but what is
+/// stripped, through whose undercut it goes on its way out.
 void find_meetings(const PartModel& model, const SplitMesh& split, const Release& release, ActionPlan& plan);
 
 /// An action of a plan that moves otherwise: along `direction` (unit), by `travel` and, of a lifter, the

@@ -1,6 +1,7 @@
 #include "actions/pull.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,49 +13,30 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_quick_samples = 24;   // which tell soon that a lifter is hopeless
+constexpr std::size_t k_quick_samples = 24;   // which show soon that a lifter is hopeless
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
 constexpr double k_compared_turn_deg = 0.01;  // of turns that are compared; what is chosen is found anew
 constexpr double k_same_elevation_deg = 0.01;
-constexpr std::size_t k_lifters = 3;     // of an undercut, with room and without
-constexpr std::size_t k_most_tries = 8;  // at each
-constexpr int k_most_parts = 3;          // of an undercut that nothing releases whole
-constexpr double k_least_part = 0.05;    // of its area: less is not worth an action
-constexpr double k_narrow_cost = 5e-4;   // of a pull that may not turn at all, beside the weights
-constexpr double k_travel_cost = 1e-3;   // of the diagonal, beside the weights
-constexpr double k_wish_gain = 0.05;     // of a direction of the user's own, off the weights
-constexpr double k_no_room_cost = 1.5;   // of a lifter without room: dearer than any pull that has
-constexpr double k_worth_lifting = 1.1;  // what a lifter must free of it, of what a slide does
+constexpr std::size_t k_lifters = 3;       // of an undercut, that can be built and that cannot
+constexpr std::size_t k_most_tries = 24;   // at each
+constexpr int k_most_parts = 3;            // of an undercut that nothing releases whole
+constexpr double k_least_part = 0.05;      // of its area: less is not worth an action
+constexpr double k_least_split = 0.15;     // likewise, of one beside others
+constexpr double k_narrow_cost = 5e-4;     // of a pull that may not turn at all, beside the weights
+constexpr double k_travel_cost = 1e-3;     // of the diagonal, beside the weights
+constexpr double k_way_cost = 0.01;        // likewise: steel of core and cavity that a slide passes through
+constexpr double k_strain_cost = 10.0;     // of a ring that is stretched to twice its size
+constexpr double k_crowded_cost = 6.0;     // of a lifter without any room: more than a loose insert
+constexpr double k_even_cost = 1e-3;       // of a direction that nothing of the part suggests
+constexpr double k_cost_step = 1e-6;       // less is rounding
+constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, off the weights
+constexpr double k_least_makeshift = 0.5;  // of an undercut: less is not worth a lifter without its room
+constexpr double k_worth_lifting = 1.1;    // what a lifter must free of it, of what a slide does
 
 double area_of(std::span<const UndercutSample> samples) {
   double area = 0.0;
   for (const UndercutSample& sample : samples) area += sample.area;
   return area;
-}
-
-/// What a split of an undercut comes to.
-struct Worth {
-  double left = 1.0;  // share that no pull frees: for an insert, which may leave some of it
-  double cost = 0.0;  // of the cheapest pull for each part
-};
-Worth worth_of(std::span<const FreedPart> parts) {
-  Worth worth;
-  double whole = 0.0, left = 0.0;
-  for (const FreedPart& part : parts) {
-    double least = k_never;
-    for (const Pull& pull : part.pulls) least = std::min(least, pull_cost(pull));
-    const double area = area_of(part.samples);
-    whole += area;
-    left += part.pulls.empty() ? area : 0.0;
-    worth.cost += part.pulls.empty() ? facts(ActionKind::insert).weight : least;
-  }
-  if (whole > 0.0) worth.left = left / whole;
-  return worth;
-}
-/// Frees more by what is worth an action, or as much for less.
-bool is_better(const Worth& one, const Worth& other) {
-  if (std::abs(one.left - other.left) > k_least_part) return one.left < other.left;
-  return one.cost < other.cost;
 }
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
@@ -70,11 +52,16 @@ double turn_between(const glm::dvec3& from, const glm::dvec3& to, const glm::dve
 
 }  // namespace
 
-double pull_cost(const Pull& pull) {
+double pull_cost(const Pull& pull, const ActionPrices& prices) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
   const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
-  return facts(pull.kind).weight - gain + (pull.has_room ? 0.0 : k_no_room_cost) +
-         k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
+  const double strain = pull.kind == ActionKind::strip ? pull.about->strain : 0.0;
+  const double crowded = pull.lack ? k_crowded_cost * pull.lack->missing : 0.0;
+  const double meant = pull.source == PullSource::even ? k_even_cost : 0.0;
+  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + crowded +
+                      k_strain_cost * strain + k_way_cost * pull.way + k_travel_cost * pull.travel +
+                      k_narrow_cost / (1.0 + width_deg);
+  return k_cost_step * std::round(cost / k_cost_step);
 }
 
 std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
@@ -126,44 +113,57 @@ bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull
 Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                ActionKind kind, double resolved_deg,
                                std::span<const PullCandidate> others) const {
-  constexpr double k_wide_deg = 10.0, k_least_margin = 0.15;  // of the width
   Pull pull{.kind = kind, .direction = candidate.direction, .source = candidate.source};
   pull.interval = release_.free_turn(samples, pull.direction, direction_, resolved_deg);
-  const auto [from_deg, to_deg] = pull.interval;
-  const double middle = pull.interval.middle_deg(), half = 0.5 * (to_deg - from_deg);
   if (pull.source == PullSource::wish) return pull;
-  const bool central = std::abs(middle) < 0.5 * half;
-  if (pull.source == PullSource::exact && central) return pull;
-  if (2.0 * half > k_wide_deg) {
-    const double lean_deg = elevation_deg(pull.direction, direction_), from = from_deg, to = to_deg;
-    const PullCandidate* best = nullptr;
-    double best_deg = 0.0, margin_deg = 2.0 * k_least_margin * half;
-    const auto look_at = [&](const PullCandidate& other) {
-      if (other.source == PullSource::even ||
-          std::abs(elevation_deg(other.direction, direction_) - lean_deg) > k_same_elevation_deg)
-        return;
-      const double turn_deg = turn_between(pull.direction, other.direction, direction_);
-      const double its_deg = std::min(to - turn_deg, turn_deg - from);
-      if (its_deg <= margin_deg) return;
-      best = &other;
-      best_deg = turn_deg;
-      margin_deg = its_deg * (1.0 + 1e-9);
-    };
-    look_at(candidate);
-    for (const PullCandidate& other : others) look_at(other);
-    if (best != nullptr) {
-      pull.direction = best->direction;
-      pull.source = best->source;
-      pull.interval = {from - best_deg, to - best_deg};
-      return pull;
-    }
+  const double from_deg = pull.interval.from_deg, to_deg = pull.interval.to_deg;
+  const double middle_deg = pull.interval.middle_deg(), half_deg = 0.5 * (to_deg - from_deg);
+  if (const auto better = meant_within(pull, others)) {
+    const double turn_deg = turn_between(pull.direction, better->direction, direction_);
+    pull.direction = better->direction;
+    pull.source = better->source;
+    pull.interval = {from_deg - turn_deg, to_deg - turn_deg};
+    return pull;
   }
-  const glm::dvec3 centred = turned_about(pull.direction, direction_, middle);
+  const glm::dvec3 centred = turned_about(pull.direction, direction_, middle_deg);
   if (!release_.releases(samples, centred, k_never)) return pull;
   pull.direction = centred;
   pull.source = PullSource::even;
-  pull.interval = {-half, half};
+  pull.interval = {-half_deg, half_deg};
   return pull;
+}
+
+std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
+                                                      std::span<const PullCandidate> others) const {
+  constexpr double k_wide_deg = 10.0;
+  constexpr double k_margin = 0.15, k_narrow_margin = 0.25;  // to the ends, of the width
+  constexpr double k_parallel = 0.9;                         // of tau
+  const double from_deg = pull.interval.from_deg, to_deg = pull.interval.to_deg;
+  const double width_deg = to_deg - from_deg, lean_deg = elevation_deg(pull.direction, direction_);
+  const bool wide = width_deg > k_wide_deg;
+  const double least_deg = (wide ? k_margin : k_narrow_margin) * width_deg;
+  // Along walls that say where the part points a slide leaves at the end of what is free but for the draft.
+  const double least_part_deg = wide ? std::min(least_deg, k_parallel * tau_deg_) : least_deg;
+  std::optional<PullCandidate> best;
+  double margin_deg = 0.0;
+  const auto look_at = [&](const PullCandidate& other) {
+    // Planes of a narrow undercut may lean by its draft: the middle of what is free is the truth.
+    if (other.source > (wide ? PullSource::shape : PullSource::part) ||
+        std::abs(elevation_deg(other.direction, direction_) - lean_deg) > k_same_elevation_deg)
+      return;
+    const double turn_deg = turn_between(pull.direction, other.direction, direction_);
+    const double its_deg = std::min(to_deg - turn_deg, turn_deg - from_deg);
+    if (its_deg < (other.source == PullSource::part ? least_part_deg : least_deg) ||
+        (best && other.source > best->source))
+      return;
+    if (best && other.source == best->source && its_deg <= margin_deg + k_same_elevation_deg) return;
+    best = other;
+    margin_deg = its_deg;
+  };
+  look_at({pull.direction, pull.source});
+  for (const PullCandidate& other : others) look_at(other);
+  for (const glm::dvec3& across : axes_.across) look_at({across, PullSource::part});
+  return best;
 }
 
 void PullFinder::set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const {
@@ -173,8 +173,22 @@ void PullFinder::set_travel(std::span<const UndercutSample> samples, double step
   pull.travel = std::min(core, cavity);
 }
 
+double PullFinder::way_out(const glm::dvec3& from, const glm::dvec3& pull) const {
+  double least = k_never;
+  for (const Side& side : sides_) {
+    const double toward = glm::dot(pull, side.normal);
+    if (toward > 1e-6) least = std::min(least, (side.reach - glm::dot(from, side.normal)) / toward);
+  }
+  return std::max(0.0, least);
+}
+
 void PullFinder::estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const {
   set_travel(few_of(samples), k_coarse_step, pull);
+  // In the mean: how far the farthest of few samples lies says less.
+  pull.way = 0.0;
+  for (const UndercutSample& sample : samples)
+    pull.way += sample.area * way_out(glm::dvec3(sample.position), pull.direction);
+  if (const double area = area_of(samples); area > 0.0) pull.way /= area;
 }
 
 std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> samples,
@@ -184,38 +198,56 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
   for (const PullCandidate& candidate : tried) {
     if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
     for (const bool core_side : {true, false}) {
-      const auto travel = release_.first_clear(few_of(samples), candidate.direction, side(core_side), 1.0);
+      const auto travel =
+          release_.first_clear(few_of(samples), {candidate.direction, side(core_side), least_travel_});
       if (!travel) continue;
       found.push_back({.kind = ActionKind::lifter,
                        .direction = candidate.direction,
                        .source = candidate.source,
                        .travel = *travel,
                        .core_side = core_side});
-      set_room(few_of(samples), found.back());
+      set_lack(few_of(samples), found.back());
     }
   }
-  std::ranges::stable_sort(
-      found, {}, [](const Pull& pull) { return std::pair(pull.source != PullSource::wish, pull.travel); });
+  // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
+  constexpr double k_even_longer = 1.05;
+  std::ranges::stable_sort(found, {}, [](const Pull& pull) {
+    return std::pair(pull.source != PullSource::wish,
+                     (pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel);
+  });
   std::vector<Pull> pulls;
-  for (const bool roomy : {true, false}) {
+  for (const bool good : {true, false}) {
     std::size_t number = 0, tries = 0;
     for (Pull pull : found) {
-      // Few samples may say that there is room where all of them do not.
-      if (pull.has_room != roomy || number == k_lifters || tries == k_most_tries) continue;
+      // Few samples may say that it can be built where all of them do not.
+      if (pull.lack.has_value() == good || number == k_lifters || tries == k_most_tries) continue;
       ++tries;
-      const auto travel = release_.first_clear(samples, pull.direction, side(pull.core_side), 1.0);
+      const auto travel =
+          release_.first_clear(samples, {pull.direction, side(pull.core_side), least_travel_});
       if (!travel) continue;
       pull.travel = *travel;
-      set_room(samples, pull);
-      number += pull.has_room == roomy ? 1 : 0;
+      set_lack(samples, pull);
+      number += pull.lack.has_value() == good ? 0 : 1;
       pulls.push_back(pull);
     }
   }
   return pulls;
 }
 
-void PullFinder::set_room(std::span<const UndercutSample> samples, Pull& lifter) const {
-  lifter.has_room = release_.releases(samples, lifter.direction, lifter.travel + lifter_room_);
+void PullFinder::set_lack(std::span<const UndercutSample> samples, Pull& lifter) const {
+  const LifterWay way{lifter.direction, lifter.core_side ? direction_ : -direction_, lifter.travel};
+  lifter.lack.reset();
+  if (release_.clears(samples, way, lifter_room_)) return;
+  lifter.lack = Pull::Lack{.room = k_never};
+  for (const UndercutSample& sample : samples) {
+    const double room = release_.free_length(sample, lifter.direction) - lifter.travel;
+    if (room < 0.0 || release_.clears(sample, way, lifter_room_) || room >= lifter.lack->room) continue;
+    const bool short_of = room < lifter_room_;
+    lifter.lack = Pull::Lack{.reason = short_of ? RejectReason::no_room : RejectReason::no_way_out,
+                             .at = sample,
+                             .room = room,
+                             .missing = short_of ? 1.0 - room / lifter_room_ : 1.0};
+  }
 }
 
 std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> samples,
@@ -232,7 +264,7 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     if (candidate.source == PullSource::even && k % k_every != 0) continue;
     for (const bool core_side : {true, false}) {
       const glm::dvec3 side = core_side ? direction_ : -direction_;
-      for (double length = k_first; length < 1.0; length *= k_growth) {
+      for (double length = k_first; length < longest_lifter_; length *= k_growth) {
         if (release_.free_area(few, candidate.direction, length + room) <= most * (1.0 + 1e-9)) break;
         const double cleared = release_.cleared_area(few, {candidate.direction, side, length}, room);
         if (cleared <= most * (1.0 + 1e-9)) continue;
@@ -241,8 +273,7 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
                     .direction = candidate.direction,
                     .source = candidate.source,
                     .travel = length,
-                    .core_side = core_side,
-                    .has_room = room > 0.0 || lifter_room_ <= 0.0};
+                    .core_side = core_side};
       }
     }
   }
@@ -259,7 +290,7 @@ std::vector<Pull> PullFinder::turned(std::span<const UndercutSample> samples,
     other.kept = true;
     other.for_sharing = false;
     if (pull.for_sharing) found.push_back(other);
-    const auto [from_deg, to_deg] = pull.interval;
+    const double from_deg = pull.interval.from_deg, to_deg = pull.interval.to_deg;
     if (pull.for_sharing || to_deg - from_deg < k_wide_deg) continue;
     other.source = PullSource::even;
     for (const double share : {0.4, 0.7, 0.95}) {
@@ -277,26 +308,40 @@ std::vector<Pull> PullFinder::turned(std::span<const UndercutSample> samples,
 std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples,
                                          std::span<const PullCandidate> tried,
                                          std::optional<ActionKind> only) const {
-  const bool lifters = !only || only == ActionKind::lifter;
-  std::vector<FreedPart> roomy = split_with(samples, tried, only, lifter_room_);
-  const auto is_poor = [](const FreedPart& part) {
-    return part.pulls.empty() || !part.pulls.front().has_room;
-  };
-  if (!lifters || lifter_room_ <= 0.0 || (!roomy.empty() && std::ranges::none_of(roomy, is_poor)))
-    return roomy;
-  // Lifters without room may free more, or ask for less beside them.
-  std::vector<FreedPart> crowded = split_with(samples, tried, only, 0.0);
-  return is_better(worth_of(crowded), worth_of(roomy)) ? crowded : roomy;
+  if (!only || only == ActionKind::slide) {
+    std::vector<FreedPart> slides = opposite_slides(samples, tried);
+    if (!slides.empty()) return slides;
+  }
+  std::vector<FreedPart> parts = split_by(samples, tried, only, lifter_room_);
+  if (only && only != ActionKind::lifter) return parts;
+  // Lifters without their room are worth it only for more than what those that have it free.
+  double freed = 0.0;
+  for (const FreedPart& part : parts) {
+    const bool buildable = std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack; });
+    freed += buildable ? area_of(part.samples) : 0.0;
+  }
+  const double whole = area_of(samples);
+  if (freed * k_worth_lifting >= whole) return parts;
+  std::vector<FreedPart> crowded = split_by(samples, tried, only, Pull::k_least_room * lifter_room_);
+  double cleared = 0.0;
+  for (const FreedPart& part : crowded) {
+    const bool frees =
+        std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack || pull.is_makeshift(); });
+    cleared += frees ? area_of(part.samples) : 0.0;
+  }
+  return cleared > std::max(k_worth_lifting * freed, k_least_makeshift * whole) ? crowded : parts;
 }
 
-std::vector<FreedPart> PullFinder::split_with(std::span<const UndercutSample> samples,
-                                              std::span<const PullCandidate> tried,
-                                              std::optional<ActionKind> only, double room) const {
+std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samples,
+                                            std::span<const PullCandidate> tried,
+                                            std::optional<ActionKind> only, double room) const {
   const bool lifters = !only || only == ActionKind::lifter;
   std::vector<FreedPart> parts;
   std::vector<UndercutSample> rest(samples.begin(), samples.end());
   const double whole = area_of(samples);
-  for (int round = 0; round < k_most_parts; ++round) {
+  // Nobody builds several lifters without their room for one undercut.
+  const int rounds = room < lifter_room_ ? 1 : k_most_parts;
+  for (int round = 0; round < rounds; ++round) {
     double most = 0.0;
     std::optional<Pull> found = most_freeing(rest, tried, only, most);
     if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most, room) : std::nullopt)
@@ -312,14 +357,15 @@ std::vector<FreedPart> PullFinder::split_with(std::span<const UndercutSample> sa
       if (freed) part.samples.push_back(sample);
       return freed;
     });
-    if (area_of(part.samples) < k_least_part * whole) {
+    if (area_of(part.samples) < k_least_split * whole) {
       rest.insert(rest.end(), part.samples.begin(), part.samples.end());
       break;
     }
     if (lifts) {
-      best.travel =
-          release_.first_clear(part.samples, best.direction, way.side, best.travel).value_or(best.travel);
-      set_room(part.samples, best);
+      const double longest = best.travel;
+      const auto least = release_.first_clear(part.samples, {best.direction, way.side, least_travel_});
+      best.travel = std::min(least.value_or(longest), longest);
+      set_lack(part.samples, best);
     } else {
       best.interval = release_.free_turn(part.samples, best.direction, direction_, k_compared_turn_deg);
       estimate_travel(part.samples, best);
@@ -330,6 +376,40 @@ std::vector<FreedPart> PullFinder::split_with(std::span<const UndercutSample> sa
   if (!parts.empty() && area_of(rest) > k_blocked_share * whole)
     parts.push_back({.samples = rest, .pulls = lifters ? find_lifters(rest, tried) : std::vector<Pull>()});
   return parts;
+}
+
+std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSample> samples,
+                                                   std::span<const PullCandidate> tried) const {
+  const double whole = area_of(samples);
+  for (const PullCandidate& candidate : tried) {
+    if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
+    std::array<FreedPart, 2> parts;
+    double blocked = 0.0;
+    for (const UndercutSample& sample : samples) {
+      std::array<bool, 2> free{};
+      for (const std::size_t k : {0, 1})
+        free[k] =
+            release_.free_length(sample, k == 0 ? candidate.direction : -candidate.direction) == k_never;
+      if (!free[0] && !free[1] && (blocked += sample.area) > k_blocked_share * whole) break;
+      // What both free goes with the one that has the shorter way.
+      const bool ahead = glm::dot(glm::dvec3(sample.position), candidate.direction) > 0.0;
+      parts[free[0] && (ahead || !free[1]) ? 0 : 1].samples.push_back(sample);
+    }
+    if (blocked > k_blocked_share * whole ||
+        std::ranges::any_of(parts, [](const FreedPart& part) { return part.samples.empty(); }))
+      continue;
+    for (const std::size_t k : {0, 1}) {
+      Pull pull{.kind = ActionKind::slide,
+                .direction = k == 0 ? candidate.direction : -candidate.direction,
+                .source = candidate.source,
+                .kept = true};
+      pull.interval = release_.free_turn(parts[k].samples, pull.direction, direction_, k_compared_turn_deg);
+      estimate_travel(parts[k].samples, pull);
+      parts[k].pulls = {pull};
+    }
+    return {std::move(parts[0]), std::move(parts[1])};
+  }
+  return {};
 }
 
 std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> samples,

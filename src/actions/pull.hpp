@@ -1,6 +1,7 @@
 // The pulls that release one undercut: straight ones, lifters, and several that share it.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,16 +19,29 @@ struct Pull {
   PullSource source = PullSource::even;
   TurnInterval interval = {};
   double travel = 0.0;  // share of the diagonal, without clearance
+  double way = 0.0;     // of a slide: from its undercut out to where the part ends, in the mean, likewise
   bool core_side = true;
   std::optional<Revolution> about = {};
   bool for_sharing = false;  // not the best for this undercut alone
   bool kept = false;         // not to be moved to the middle of what is free
-  bool has_room = true;      // of a lifter: as much beyond its travel as the settings ask for
+  /// Of a lifter that cannot be built as it should.
+  struct Lack {
+    RejectReason reason = RejectReason::no_room;
+    UndercutSample at = {};  // that lacks most
+    double room = 0.0;       // beyond the travel, share of the diagonal
+    double missing = 1.0;    // of what it needs, (0, 1]; all of it where it has no way out
+  };
+  std::optional<Lack> lack = {};
+
+  /// Whether it may be taken for want of a better one: it has some room, and a way out.
+  [[nodiscard]] bool is_makeshift() const { return lack && lack->missing <= 1.0 - k_least_room; }
+  static constexpr double k_least_room = 0.1;  // of what a lifter needs: a blade of 0.3 mm by default
 };
 
-/// The weight of its kind; of equal ones the shorter is cheaper, then the one that leaves more room to turn.
-/// A lifter that lacks room is dearer than whatever else may be pulled.
-[[nodiscard]] double pull_cost(const Pull& pull);
+/// The price of its kind, of a ring with its strain, of a lifter with the room that it lacks; of equal ones
+/// that with the shorter way out is cheaper, then the shorter travel, then the one that leaves more room to
+/// turn. Differences of rounding are none.
+[[nodiscard]] double pull_cost(const Pull& pull, const ActionPrices& prices);
 
 /// What a pull frees of an undercut that none frees whole; the last part is what no pull frees, if there is
 /// more of it than may stay blocked, and has none.
@@ -38,21 +52,33 @@ struct FreedPart {
 
 class PullFinder {
  public:
-  PullFinder(const PartModel& model, const ExactQuery& query, const ActionSettings& settings,
-             const Progress& progress)
-      : direction_(query.direction),
+  PullFinder(const PartModel& model, const ExactQuery& query, const PartAxes& axes,
+             const ActionSettings& settings, const Progress& progress)
+      : axes_(axes),
+        direction_(query.direction),
         settings_(settings),
+        tau_deg_(query.tau_deg),
         lifter_room_(settings.lifter_room_mm * unit_per_mm(model.part) / model.frame.diagonal),
-        release_(model, query, &progress) {}
+        longest_lifter_(
+            std::max(k_longest_lifter, k_longest_lifter_mm * unit_per_mm(model.part) / model.frame.diagonal)),
+        least_travel_(least_depth(model, query, settings.least_travel_mm)),
+        release_(model, query, &progress) {
+    for (const glm::dvec3& axis : {axes.x, axes.y, axes.z})
+      for (const glm::dvec3& side : {axis, -axis}) sides_.push_back({side, release_.reach(side)});
+  }
 
   [[nodiscard]] const Release& release() const { return release_; }
   /// The parting direction.
   [[nodiscard]] const glm::dvec3& direction() const { return direction_; }
   /// What a lifter needs beyond its travel, share of the diagonal.
   [[nodiscard]] double lifter_room() const { return lifter_room_; }
+  /// Whether it is clear by a shorter way than any lifter's.
+  [[nodiscard]] bool is_shallow(const UndercutSample& sample) const {
+    return release_.is_shallow(sample, least_travel_);
+  }
 
   /// Slides; where there is none, such as lean; where there is none either, inclined ones; at last lifters,
-  /// those with room before the others. Or those of a kind alone.
+  /// also such as cannot be built. Or those of a kind alone.
   [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
                                        std::span<const PullCandidate> tried,
                                        std::optional<ActionKind> only = {}) const;
@@ -60,8 +86,8 @@ class PullFinder {
   /// were for sharing alone.
   [[nodiscard]] std::vector<Pull> turned(std::span<const UndercutSample> samples,
                                          std::span<const Pull> pulls) const;
-  /// One pull after another, each of which frees most of the rest; all of them of a kind where one is given.
-  /// Lifters have room, unless such as have none free more, or as much for less altogether.
+  /// Two opposite slides; or one pull after another, each of which frees most of the rest; all of them of a
+  /// kind where one is given. Lifters without their room come in where they free more by a tenth.
   [[nodiscard]] std::vector<FreedPart> split(std::span<const UndercutSample> samples,
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only = {}) const;
@@ -73,14 +99,15 @@ class PullFinder {
                                                     std::span<const PullCandidate> tried,
                                                     double whole_area) const;
 
-  /// A direction that releases the samples, moved to the middle of what is free, unless the part says better:
-  /// an axis is kept unless it lies near an end, and where much is free, that direction of the part's own
-  /// shape among it and `others` is taken that is farthest from the ends, if it is far enough; a wish is kept
-  /// as it is. The ends are found to `resolved_deg`.
+  /// A direction that releases the samples, moved to the best meant one of those that are free, itself and
+  /// `others` among them: the axis of a round wall, then where the part's walls face, where much is free also
+  /// what planes of the undercut say; of equal ones that which is farthest from the ends. Where all of them
+  /// lie near an end the middle is taken. A wish is kept as it is. The ends are found to `resolved_deg`.
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                    ActionKind kind, double resolved_deg,
                                    std::span<const PullCandidate> others = {}) const;
-  /// The travel beyond which the part passes, on the side on which it is shorter; to a step of so much.
+  /// The travel beyond which the part passes, on the side on which it is shorter, to a step of so much; and
+  /// the way out.
   void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;
   /// The same from few samples and by coarse steps.
   void estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const;
@@ -88,27 +115,43 @@ class PullFinder {
  private:
   [[nodiscard]] std::vector<Pull> find_lifters(std::span<const UndercutSample> samples,
                                                std::span<const PullCandidate> tried) const;
-  void set_room(std::span<const UndercutSample> samples, Pull& lifter) const;
+  [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
+                                                          std::span<const PullCandidate> others) const;
+  void set_lack(std::span<const UndercutSample> samples, Pull& lifter) const;
   /// The lifter that clears most of the samples with so much room, more than `least` of their area; none
   /// where there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
                                                   std::span<const PullCandidate> tried, double least,
                                                   double room) const;
-  /// Lifters have so much room.
-  [[nodiscard]] std::vector<FreedPart> split_with(std::span<const UndercutSample> samples,
-                                                  std::span<const PullCandidate> tried,
-                                                  std::optional<ActionKind> only, double room) const;
+  [[nodiscard]] std::vector<FreedPart> split_by(std::span<const UndercutSample> samples,
+                                                std::span<const PullCandidate> tried,
+                                                std::optional<ActionKind> only, double room) const;
+  /// Two slides on one line, if they free all of it: of the first such line among those that are tried.
+  [[nodiscard]] std::vector<FreedPart> opposite_slides(std::span<const UndercutSample> samples,
+                                                       std::span<const PullCandidate> tried) const;
   /// The slide that frees most, more than `most`, which becomes the area that it frees; none where there is
   /// none.
   [[nodiscard]] std::optional<Pull> most_freeing(std::span<const UndercutSample> samples,
                                                  std::span<const PullCandidate> tried,
                                                  std::optional<ActionKind> only, double& most) const;
+  /// From a point (unit frame) to where it leaves the block round the part.
+  [[nodiscard]] double way_out(const glm::dvec3& from, const glm::dvec3& pull) const;
   [[nodiscard]] bool is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const;
 
+  const PartAxes& axes_;
   glm::dvec3 direction_;
   const ActionSettings& settings_;
-  double lifter_room_;
+  /// Of a lifter that clears an undercut in part: share of the diagonal, and a length that is fine for any
+  /// part. More asks for a stroke of the ejector that no machine has.
+  static constexpr double k_longest_lifter = 0.1, k_longest_lifter_mm = 25.0;
+
+  double tau_deg_, lifter_room_, longest_lifter_, least_travel_;
   Release release_;
+  struct Side {
+    glm::dvec3 normal;
+    double reach;
+  };
+  std::vector<Side> sides_;  // of the block round the part, unit frame
 };
 
 }  // namespace moldlight

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "actions/release.hpp"
 #include "classify/map_comparison.hpp"
-#include "mold/map_frame.hpp"
 #include "mold/round_wall.hpp"
 
 namespace moldlight {
@@ -28,7 +29,17 @@ struct Plane {
   FacetIndex facet = 0;
 };
 
-std::vector<Plane> planes_of(const PartModel& model, const SplitMesh& split, const Undercut& undercut) {
+/// The largest first; of those that rounding alone distinguishes the one that faces up more, and so on.
+void put_in_order(const PartAxes& axes, std::vector<Plane>& planes) {
+  constexpr double k_steps = 1e6;  // of the logarithm of an area
+  std::ranges::stable_sort(planes, std::greater(), [&](const Plane& plane) {
+    return std::pair(std::llround(k_steps * std::log(std::max(plane.area, 1e-300))),
+                     direction_key(axes, plane.normal));
+  });
+}
+
+std::vector<Plane> planes_of(const PulledSurface& surface, const Undercut& undercut) {
+  const auto& [model, split, axes] = surface;
   std::map<FacetIndex, double> areas;
   for (const std::uint32_t piece : undercut.pieces) {
     const auto& corners = split.pieces[piece].corners;
@@ -38,7 +49,7 @@ std::vector<Plane> planes_of(const PartModel& model, const SplitMesh& split, con
   }
   std::vector<Plane> facets;
   for (const auto& [facet, area] : areas) facets.push_back({model.geometry.normals[facet], area, facet});
-  std::ranges::stable_sort(facets, std::greater(), &Plane::area);
+  put_in_order(axes, facets);
   constexpr std::size_t k_most_facets = 4000;  // the small rest adds no plane worth a look
   facets.resize(std::min(facets.size(), k_most_facets));
   std::vector<Plane> planes;
@@ -51,7 +62,7 @@ std::vector<Plane> planes_of(const PartModel& model, const SplitMesh& split, con
       planes.push_back(facet);
     }
   }
-  std::ranges::stable_sort(planes, std::greater(), &Plane::area);
+  put_in_order(axes, planes);
   return planes;
 }
 
@@ -98,11 +109,13 @@ double elevation_deg(const glm::dvec3& pull, const glm::dvec3& direction) {
   return glm::degrees(std::asin(std::clamp(glm::dot(pull, direction), -1.0, 1.0)));
 }
 
-std::vector<PullCandidate> own_pulls(const PartModel& model, const SplitMesh& split, const Undercut& undercut,
-                                     const glm::dvec3& direction, const ActionSettings& settings) {
-  Collector found(direction, settings.incline_deg);
+std::vector<PullCandidate> own_pulls(const PulledSurface& surface, const Undercut& undercut,
+                                     const ActionSettings& settings) {
+  const auto& [model, split, axes] = surface;
+  Collector found(axes.z, settings.incline_deg);
   for (const glm::dvec3& given : settings.side_directions) found.add(glm::normalize(given), PullSource::wish);
-  std::vector<Plane> planes = planes_of(model, split, undercut);
+  for (const glm::dvec3& across : axes.across) found.add(across, PullSource::part);
+  std::vector<Plane> planes = planes_of(surface, undercut);
   std::size_t walls = 0;
   for (const Plane& plane : planes) {
     if (walls == k_most_walls) break;
@@ -123,27 +136,33 @@ std::vector<PullCandidate> own_pulls(const PartModel& model, const SplitMesh& sp
     }
   }
   std::vector<PullCandidate> pulls = found.take();
-  std::ranges::stable_sort(pulls, {}, &PullCandidate::source);
+  std::ranges::stable_sort(pulls, [&](const PullCandidate& a, const PullCandidate& b) {
+    if (a.source != b.source) return a.source < b.source;
+    return direction_key(surface.axes, a.direction) > direction_key(surface.axes, b.direction);
+  });
   return pulls;
 }
 
-std::vector<PullCandidate> pull_fan(const glm::dvec3& direction) {
+std::vector<PullCandidate> pull_fan(const PartAxes& axes) {
   constexpr int k_count = 72;
-  const MapFrame frame = map_frame(direction);
   std::vector<PullCandidate> fan;
-  for (int k = 0; k < k_count; ++k)
-    fan.push_back({turned_about(frame.x, direction, 360.0 * k / k_count), PullSource::even});
+  for (int k = 0; k < k_count; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / k_count;
+    fan.push_back({std::cos(turn) * axes.x + std::sin(turn) * axes.y, PullSource::even});
+  }
   return fan;
 }
 
-std::vector<PullCandidate> pull_sphere() {
+std::vector<PullCandidate> pull_sphere(const PartAxes& axes) {
   constexpr int k_count = 200;
   constexpr double k_golden_angle = 2.399963229728653;
   std::vector<PullCandidate> pulls;
   for (int k = 0; k < k_count; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / k_count, radius = std::sqrt(1.0 - z * z);
-    pulls.push_back({{radius * std::cos(k_golden_angle * k), radius * std::sin(k_golden_angle * k), z},
-                     PullSource::even});
+    pulls.push_back(
+        {radius * (std::cos(k_golden_angle * k) * axes.x + std::sin(k_golden_angle * k) * axes.y) +
+             z * axes.z,
+         PullSource::even});
   }
   return pulls;
 }

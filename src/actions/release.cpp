@@ -102,8 +102,18 @@ bool Release::covered(const UndercutSample& sample, const glm::dvec3& pull) cons
   return depth(glm::dvec3(sample.position) + query_.lateral * sample.normal, pull) > 0;
 }
 
-bool Release::is_shallow_at(const UndercutSample& sample) const {
+bool Release::is_in_slit(const UndercutSample& sample, double width) const {
+  // From a little behind, so that surface which touches it is met.
+  const glm::vec3 behind(glm::dvec3(sample.position) - k_touching * sample.normal);
+  const auto hit = model_.rays().first_hit(behind, glm::vec3(sample.normal), true);
+  constexpr double k_facing = -0.5;  // cosine at most of the other wall of a slit to this one
+  return hit && static_cast<double>(hit->distance) < width &&
+         glm::dot(model_.geometry.normals[hit->facet], sample.normal) < k_facing;
+}
+
+bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   constexpr int k_turns = 24;
+  if (is_in_slit(sample, depth)) return true;
   if (model_.health.components > 1 && is_covered(sample)) return false;
   const MapFrame frame = map_frame(query_.direction);
   const glm::dvec3 from(start(sample, query_.direction));
@@ -112,23 +122,13 @@ bool Release::is_shallow_at(const UndercutSample& sample) const {
     const glm::dvec3 aside = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
     for (const glm::dvec3& side : {query_.direction, -query_.direction}) {
       // From a little before it, too, so that surface which touches it hides it.
-      const glm::vec3 before(from + query_.lateral * aside - k_touching * side);
-      if (clear(sample, aside, query_.lateral, side) &&
-          !model_.rays().first_hit(before, glm::vec3(side), true) &&
-          free_length(sample, aside) >= query_.lateral)
+      const glm::vec3 before(from + depth * aside - k_touching * side);
+      if (clear(sample, aside, depth, side) && !model_.rays().first_hit(before, glm::vec3(side), true) &&
+          free_length(sample, aside) >= depth)
         return true;
     }
   }
   return false;
-}
-
-bool Release::is_shallow(std::span<const UndercutSample> samples) const {
-  double total = 0.0, deep = 0.0;
-  for (const UndercutSample& sample : samples) total += sample.area;
-  return std::ranges::all_of(samples, [&](const UndercutSample& sample) {
-    deep += is_shallow_at(sample) ? 0.0 : sample.area;
-    return deep <= k_blocked_share * total;
-  });
 }
 
 double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
@@ -210,7 +210,11 @@ bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double
 }
 
 bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {
-  return clear(sample, way.pull, way.length, way.side) && free_length(sample, way.pull) >= way.length + room;
+  if (!clear(sample, way.pull, way.length, way.side)) return false;
+  for (const double share : {0.5, 1.0}) {
+    if (room > 0.0 && !clear(sample, way.pull, way.length + share * room, way.side)) return false;
+  }
+  return free_length(sample, way.pull) >= way.length + room;
 }
 
 double Release::cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
@@ -245,16 +249,20 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
   return beyond;
 }
 
-bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way) const {
-  return all_but_specks(samples, [&](const UndercutSample& sample) { return clears(sample, way); });
+bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way, double room) const {
+  return all_but_specks(samples, [&](const UndercutSample& sample) { return clears(sample, way, room); });
 }
 
-std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                           const glm::dvec3& side, double most) const {
+std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, LifterWay way) const {
   constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
-  const auto all_clear = [&](double length) { return clears(samples, {pull, side, length}); };
-  double bad = 0.0;
-  for (double good = k_first_step; good <= most; good *= k_growth) {
+  const auto all_clear = [&](double length) {
+    way.length = length;
+    return clears(samples, way);
+  };
+  const double least = way.length;
+  if (all_clear(least)) return least;
+  double bad = least;
+  for (double good = std::max(k_first_step, k_growth * least); good <= k_glide_across; good *= k_growth) {
     if (!all_clear(good)) {
       bad = good;
       continue;

@@ -21,7 +21,7 @@ inline constexpr double k_blocked_share = 0.005;
 /// The travel of what is never stopped, or never free.
 inline constexpr double k_never = std::numeric_limits<double>::infinity();
 
-/// How finely a turn is found where it is told.
+/// How finely a turn is found where it is reported.
 inline constexpr double k_exact_turn_deg = 1e-4;
 
 /// Degrees about an axis to both sides of a direction, [-180, 180].
@@ -51,6 +51,8 @@ class Release {
     if (progress_ != nullptr && progress_->cancelled()) throw Cancelled();
   }
 
+  /// The parting direction.
+  [[nodiscard]] const glm::dvec3& direction() const { return query_.direction; }
   /// Where a point starts: beside it, if its surface is parallel to the pull (unit).
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
   /// How far a point moves along `pull` (unit) before the part is in its way: 0 for one that faces against
@@ -61,14 +63,16 @@ class Release {
   [[nodiscard]] bool is_covered(const UndercutSample& sample) const;
   /// Whether it is inside the part on its way along `pull`: surface of a body that another one covers.
   [[nodiscard]] bool covered(const UndercutSample& sample, const glm::dvec3& pull) const;
-  /// Whether each of them, but for k_blocked_share of their area, gets away from the part along the parting
-  /// direction or against it after a move of the lateral tolerance across it.
-  [[nodiscard]] bool is_shallow(std::span<const UndercutSample> samples) const;
+  /// Whether the part faces it across less than `width`: no steel is so thin.
+  [[nodiscard]] bool is_in_slit(const UndercutSample& sample, double width) const;
+  /// Whether it gets away from the part along the parting direction or against it after a move of `depth`
+  /// across it, or is in a slit narrower than that.
+  [[nodiscard]] bool is_shallow(const UndercutSample& sample, double depth) const;
   /// Area of the samples that move at least so far.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                  double length) const;
   /// Whether all of them move so far but for specks, which make up k_blocked_share of their area at most;
-  /// samples without area must move, too. Ends at the first that tells.
+  /// samples without area must move, too. Ends at the first that says no.
   [[nodiscard]] bool releases(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                               double length) const;
 
@@ -88,7 +92,7 @@ class Release {
   /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;
-  /// Whether it moves so far and `room` beyond that, and is clear without it.
+  /// Whether it moves so far and is clear there, and so is what is `room` thick before it.
   [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room = 0.0) const;
   /// Area of the samples that do.
   [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
@@ -97,18 +101,17 @@ class Release {
   /// and then halved to 1e-7.
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                     const glm::dvec3& side, double step) const;
-  /// Whether all of them do without room; as releases().
-  [[nodiscard]] bool clears(std::span<const UndercutSample> samples, const LifterWay& way) const;
-  /// The least length, up to `most`, at which all samples are clear at once and which they reach; none where
-  /// there is no such length.
+  /// Whether all of them do; as releases().
+  [[nodiscard]] bool clears(std::span<const UndercutSample> samples, const LifterWay& way,
+                            double room = 0.0) const;
+  /// The least length, from that of the way on, at which all samples are clear at once and which they reach;
+  /// none where there is no such length.
   [[nodiscard]] std::optional<double> first_clear(std::span<const UndercutSample> samples,
-                                                  const glm::dvec3& pull, const glm::dvec3& side,
-                                                  double most) const;
+                                                  LifterWay way) const;
 
  private:
   /// How many bodies a point (unit frame) is in, by what a ray from it crosses.
   [[nodiscard]] int depth(const glm::dvec3& from, const glm::dvec3& along) const;
-  [[nodiscard]] bool is_shallow_at(const UndercutSample& sample) const;
   /// Whether a blocked sample is within twice the lateral tolerance of a place of its plane that is free.
   template <typename Free>
   [[nodiscard]] bool is_speck(const UndercutSample& sample, const Free& free) const;

@@ -29,8 +29,11 @@ constexpr double k_step_deg = 4.0;         // of the motion that is played
 constexpr double k_play = 0.04;            // of the pitch: threads of facets leave their helix by so much
 constexpr double k_flattest = 0.01, k_steepest = 20.0;  // pitches, in radii
 constexpr double k_most_turns = 20.0;                   // that are played
-constexpr double k_may_meet = 0.1;  // share of the area that meets the part where the thread runs out
-constexpr int k_sectors = 24;       // that a ring must fill
+constexpr double k_may_meet = 0.1;          // share of the area that meets the part where the thread runs out
+constexpr std::size_t k_first_turned = 60;  // which show soon that most of it meets the part
+constexpr double k_hopeless = 0.6;
+constexpr double k_nearly_meets = 0.5;  // of a thread whose axis is not found well enough
+constexpr int k_sectors = 24;           // that a ring must fill
 
 /// About an axis along z of the frame.
 struct Cylindrical {
@@ -75,7 +78,7 @@ bool goes_round(const Cylindrical& about, std::span<const UndercutSample> sample
 }
 
 /// The advance of the edges that wind about the axis, by their turn: corners lie on the helix, which normals
-/// of facets, those of its chords, do not tell. 0 where there are none.
+/// of facets, those of its chords, do not show. 0 where there are none.
 double edge_advance(const PartModel& model, std::span<const FacetIndex> facets, const Cylindrical& about) {
   constexpr double k_same_radius = 2e-3, k_least_turn = 1e-3, k_most_turn = 0.5;
   std::vector<std::pair<double, double>> advances;  // with the turn that has it
@@ -110,11 +113,15 @@ struct ScrewMotion {
   double off;              // that the samples begin off the surface
 };
 
-/// Share of the samples' area that meets the part when it is screwed out.
+/// Share of the samples' area that meets the part when it is screwed out; of few of them, where these say
+/// that most does.
 double met_share(const PartModel& model, std::span<const UndercutSample> samples, const ScrewMotion& motion) {
   const double step = glm::radians(k_step_deg);
   double met = 0.0, total = 0.0;
+  std::size_t asked = 0;
   for (const UndercutSample& sample : samples) {
+    // The first of them are spread over all of it.
+    if (asked++ == k_first_turned && met > k_hopeless * total) break;
     total += sample.area;
     const glm::dvec3 start = glm::dvec3(sample.position) + motion.off * sample.normal - motion.point;
     const auto placed = [&](double turned) {
@@ -145,6 +152,45 @@ ScrewMotion screw_out(const Reach& heights, const HelixFit& helix, bool core_sid
           .turn = std::min((heights.greatest - heights.least) / std::abs(helix.advance),
                            k_most_turns * 2.0 * std::numbers::pi),
           .off = std::max(query.lateral, k_play * 2.0 * std::numbers::pi * std::abs(helix.advance))};
+}
+
+std::vector<UndercutSample> middles_of(const PartModel& model, std::span<const FacetIndex> facets) {
+  std::vector<UndercutSample> middles;
+  for (const FacetIndex facet : facets) {
+    const auto corner = [&](int k) { return model.part.mesh.corner(facet, k); };
+    const glm::dvec3 middle = (corner(0) + corner(1) + corner(2)) / 3.0;
+    middles.push_back(
+        {model.frame.to_unit(middle), model.geometry.normals[facet], model.geometry.areas[facet]});
+  }
+  return middles;
+}
+
+/// `least_met` becomes the least share that meets the part, where that is less.
+std::optional<Thread> thread_about(const HelixFit& fit, const PartModel& model,
+                                   const RevolvedSurface& surface, const ExactQuery& query,
+                                   double& least_met) {
+  const auto& [samples, facets] = surface;
+  const Cylindrical about{map_frame(query.direction), fit.point};
+  Reach radii;
+  for (const UndercutSample& sample : samples) radii.take(about.radius(glm::dvec3(sample.position)));
+  const Reach heights = reach_along(samples, query.direction);
+  for (const double advance : {edge_advance(model, facets, about), fit.advance}) {
+    const double pitch = 2.0 * std::numbers::pi * std::abs(advance);
+    // A ring of facets fits a helix of next to no pitch; one that is all but a straight pull would be
+    // steeper.
+    if (pitch < k_flattest * radii.greatest || pitch > k_steepest * radii.greatest) continue;
+    for (const bool core_side : {true, false}) {
+      const ScrewMotion motion = screw_out(heights, {fit.point, advance}, core_side, query);
+      const double met = met_share(model, samples, motion);
+      least_met = std::min(least_met, met);
+      if (met > k_may_meet) continue;
+      return Thread{.helix = {fit.point, advance},
+                    .pitch = pitch,
+                    .right_handed = advance > 0.0,
+                    .core_side = core_side};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -185,7 +231,7 @@ std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const
   const double cu = motion[2] / motion[0], cv = motion[1] / motion[0];
   const HelixFit fit{.point = middle + size * (cu * frame.x + cv * frame.y),
                      .advance = size * motion[3] / motion[0]};
-  // A body of few sides is turned by no motion either, but is told from others as well.
+  // A body of few sides is turned by no motion either, but is found from others as well.
   double squares = 0.0, total = 0.0;
   for (const UndercutSample& sample : samples) {
     const glm::dvec3 moves =
@@ -200,28 +246,14 @@ std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const
 
 std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface& surface,
                                   const ExactQuery& query) {
-  const auto& [samples, facets] = surface;
-  const auto fit = fit_helix(samples, query.direction);
+  const auto fit = fit_helix(surface.samples, query.direction);
   if (!fit) return std::nullopt;
-  const Cylindrical about{map_frame(query.direction), fit->point};
-  Reach radii;
-  for (const UndercutSample& sample : samples) radii.take(about.radius(glm::dvec3(sample.position)));
-  const Reach heights = reach_along(samples, query.direction);
-  for (const double advance : {edge_advance(model, facets, about), fit->advance}) {
-    const double pitch = 2.0 * std::numbers::pi * std::abs(advance);
-    // A ring of facets fits a helix of next to no pitch; one that is all but a straight pull would be
-    // steeper.
-    if (pitch < k_flattest * radii.greatest || pitch > k_steepest * radii.greatest) continue;
-    for (const bool core_side : {true, false}) {
-      const ScrewMotion motion = screw_out(heights, {fit->point, advance}, core_side, query);
-      if (met_share(model, samples, motion) > k_may_meet) continue;
-      return Thread{.helix = {fit->point, advance},
-                    .pitch = pitch,
-                    .right_handed = advance > 0.0,
-                    .core_side = core_side};
-    }
-  }
-  return std::nullopt;
+  double least_met = 1.0;
+  const auto thread = thread_about(*fit, model, surface, query, least_met);
+  // Few samples of coarse facets may leave the axis too far off to screw along it: whole facets do not.
+  if (thread || least_met > k_nearly_meets) return thread;
+  const auto whole = fit_helix(middles_of(model, surface.facets), query.direction);
+  return whole ? thread_about(*whole, model, surface, query, least_met) : std::nullopt;
 }
 
 bool goes_with(const PartModel& model, const Thread& thread, const ThreadAndOther& samples,
@@ -274,7 +306,7 @@ std::optional<Ring> find_ring(const PartModel& model, const RevolvedSurface& sur
         model.rays().first_hit(glm::vec3(about.at(0.0, 0.0, 0.5 * (heights.least + heights.greatest))),
                                glm::vec3(core_side ? query.direction : -query.direction), false))
       continue;  // closed on this side
-    // By perimeters, as far as rays to as many places of each tell them: of the ring, and of what it must
+    // By perimeters, as far as rays to as many places of each show them: of the ring, and of what it must
     // pass, or what passes it, on the way out; inside the narrowest, outside the widest.
     constexpr int k_heights = 400, k_angles = 24;
     const double from = core_side ? heights.least : heights.greatest, end = core_side ? 0.5 : -0.5;

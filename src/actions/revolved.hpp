@@ -19,7 +19,7 @@ struct HelixFit {
 
 /// The rotation about an axis along `direction` (unit), with an advance along it, under which the samples'
 /// surface moves least along its normals: n (w d x (p - c) + k d) = 0 is linear in (w, w c, k), so that the
-/// smallest eigenvalue of a 4 x 4 matrix tells it. Nothing where it is no rotation, or no better than other
+/// smallest eigenvalue of a 4 x 4 matrix shows it. Nothing where it is no rotation, or no better than other
 /// motions.
 [[nodiscard]] std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples,
                                                 const glm::dvec3& direction);

@@ -37,7 +37,7 @@ class RevolvedFinder {
     for (const std::size_t k : stuck) {
       if (progress_.cancelled()) throw Cancelled();
       const bool turns = atoms_[k].allows(ActionKind::unscrew) && add_thread({k});
-      if (!turns && atoms_[k].allows(ActionKind::strip)) add_ring(k);
+      if (!turns && settings_.strip_strain_pct > 0.0 && atoms_[k].allows(ActionKind::strip)) add_ring(k);
     }
     return std::move(found_);
   }
@@ -97,7 +97,7 @@ class RevolvedFinder {
   void add_ring(std::size_t k) {
     const auto ring = find_ring(model_, {atoms_[k].samples, facets_of({k})}, query_);
     if (!ring) return;
-    if (settings_.strip_strain_pct > 0.0 && 100.0 * ring->strain > settings_.strip_strain_pct) return;
+    if (100.0 * ring->strain > settings_.strip_strain_pct) return;
     Revolution about = axis_of(ring->axis);
     about.strain = ring->strain;
     add(ActionKind::strip, ring->core_side, about, {k});

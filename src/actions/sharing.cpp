@@ -13,6 +13,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_same_cosine = 1.0 - 1e-9;
+constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a gap that a slide passes
 
 class Sharing {
  public:
@@ -38,6 +39,7 @@ class Sharing {
         Pull its = pull;
         pulls_.estimate_travel(atoms_[k].samples, its);
         pull.travel = std::max(pull.travel, its.travel);
+        pull.way = std::max(pull.way, its.way);
       }
     }
     if (group.size() < 2) return;
@@ -61,6 +63,23 @@ class Sharing {
     });
   }
 
+  /// Whether the one hides the other, seen along the pull.
+  [[nodiscard]] bool are_in_line(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+    const glm::dvec3 level = glm::normalize(glm::cross(pulls_.direction(), pull));
+    const auto overlap = [&](const glm::dvec3& along) {
+      std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
+      for (const std::size_t side : {0, 1}) {
+        for (const UndercutSample& sample : atoms_[side == 0 ? a : b].samples) {
+          const double at = glm::dot(glm::dvec3(sample.position), along);
+          least[side] = std::min(least[side], at);
+          greatest[side] = std::max(greatest[side], at);
+        }
+      }
+      return least[0] < greatest[1] && least[1] < greatest[0];
+    };
+    return overlap(level) && overlap(glm::cross(pull, level));
+  }
+
   [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
     for (const std::size_t which : {a, b}) {
@@ -71,7 +90,11 @@ class Sharing {
         greatest[side] = std::max(greatest[side], at);
       }
     }
-    if (std::max(least[0] - greatest[1], least[1] - greatest[0]) > reach_.along) return false;
+    const double gap = std::max(least[0] - greatest[1], least[1] - greatest[0]);
+    const double longer = std::max(greatest[0] - least[0], greatest[1] - least[1]);
+    // What lies behind the other is reached through the steel between: a pin through knuckles, but not one
+    // through the core of a box.
+    if (gap > reach_.along || (gap > k_bridged * longer && are_in_line(a, b, pull))) return false;
     return std::ranges::any_of(atoms_[a].samples, [&](const UndercutSample& one) {
       return std::ranges::any_of(atoms_[b].samples, [&](const UndercutSample& other) {
         const glm::dvec3 between(one.position - other.position);

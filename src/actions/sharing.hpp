@@ -14,7 +14,8 @@ struct SharingReach {
 
 /// Adds, for a pull of an atom, the atom alone and, for slides, all that its direction releases as well and
 /// that are near it or near another one of them; if some of their own directions are within k_bundle_deg, or
-/// the shapes of both suggest the same one.
+/// the shapes of both suggest the same one. None behind another is reached over a gap of more than twice
+/// their lengths.
 void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach,
                       std::size_t atom, const Pull& pull, std::vector<Column>& columns);
 /// Of each pull of each atom.

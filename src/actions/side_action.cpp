@@ -10,7 +10,12 @@ namespace moldlight {
 bool has_room(const SideAction& action) {
   constexpr double k_rounding = 1e-6;  // of single precision, share of the length
   return action.kind != ActionKind::lifter ||
-         action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding);
+         (!action.lack && action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding));
+}
+
+std::string_view reject_text(RejectReason reason) {
+  return reason == RejectReason::no_room ? "no room for its thickness beyond its travel"
+                                         : "no way out along its half after its travel";
 }
 
 const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
@@ -28,6 +33,16 @@ std::string unreleased_text(const ActionPlan& plan, std::size_t patch) {
                      action_of(plan, patch) == nullptr ? "it" : "the rest of it");
 }
 
+std::size_t speck_count(const ActionPlan& plan) {
+  return static_cast<std::size_t>(std::ranges::count(plan.specks, false, &Speck::of_undercut));
+}
+
+double speck_area(const ActionPlan& plan) {
+  double area = 0.0;
+  for (const Speck& speck : plan.specks) area += speck.of_undercut ? 0.0 : speck.area;
+  return area;
+}
+
 bool is_stuck(double left, double area, double lateral) {
   constexpr double k_stuck_share = 0.005;
   return left > k_stuck_share * area && left > lateral * lateral;
@@ -35,7 +50,10 @@ bool is_stuck(double left, double area, double lateral) {
 
 ActionTotals totals_of(const ActionPlan& plan, double lateral) {
   ActionTotals totals{.unreleased_area = plan.unreleased_area};
-  for (const SideAction& action : plan.actions) ++totals.counts[static_cast<std::size_t>(action.kind)];
+  for (const SideAction& action : plan.actions) {
+    ++totals.counts[static_cast<std::size_t>(action.kind)];
+    totals.crowded += has_room(action) ? 0 : 1;
+  }
   for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
     const double left = plan.unreleased_areas[k];
     if (!is_stuck(left, plan.patches[plan.unreleased[k]].undercut.area, lateral)) continue;
@@ -47,7 +65,7 @@ ActionTotals totals_of(const ActionPlan& plan, double lateral) {
 
 UndercutTotals undercut_totals(const ActionPlan& plan) {
   UndercutTotals totals{
-      .count = plan.patches.size(), .specks = plan.dropped, .speck_area = plan.dropped_area};
+      .count = plan.patches.size(), .specks = speck_count(plan), .speck_area = speck_area(plan)};
   for (const UndercutReport& patch : plan.patches) totals.area += patch.undercut.area;
   return totals;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -25,6 +26,13 @@ struct Revolution {
   double strain = 0.0;              // of a ring: share by which the part is stretched
 };
 
+/// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
+/// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
+/// travel.
+enum class RejectReason : std::uint8_t { no_room, no_way_out };
+/// "no room for its thickness", …
+[[nodiscard]] std::string_view reject_text(RejectReason reason);
+
 /// Lengths and areas are in the part's unit.
 struct SideAction {
   ActionKind kind = ActionKind::slide;
@@ -41,10 +49,24 @@ struct SideAction {
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
+  std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
+  std::string feature = {};                     // what it forms: "8 vents"
 };
 
 /// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
 [[nodiscard]] bool has_room(const SideAction& action);
+
+/// Lengths are in the part's unit.
+struct RejectedAction {
+  std::size_t patch = 0;  // number among the undercuts
+  ActionKind kind = ActionKind::lifter;
+  glm::dvec3 direction{1, 0, 0};  // unit
+  double travel = 0.0;
+  bool core_side = true;
+  RejectReason reason = RejectReason::no_room;
+  glm::dvec3 place{0.0};  // on the undercut, from where it fails
+  double room = 0.0;      // beyond the travel from there; what is needed is the lifter's
+};
 
 /// An undercut and what was found out about it.
 struct UndercutReport {
@@ -62,10 +84,11 @@ struct UndercutReport {
 inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
-  std::vector<UndercutReport> patches;  // the largest first
-  std::size_t dropped = 0;              // specks, and what is clear within the lateral tolerance
-  double dropped_area = 0.0;
+  std::vector<UndercutReport> patches;        // the largest first
+  std::vector<Speck> specks;                  // what counts as no undercut, the largest first
   std::vector<SideAction> actions;            // the largest area first
+  std::vector<RejectedAction> rejected;       // of each undercut that nothing else releases well the shortest
+                                              // lifter that fails, also where it was taken for want of others
   std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
   double unreleased_area = 0.0;               // of all
@@ -83,6 +106,7 @@ struct ActionTotals {
   double unreleased_area = 0.0;
   std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
   double stuck_area = 0.0;  // what is left of these
+  std::size_t crowded = 0;  // lifters without the room that they need
 };
 /// `lateral` is the lateral tolerance in the part's unit.
 [[nodiscard]] ActionTotals totals_of(const ActionPlan& plan, double lateral);
@@ -91,6 +115,9 @@ struct ActionTotals {
 /// Whether what is left of an undercut keeps the part in its mold: more than 0.5 % of its area, and more than
 /// the lateral tolerance squared.
 [[nodiscard]] bool is_stuck(double left, double area, double lateral);
+/// Of specks that are no part of an undercut that counts.
+[[nodiscard]] std::size_t speck_count(const ActionPlan& plan);
+[[nodiscard]] double speck_area(const ActionPlan& plan);
 
 /// "2 slides, 1 lifter"; "none" where nothing is needed.
 [[nodiscard]] std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts);

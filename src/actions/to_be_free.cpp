@@ -39,27 +39,34 @@ class Changes {
           const Progress& progress)
       : model_(model),
         split_(*result.split),
-        settings_(settings),
+        settings_(with_thin_lifters(settings)),
         query_(exact_query(model, result.query())),
         frame_(map_frame(query_.direction)),
-        pulls_(model, query_, settings, progress) {}
+        axes_(part_axes(model, query_.direction)),
+        pulls_(model, query_, axes_, settings, progress) {}
 
-  [[nodiscard]] ToBeFree of(const UndercutReport& told, const SideAction* action) const {
+  [[nodiscard]] ToBeFree of(const UndercutReport& noted, const SideAction* action) const {
     ToBeFree change;
     if (action != nullptr && action->about) {
-      change.depth = revolved_depth(told.undercut, *action->about);
+      change.depth = revolved_depth(noted.undercut, *action->about);
     } else {
-      find_depth(told.undercut, change);
+      find_depth(noted.undercut, change);
     }
-    change.window = window(told);
+    change.window = window(noted);
     return change;
   }
 
  private:
+  /// How far a point must move says what to change, whether a lifter has room or not.
+  [[nodiscard]] static ActionSettings with_thin_lifters(ActionSettings settings) {
+    settings.lifter_room_mm = 0.0;
+    return settings;
+  }
+
   void find_depth(const Undercut& undercut, ToBeFree& change) const {
     const auto samples = sample_undercut(model_, split_, undercut, k_depth_samples);
-    auto tried = own_pulls(model_, split_, undercut, query_.direction, settings_);
-    const auto fan = pull_fan(query_.direction);
+    auto tried = own_pulls({model_, split_, axes_}, undercut, settings_);
+    const auto fan = pull_fan(axes_);
     tried.insert(tried.end(), fan.begin(), fan.end());
     const std::vector<Pull> found = pulls_.find(samples, tried, ActionKind::lifter);
     const auto least = std::ranges::min_element(found, {}, &Pull::travel);
@@ -85,10 +92,10 @@ class Changes {
         const bool all = std::ranges::all_of(samples, [&](const UndercutSample& sample) {
           const glm::dvec3 from = glm::dvec3(sample.position) - axis_at;
           const glm::dvec3 radial = from - glm::dot(from, about.direction) * about.direction;
-          const auto travel = pulls_.release().first_clear(
-              std::span(&sample, 1), sense * glm::normalize(radial), side, least.value_or(1.0));
+          const auto travel = pulls_.release().first_clear(std::span(&sample, 1),
+                                                           {sense * glm::normalize(radial), side, 0.0});
           greatest = std::max(greatest, travel.value_or(0.0));
-          return travel.has_value();
+          return travel.has_value() && greatest <= least.value_or(1.0);
         });
         if (all) least = std::min(least.value_or(1.0), greatest);
       }
@@ -96,13 +103,13 @@ class Changes {
     return least ? std::optional(*least * model_.frame.diagonal) : std::nullopt;
   }
 
-  [[nodiscard]] std::optional<UndercutWindow> window(const UndercutReport& told) const {
-    const auto loops = shadow(told.undercut);
+  [[nodiscard]] std::optional<UndercutWindow> window(const UndercutReport& noted) const {
+    const auto loops = shadow(noted.undercut);
     if (!loops || loops->empty()) return std::nullopt;
-    const auto samples = sample_undercut(model_, split_, told.undercut, k_lines);
+    const auto samples = sample_undercut(model_, split_, noted.undercut, k_lines);
     const double core_mean = mean_thickness(samples, true), cavity_mean = mean_thickness(samples, false);
     const bool alike = std::abs(core_mean - cavity_mean) <= k_same_thickness * (core_mean + cavity_mean);
-    const bool to_core = alike ? told.core_side : core_mean < cavity_mean;
+    const bool to_core = alike ? noted.core_side : core_mean < cavity_mean;
     UndercutWindow window = through(samples, to_core);
     const double square = model_.frame.diagonal * model_.frame.diagonal;
     window.area = enclosed_area(*loops) * square;
@@ -204,9 +211,10 @@ class Changes {
 
   const PartModel& model_;
   const SplitMesh& split_;
-  const ActionSettings& settings_;
+  ActionSettings settings_;
   ExactQuery query_;
   MapFrame frame_;
+  PartAxes axes_;
   PullFinder pulls_;
 };
 

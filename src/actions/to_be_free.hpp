@@ -28,7 +28,7 @@ struct ToBeFree {
   /// part reaches over it. Nothing where no straight move does, but of threads and rings their depth.
   std::optional<double> depth;
   std::optional<glm::dvec3> direction;  // of that travel, unit; nothing for threads and rings
-  /// On the side with less material in its way; nothing for an outline too ragged to tell.
+  /// On the side with less material in its way; nothing for an outline too ragged to show.
   std::optional<UndercutWindow> window;
 };
 

@@ -1,11 +1,14 @@
 #include "actions/undercut.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,6 +17,7 @@
 
 #include "actions/release.hpp"
 #include "classify/map_comparison.hpp"
+#include "mesh/length_unit.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/surface_samples.hpp"
@@ -26,6 +30,17 @@ using PieceIndex = std::uint32_t;
 
 glm::dvec3 corner(const SplitMesh& split, PieceIndex piece, std::size_t k) {
   return split.vertices[split.pieces[piece].corners[k]];
+}
+
+/// From that across from the longest edge to that across from the shortest.
+std::array<glm::dvec3, 3> corners_by_edges(const SplitMesh& split, PieceIndex piece) {
+  std::array<std::pair<double, glm::dvec3>, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double across = glm::distance(corner(split, piece, (k + 1) % 3), corner(split, piece, (k + 2) % 3));
+    corners[k] = {across, corner(split, piece, k)};
+  }
+  std::ranges::stable_sort(corners, std::greater(), [](const auto& each) { return each.first; });
+  return {corners[0].second, corners[1].second, corners[2].second};
 }
 
 /// A cube of the grid in which corners are looked for.
@@ -203,13 +218,83 @@ bool fits(const SplitMesh& split, const Undercut& patch, double radius) {
   });
 }
 
-}  // namespace
+/// Length of the edges that one of its pieces alone has.
+double border_length(const SplitMesh& split, const Undercut& patch) {
+  std::vector<std::pair<VertexIndex, VertexIndex>> edges;
+  for (const PieceIndex piece : patch.pieces) {
+    const auto& corners = split.pieces[piece].corners;
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(std::minmax(corners[k], corners[(k + 1) % 3]));
+  }
+  std::ranges::sort(edges);
+  double length = 0.0;
+  for (std::size_t k = 0; k < edges.size();) {
+    const std::size_t first = k;
+    while (k < edges.size() && edges[k] == edges[first]) ++k;
+    if (k == first + 1)
+      length += glm::distance(split.vertices[edges[first].first], split.vertices[edges[first].second]);
+  }
+  return length;
+}
 
-namespace {
+/// The corner of its pieces that is nearest to its centre.
+glm::dvec3 place_on(const SplitMesh& split, const Undercut& patch) {
+  glm::dvec3 nearest = corner(split, patch.pieces.front(), 0);
+  for (const PieceIndex piece : patch.pieces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 at = corner(split, piece, k);
+      if (glm::distance(at, patch.centre) < glm::distance(nearest, patch.centre)) nearest = at;
+    }
+  }
+  return nearest;
+}
+
+/// What decides whether a patch counts; lengths in the part's unit, but for the depth.
+struct Floors {
+  double width = 0.0;
+  double area = 0.0;
+  double depth = 0.0;  // share of the diagonal
+};
+
+/// A strip's width is twice its area by the length of its border.
+bool is_narrow(const SplitMesh& split, const Undercut& patch, double width) {
+  return 2.0 * patch.area < width * border_length(split, patch);
+}
+
+/// Whether no more of it is deeper than what would be a speck by itself.
+bool is_shallow(const Release& release, std::span<const UndercutSample> samples, const Floors& floors) {
+  double total = 0.0, deep = 0.0;
+  for (const UndercutSample& sample : samples) total += sample.area;
+  return std::ranges::all_of(samples, [&](const UndercutSample& sample) {
+    deep += release.is_shallow(sample, floors.depth) ? 0.0 : sample.area;
+    return deep <= std::max(k_blocked_share * total, floors.area);
+  });
+}
+
+glm::dvec3 middle_of(const SplitMesh& split, PieceIndex piece) {
+  return (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
+}
+
+void put_in_order(const SplitMesh& split, const PartAxes& axes, std::vector<PieceIndex>& pieces) {
+  std::vector<std::pair<PlaceKey, PieceIndex>> keys;
+  for (const PieceIndex piece : pieces) keys.emplace_back(place_key(axes, middle_of(split, piece)), piece);
+  std::ranges::sort(keys);
+  std::ranges::transform(keys, pieces.begin(), [](const auto& key) { return key.second; });
+}
+
+/// The largest first; of those that rounding alone distinguishes the lower one, and so on.
+template <typename Patch, typename Place>
+void put_in_order(const PartAxes& axes, std::vector<Patch>& patches, const Place& place) {
+  constexpr double k_steps = 1e6;  // of the logarithm of an area
+  std::ranges::stable_sort(patches, {}, [&](const Patch& patch) {
+    return std::pair(-std::llround(k_steps * std::log(std::max(patch.area, 1e-300))),
+                     place_key(axes, place(patch)));
+  });
+}
 
 /// Without their extents.
 Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
-                         const Progress& progress) {
+                         const Progress& progress, double least_travel_mm) {
+  constexpr double k_least_share = 1e-3;  // of all undercut
   progress.report("joining undercuts", 0.0);
   std::vector<PieceIndex> pieces;
   for (PieceIndex piece = 0; piece < split.pieces.size(); ++piece) {
@@ -240,33 +325,70 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
     }
     all[patch].pieces.push_back(pieces[place]);
   }
-  std::vector<char> kept(all.size(), 0);
+  Undercuts found{.patches = {}, .specks = {}, .axes = part_axes(model, query.direction)};
+  double total = 0.0;
+  for (Undercut& patch : all) {
+    put_in_order(split, found.axes, patch.pieces);
+    measure_area(split, patch);
+    total += patch.area;
+  }
+  const double depth = least_depth(model, query, least_travel_mm), width = depth * model.frame.diagonal;
+  const Floors floors{.width = width,
+                      .area = std::max(std::numbers::pi * width * width, k_least_share * total),
+                      .depth = depth};
+  std::vector<std::optional<SpeckReason>> specks(all.size());
   const Release release(model, query, &progress);
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
     constexpr std::size_t k_asked = 48;
-    Undercut& patch = all[k];
-    measure_area(split, patch);
-    if (patch.area <= std::numbers::pi * lateral * lateral || fits(split, patch, lateral)) return;
-    kept[k] = release.is_shallow(sample_undercut(model, split, patch, k_asked)) ? 0 : 1;
+    const Undercut& patch = all[k];
+    if (patch.area <= floors.area || fits(split, patch, floors.width)) {
+      specks[k] = SpeckReason::small;
+    } else if (is_narrow(split, patch, floors.width)) {
+      specks[k] = SpeckReason::narrow;
+    } else if (is_shallow(release, sample_undercut(model, split, patch, k_asked), floors)) {
+      specks[k] = SpeckReason::shallow;
+    }
   });
-  Undercuts found;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (kept[k] != 0) {
-      found.patches.push_back(std::move(all[k]));
+    if (specks[k]) {
+      found.specks.push_back({all[k].area, place_on(split, all[k]), *specks[k]});
     } else {
-      ++found.dropped;
-      found.dropped_area += all[k].area;
+      found.patches.push_back(std::move(all[k]));
     }
   }
-  std::ranges::stable_sort(found.patches, std::greater(), &Undercut::area);
+  put_in_order(found.axes, found.patches, [](const Undercut& patch) { return patch.centre; });
+  put_in_order(found.axes, found.specks, [](const Speck& speck) { return speck.place; });
   return found;
 }
 
 }  // namespace
 
+std::string_view speck_text(SpeckReason reason) {
+  switch (reason) {
+    case SpeckReason::small:
+      return "too small to count";
+    case SpeckReason::narrow:
+      return "narrower than the least travel";
+    case SpeckReason::shallow:
+      return "clear within the least travel";
+  }
+  return "";
+}
+
+double unit_per_mm(const Part& part) {
+  const auto unit = find_length_unit(part.unit);
+  return 1.0 / (unit ? unit->mm : 1.0);
+}
+
+double least_depth(const PartModel& model, const ExactQuery& query, double least_travel_mm) {
+  constexpr double k_least_size_mm = 10.0;
+  const double size_mm = model.frame.diagonal / unit_per_mm(model.part);
+  return std::max(query.lateral, least_travel_mm / std::max(size_mm, k_least_size_mm));
+}
+
 Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
-                         const Progress& progress) {
-  Undercuts found = join_undercuts(model, split, query, progress);
+                         const Progress& progress, double least_travel_mm) {
+  Undercuts found = join_undercuts(model, split, query, progress, least_travel_mm);
   for (Undercut& patch : found.patches) {
     if (progress.cancelled()) throw Cancelled();
     measure_extents(split, query.direction, patch);
@@ -275,16 +397,15 @@ Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const E
 }
 
 UndercutTotals totals_of(const Undercuts& undercuts) {
-  UndercutTotals totals{
-      .count = undercuts.patches.size(), .specks = undercuts.dropped, .speck_area = undercuts.dropped_area};
+  UndercutTotals totals{.count = undercuts.patches.size(), .specks = undercuts.specks.size()};
   for (const Undercut& patch : undercuts.patches) totals.area += patch.area;
+  for (const Speck& speck : undercuts.specks) totals.speck_area += speck.area;
   return totals;
 }
 
-UndercutTotals count_undercuts(const PartModel& model, const ExactQuery& query,
-                               std::span<const FacetIndex> facets, const Progress& progress) {
-  const SplitMesh split = exact_split_around(model.exact(progress), query, facets, progress);
-  return totals_of(join_undercuts(model, split, query, progress));
+UndercutTotals count_undercuts(const PartModel& model, const UndercutCount& asked, const Progress& progress) {
+  const SplitMesh split = exact_split_around(model.exact(progress), asked.query, asked.facets, progress);
+  return totals_of(join_undercuts(model, split, asked.query, progress, asked.least_travel_mm));
 }
 
 std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitMesh& split,
@@ -295,9 +416,11 @@ std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitM
   for (const PieceIndex piece : undercut.pieces) {
     sum += piece_area(split, split.pieces[piece]);
     for (; next < sum && samples.size() < count; next += step) {
-      const glm::dvec3 at =
-          triangle_place(samples.size())
-              .in(corner(split, piece, 0), corner(split, piece, 1), corner(split, piece, 2));
+      const auto [a, b, c] = corners_by_edges(split, piece);
+      // The first of these places is a corner, where other walls meet the piece.
+      constexpr double k_inward = 0.05;
+      const glm::dvec3 place = triangle_place(samples.size()).in(a, b, c);
+      const glm::dvec3 at = samples.empty() ? glm::mix(place, (a + b + c) / 3.0, k_inward) : place;
       samples.push_back({model.frame.to_unit(at), model.geometry.normals[split.pieces[piece].facet], step});
     }
   }
@@ -330,14 +453,15 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
       corners.push_back({glm::dot(corner(split, piece, k), direction), piece, k});
   }
   count = std::min(count, corners.size());
-  std::ranges::stable_sort(corners, {}, &Corner::height);
+  // Heights that rounding alone distinguishes are in the order of the pieces.
+  const double rounding = 1e-9 * model.frame.diagonal;
+  std::ranges::stable_sort(corners, {},
+                           [&](const Corner& each) { return std::llround(each.height / rounding); });
   constexpr double k_inward = 1e-4;
   std::vector<UndercutSample> samples;
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [height, piece, which] = corners[k];
-    const glm::dvec3 middle =
-        (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
-    const glm::dvec3 at = glm::mix(corner(split, piece, which), middle, k_inward);
+    const glm::dvec3 at = glm::mix(corner(split, piece, which), middle_of(split, piece), k_inward);
     samples.push_back({model.frame.to_unit(at), model.geometry.normals[split.pieces[piece].facet], 0.0});
   }
   return samples;

@@ -52,30 +52,30 @@ std::vector<FacetIndex> blockers(const PartModel& model, const SplitMesh& split,
   return facets;
 }
 
-void add_formed_surface(const FormedContext& context, const SideAction* action, UndercutReport& told) {
+void add_formed_surface(const FormedContext& context, const SideAction* action, UndercutReport& noted) {
   const auto& [model, split, faces, release] = context;
-  told.formed_area = told.undercut.area;
+  noted.formed_area = noted.undercut.area;
   if (action == nullptr || action->about) return;
   std::map<FacetIndex, double> undercut_of;
-  for (const std::uint32_t piece : told.undercut.pieces)
+  for (const std::uint32_t piece : noted.undercut.pieces)
     undercut_of[split.pieces[piece].facet] += piece_area(split, split.pieces[piece]);
   std::set<std::uint32_t> touched;
   for (const auto& [facet, area] : undercut_of) touched.insert(faces.of_facet[facet]);
   const double far = action->kind == ActionKind::lifter ? action->travel / model.frame.diagonal
                                                         : std::numeric_limits<double>::infinity();
-  told.formed_area = 0.0;
+  noted.formed_area = 0.0;
   for (const std::uint32_t face : touched) {
     for (const FacetIndex facet : faces.facets(face)) {
       const auto hidden = undercut_of.find(facet);
       if (model.geometry.areas[facet] > 0.0 && is_free(model, facet, release, {action->direction, far})) {
-        told.formed_area += model.geometry.areas[facet];
-        told.formed.push_back(facet);
+        noted.formed_area += model.geometry.areas[facet];
+        noted.formed.push_back(facet);
       } else if (hidden != undercut_of.end()) {
-        told.formed_area += hidden->second;
+        noted.formed_area += hidden->second;
       }
     }
   }
-  std::ranges::sort(told.formed);
+  std::ranges::sort(noted.formed);
 }
 
 }  // namespace moldlight

@@ -20,6 +20,6 @@ struct FormedContext {
 };
 /// Fills in `formed` and `formed_area`: the undercut, and what the same straight pull frees of the faces that
 /// it lies on; the undercut alone for null and for what turns.
-void add_formed_surface(const FormedContext& context, const SideAction* action, UndercutReport& told);
+void add_formed_surface(const FormedContext& context, const SideAction* action, UndercutReport& noted);
 
 }  // namespace moldlight

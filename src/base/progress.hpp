@@ -19,7 +19,7 @@ class Progress {
 
   Progress() = default;
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
-  /// Is cancelled with `parent`, which must outlive it, and tells nobody: for work whose stages the user is
+  /// Is cancelled with `parent`, which must outlive it, and informs nobody: for work whose stages the user is
   /// not to see.
   explicit Progress(const Progress* parent) : parent_(parent) {}
 

@@ -13,7 +13,7 @@
 
 namespace moldlight {
 
-/// The environment variable by which a program that starts many of ours tells each how many threads it may
+/// The environment variable by which a program that starts many of ours sets for each how many threads it may
 /// compute with.
 inline constexpr const char* k_threads_variable = "MOLDLIGHT_THREADS";
 

@@ -18,7 +18,7 @@ class CsvReader {
   /// Takes the next record that is not an empty line; false at the end. Throws FileError for a quoted field
   /// that does not end, and for a stream that cannot be read.
   [[nodiscard]] bool next(std::vector<std::string>& fields);
-  /// Fields are parted by this: a comma unless told otherwise.
+  /// Fields are parted by this: a comma unless set otherwise.
   void set_separator(char separator) { separator_ = separator; }
   /// Line on which the record that was taken last begins, from 1.
   [[nodiscard]] std::size_t line() const { return record_line_; }

@@ -28,7 +28,7 @@ constexpr std::string_view k_picture_size = "240x180";
 /// After its process was ended from outside: whoever ends all processes of a job gets to this one, too.
 constexpr std::chrono::milliseconds k_wait_for_own_end(500);
 
-/// Tells a file that was replaced while it was read.
+/// Notices a file that was replaced while it was read.
 struct FileStamp {
   std::array<std::int64_t, 5> values{};
 

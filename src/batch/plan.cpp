@@ -164,7 +164,7 @@ std::vector<FileDigest> digests_of(const std::vector<std::string>& files, const 
   const auto read_some = [&] {
     try {
       for (std::size_t k = next++; k < files.size(); k = next++) digests[k] = digest_of_file(files[k], stop);
-    } catch (const Cancelled&) {  // told again below
+    } catch (const Cancelled&) {  // thrown again below
     }
   };
   const std::size_t wanted =

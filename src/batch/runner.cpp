@@ -61,7 +61,7 @@ class Slots {
     besides_ = besides_of(settings);
   }
 
-  /// Works through the jobs; ends early where told so or where nothing can be stored.
+  /// Works through the jobs; ends early where asked to or where nothing can be stored.
   void work_through(std::vector<Job> jobs) {
     jobs_ = std::move(jobs);
     // Runs that begin together are not to do the same parts at the same time.
@@ -71,7 +71,7 @@ class Slots {
     const std::size_t wanted = std::min(2 * static_cast<std::size_t>(processes_), jobs_.size());
     std::vector<std::jthread> threads;
     for (std::size_t k = 0; k < wanted; ++k) threads.emplace_back([this] { work(); });
-    // Whoever waits is told how far it is.
+    // Whoever waits is shown how far it is.
     while (ended_ < wanted) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       if (progress_.cancelled()) continue;

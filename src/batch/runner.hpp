@@ -35,7 +35,7 @@ struct RunCounts {
   std::atomic<std::size_t> elsewhere = 0;  // by another run meanwhile
 };
 
-/// What a run tells while it goes on, from any of its threads, one call at a time.
+/// What a run shows while it goes on, from any of its threads, one call at a time.
 struct RunListener {
   std::function<void(const std::string& path, const std::string& reason)> failed = {};
   std::function<void(const std::string& sentence)> warning = {};

@@ -46,9 +46,9 @@ std::string fault_of(std::string_view text, const Digest& key, Json& result) {
   if (text.size() <= tail || !text.ends_with(k_after_checksum) ||
       text.substr(text.size() - tail, k_before_checksum.size()) != k_before_checksum)
     return "is damaged, since it does not end with its checksum";
-  const std::string_view told = text.substr(text.size() - tail + k_before_checksum.size(), k_key_digits);
+  const std::string_view noted = text.substr(text.size() - tail + k_before_checksum.size(), k_key_digits);
   const std::string whole = std::string(text.substr(0, text.size() - tail)) + "}";
-  if (hex_of(digest_of(whole)) != told) return "was changed, since its checksum is another";
+  if (hex_of(digest_of(whole)) != noted) return "was changed, since its checksum is another";
   result = Json::parse(whole, nullptr, false);
   if (!result.is_object()) return "is damaged";
   const auto own = result.find("key");

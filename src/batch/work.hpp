@@ -16,7 +16,7 @@ namespace moldlight::batch {
 
 using Json = nlohmann::ordered_json;
 
-/// Figures of a part that tables of results have, whatever the work; a work that does not tell one leaves it
+/// Figures of a part that tables of results have, whatever the work; a work that does not show one leaves it
 /// empty.
 enum class Figure : std::uint8_t {
   area,

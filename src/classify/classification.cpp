@@ -57,6 +57,8 @@ Classification classification_of(const PartModel& model, const Query& asked, con
       0.0, projected_area(model.geometry, result.direction) - found.projected_core - found.projected_cavity);
   result.uncertainty.rounding = rounding_bound(part, query, found, model.errors);
   result.uncertainty.mesh = mesh_doubt(part, found, model.adjacency, model.errors);
+  result.uncertainty.readout = found.sampling_error;
+  result.uncertainty.sampled_facets = found.sampled_facets;
   result.facet_fractions = std::move(found.facet_fractions);
   add_warnings(model, part, result);
   return result;

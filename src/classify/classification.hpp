@@ -22,7 +22,9 @@ namespace moldlight {
 struct UndercutUncertainty {
   double rounding = 0.0;  // of exact regions
   double mesh = 0.0;      // what an open or overlapping mesh leaves in doubt; 0 for one that is neither
-  double readout = 0.0;   // samples and facet-id: the undercut's difference from that of exact regions
+  double readout = 0.0;   // samples and facet-id: the undercut's difference from that of exact regions; where
+                          // exact regions sample facets: twice the standard deviation of that
+  std::size_t sampled_facets = 0;  // by exact regions, as too much crosses them
   [[nodiscard]] double total() const { return rounding + mesh + readout; }
 };
 

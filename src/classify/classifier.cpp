@@ -75,7 +75,7 @@ Classification Classifier::classify(const Query& query, const Progress& progress
                                                                 : fractions_by_facet_id(settings);
   const double exact_undercut = result.areas[Region::undercut];
   result.areas = region_areas(result.facet_fractions, model_->geometry);
-  result.uncertainty.readout = std::abs(result.areas[Region::undercut] - exact_undercut);
+  result.uncertainty.readout += std::abs(result.areas[Region::undercut] - exact_undercut);
   result.timings.readout_ms = stopwatch.elapsed_ms();
   result.timings.total_ms += result.timings.readout_ms;
   return result;

@@ -64,38 +64,6 @@ Json comparison_json(const MapComparison& comparison) {
           {"shares", shares}};
 }
 
-/// A line for every pair of regions that surface has, the exact one first.
-std::string comparison_table(const MapComparison& comparison, const FigureColumn& column,
-                             const std::string& area_unit) {
-  const double total = comparison.total();
-  std::string text =
-      fmt::format("{}\nmeasured by {} samples, ± {} % of the area\n\n", comparison_text(comparison),
-                  comparison.samples, error_text(100.0 * share(comparison.error, total)));
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:<9}{:<9}{:>17}{:>10}\n", "exact", "by maps", "area " + area_unit, "share");
-  for (const Region exact : k_regions) {
-    for (const Region shown : k_regions) {
-      const double area = comparison.areas[static_cast<std::size_t>(exact)][shown];
-      if (area > 0.0) {
-        fmt::format_to(out, "{:<9}{:<9}{:>16}{:>10}\n", region_name(exact), region_name(shown),
-                       column.text(area), share_text(area, total));
-      }
-    }
-  }
-  return text;
-}
-
-/// SGR code of no colour.
-constexpr std::string_view k_plain = "\033[0m";
-
-std::string uncertainty_text(const UndercutUncertainty& uncertainty) {
-  std::string text = "± " + error_text(uncertainty.total());
-  if (uncertainty.readout > 0.0)
-    return text + fmt::format(", {} of it off exact regions", error_text(uncertainty.readout));
-  if (uncertainty.mesh > uncertainty.rounding) return text + ", for what is wrong with the mesh";
-  return text;
-}
-
 }  // namespace
 
 nlohmann::ordered_json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
@@ -143,6 +111,7 @@ Json classify_json(const PartModel& model, const Classification& result) {
       {"undercut_uncertainty", uncertainty.total()},
       {"uncertainty_parts",
        {{"rounding", uncertainty.rounding}, {"mesh", uncertainty.mesh}, {"readout", uncertainty.readout}}},
+      {"sampled_facets", uncertainty.sampled_facets},
       {"projected_area", result.shadow_area},
       {"projected_undercut", result.projected_undercut},
       {"identity",
@@ -160,43 +129,6 @@ Json classify_json(const PartModel& model, const Classification& result) {
     json["faces"] = faces_json(face_areas(model, result));
   if (result.maps) json["compare_maps"] = comparison_json(*result.maps);
   return json;
-}
-
-std::string classify_table(const PartModel& model, const Classification& result, bool colour) {
-  const std::string area_unit = powered_unit(model.part, 2);
-  const FigureColumn areas(result.total_area);
-  std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} facets, {}; box {} {}\n", part_name(model.part), model.health.facets,
-                 model.health.closed ? "closed" : "not closed",
-                 figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
-                 length_unit(model.part));
-  fmt::format_to(out, "direction {}; near-vertical below {}°, lateral tolerance {} {}\n\n",
-                 figures(result.direction, 1.0), figure(result.settings.tau_deg),
-                 figure(result.lateral_tolerance), length_unit(model.part));
-
-  const std::string heading = "area " + area_unit;
-  // The superscript takes two bytes and one column.
-  fmt::format_to(out, "{:<9}{:>{}}{:>10}\n", "region", heading, 17, "share");
-  for (const Region region : k_regions) {
-    const std::string name = fmt::format("{:<9}", region_name(region));
-    fmt::format_to(out, "{}{:>16}{:>10}{}\n",
-                   colour ? fmt::format("{}{}{}", facts(region).terminal_colour, name, k_plain) : name,
-                   areas.text(result.areas[region]), share_text(result.areas[region], result.total_area),
-                   region == Region::undercut ? "   " + uncertainty_text(result.uncertainty) : "");
-  }
-  fmt::format_to(out, "{:<9}{:>16}{:>10}\n\n", "total", areas.text(result.total_area),
-                 share_text(result.total_area, result.total_area));
-  const ShadowIdentity& identity = result.identity;
-  fmt::format_to(
-      out,
-      "check {}  the part's shadow: {} {} by what +d sees, {} by what -d sees; they are {} apart,\n"
-      "         {} rounding, {}\n",
-      identity.agrees() ? "✓" : "✗", areas.text(identity.core), area_unit, areas.text(identity.cavity),
-      error_text(std::abs(identity.gap)), identity.agrees() ? "within" : "more than",
-      error_text(identity.gap_limit));
-  if (result.maps) text += "\n" + comparison_table(*result.maps, areas, area_unit);
-  return text;
 }
 
 std::string json_text(const Json& json) {

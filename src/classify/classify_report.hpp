@@ -29,10 +29,6 @@ namespace moldlight {
 /// a direction of a sweep.
 [[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
 
-/// Areas and shares with the uncertainty, and the check of the shadow's area found in two ways. `colour`: the
-/// regions' names stand in the colours of a terminal.
-[[nodiscard]] std::string classify_table(const PartModel& model, const Classification& result, bool colour);
-
 /// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes
 /// of file names that are no UTF-8 are replaced, and what a terminal would obey is escaped.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);

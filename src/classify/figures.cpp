@@ -83,6 +83,12 @@ std::string short_direction_text(const glm::dvec3& direction) {
   return direction_text(direction, 2);
 }
 
+std::string sentence_of(std::string text) {
+  if (text.empty()) return text;
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
 std::string with_minus(std::string text) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
     text.replace(at, 1, "−");

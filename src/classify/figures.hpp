@@ -30,7 +30,7 @@ class FigureColumn {
 /// A figure in a sentence: four digits without an exponent, but none below `least`, which says what rounding
 /// or a tolerance leaves of it: "147.8", "12034", "< 0.002".
 [[nodiscard]] std::string rounded(double value, double least = 0.0);
-/// The same of areas of a surface: what is less than a millionth of it is not told apart.
+/// The same of areas of a surface: what is less than a millionth of it is not distinguished.
 [[nodiscard]] std::string rounded_area(double area, double whole);
 
 /// One figure on its own, six digits.
@@ -44,6 +44,9 @@ class FigureColumn {
 [[nodiscard]] std::string short_direction_text(const glm::dvec3& direction);
 /// A component of a direction with so many decimals; no sign where they all are 0.
 [[nodiscard]] std::string component_text(double value, int decimals);
+
+/// With a capital and a full stop; nothing of nothing.
+[[nodiscard]] std::string sentence_of(std::string text);
 
 /// With a true minus in place of every hyphen that a terminal gets.
 [[nodiscard]] std::string with_minus(std::string text);

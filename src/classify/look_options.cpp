@@ -6,7 +6,7 @@ std::span<const Option<LookSettings>> look_options() {
   using S = LookSettings;
   static const std::vector<Option<S>> k_options = {
       {"palette", "--palette", "Palette", "",
-       "Paper: core blue, cavity green, both gray, undercut red. Safe: told apart by colour-blind eyes.",
+       "Paper: core blue, cavity green, both gray, undercut red. Safe: for colour-blind eyes.",
        choice<&S::palette>({"paper", "safe"})},
       {"colouring", "--colouring", "Colour by", "",
        "Colour the surface by its region, or by its draft angle to the parting direction.",
@@ -40,8 +40,8 @@ std::span<const Option<LookSettings>> look_options() {
        SwitchKind<S>{&S::parting_line}},
       {"arrows", "--arrows", "Arrows", "", "Show the parting direction as an arrow through the part.",
        SwitchKind<S>{&S::arrows}},
-      {"regions", "--regions", "Told by", "",
-       "What tells the regions of a direction at rest: they are computed exactly, or as the shadow maps show "
+      {"regions", "--regions", "Regions by", "",
+       "Where the regions of a direction at rest come from: computed exactly, or as the shadow maps show "
        "them.",
        choice<&S::regions_by>({"exact", "maps"})},
       {"mark_difference", "--mark-difference", "Mark the difference", "",

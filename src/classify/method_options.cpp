@@ -50,7 +50,7 @@ std::span<const Option<ReadOptions>> reading_options() {
       "How near vertices are that --repair joins; without it {} of the part's diagonal.", k_weld_share);
   static const std::vector<Option<S>> k_options = {
       {"unit", "--unit", "Unit", "",
-       "Unit of the part, such as mm or in: named where the file names none, converted to otherwise.",
+       "Unit of a file that states none, such as mm or in; any other file is converted to it.",
        TextKind<S>{"UNIT",
                    [](const S& s) { return s.unit; },
                    [](S& s, std::string_view text) { s.unit = text; },
@@ -76,6 +76,10 @@ std::span<const Option<ReadOptions>> reading_options() {
        PositiveKind<S>{[](S& s) -> double& { return s.angular_deflection_deg; }, 90.0}},
       {"max_facets", "--max-facets", "Most facets", "", "Refuse files with more facets than this.",
        IntegerKind<S>{&S::max_facets, 1, 1'400'000'000}},
+      {"effort", "--effort", "Effort", "",
+       "Time and memory for exact regions, as a multiple of the usual limit; beyond it facets that too many "
+       "others cross are sampled, and the result states its error.",
+       RealKind<S>{&S::effort, 1.0, 10'000.0, 1.0}},
   };
   return k_options;
 }

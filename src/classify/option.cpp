@@ -77,6 +77,16 @@ glm::dvec3 parse_direction(const GivenText& given) {
     direction[static_cast<int>(named % 3)] = rest[0] == '-' ? -1.0 : 1.0;
     return direction;
   }
+  // Blanks separate, too: "0 0 1".
+  std::string with_commas;
+  if (rest.find(',') == std::string_view::npos) {
+    for (const char c : rest) {
+      const bool blank = c == ' ', fresh = with_commas.empty() || with_commas.back() == ',';
+      if (!blank || !fresh) with_commas += blank ? ',' : c;
+    }
+    if (rest.ends_with(' ') && with_commas.ends_with(',')) with_commas.pop_back();
+    rest = with_commas;
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = rest.find(',');
     if ((comma == std::string_view::npos) != (axis == 2)) {

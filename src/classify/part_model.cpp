@@ -22,8 +22,9 @@ const T& made_once(std::once_flag& once, std::unique_ptr<const T>& made, const M
 }  // namespace
 
 const ExactPart& PartModel::exact(const Progress& progress) const {
-  return made_once(exact_once_, exact_,
-                   [&] { return std::make_unique<const ExactPart>(part.mesh, geometry, frame, progress); });
+  return made_once(exact_once_, exact_, [&] {
+    return std::make_unique<const ExactPart>(part.mesh, geometry, frame, progress, part.effort);
+  });
 }
 
 const ExactRays& PartModel::rays() const {

@@ -1,5 +1,5 @@
-// What tells the regions in a window's pictures: shadow maps, coarse and quick, while the direction moves;
-// the split mesh, or maps as the settings want them, once it rests.
+// Where the regions in a window's pictures come from: shadow maps, coarse and quick, while the direction
+// moves; the split mesh, or maps as the settings want them, once it rests.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@ enum class Readout : std::uint8_t { exact, samples, facet_id };
 
 using Backend = gl::HeadlessBackend;
 
-/// How regions are told, whatever the direction.
+/// How regions are found, whatever the direction.
 struct MethodSettings {
   double tau_deg = 1.0;  // [0, 10]
   int kernel = 0;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance; 0: unset

@@ -32,7 +32,7 @@ constexpr double k_least_scale = 0.72;  // below this text is not read
 constexpr double k_most_share = 0.2;    // of the picture's area, that a legend may take
 constexpr double k_margin = 28.0;       // around it at scale 1
 constexpr double k_fill = 0.86;
-constexpr int k_reduction = 8;  // of the pictures that tell what the part covers
+constexpr int k_reduction = 8;  // of the pictures that show what the part covers
 
 /// What a picture must find room for, seen from where the camera looks. Points are in the unit frame.
 struct Composition {

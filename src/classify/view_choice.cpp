@@ -83,7 +83,7 @@ glm::dquat revealing_orientation(const PartModel& model,
   }
   std::vector<double> amounts(views.size());
   tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t k) {
-    // A little is given for a view from above and from the front, which tell a part's shape best.
+    // A little is given for a view from above and from the front, which show a part's shape best.
     const glm::dvec3& view = views[k];
     const double habit = 1.0 + 0.06 * (glm::dot(view, up) > 0.0 ? 1.0 : 0.0) - 0.03 * glm::dot(view, y);
     amounts[k] = habit * visible_amount(model, spots, glm::vec3(view));

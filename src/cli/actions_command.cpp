@@ -9,6 +9,7 @@
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
+#include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/atomic_file.hpp"
@@ -27,6 +28,7 @@ struct ActionsFlags {
   ActionSettings settings;
   std::string csv, mesh, bodies, image;
   StillSettings still;
+  BaselineFlags baseline;
   ReportFlags report;
 };
 
@@ -40,8 +42,10 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
                                     {"--mesh (its colours)", material_library_path(flags.mesh)},
                                     {"--image", flags.image}};
   std::ranges::copy(flags.report.files(), std::back_inserter(written));
-  check_outputs(
-      {.inputs = {{"PART", flags.part.part}}, .files = written, .folder = {"--bodies", flags.bodies}});
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
+                 .files = written,
+                 .folder = {"--bodies", flags.bodies}});
+  Baseline baseline(flags.baseline, "actions");
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
@@ -65,10 +69,12 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
     write_reports(flags.report, report::actions_report(for_report, study));
   }
-  put_report(
-      console, flags.part.json, [&] { return actions_json(study, progress); },
-      [&] { return actions_text(study, progress); });
-  return 0;
+  const auto json_report = [&] { return actions_json(study, progress); };
+  baseline.compare(json_report);
+  baseline.put_report(console, flags.part.json, json_report, [&] {
+    return to_text(report::actions_report({model, progress}, study), {.colour = console.colour()});
+  });
+  return baseline.exit_code(console);
 }
 
 nlohmann::ordered_json settings(const ActionsFlags& flags) {
@@ -97,6 +103,7 @@ void add_actions_command(CLI::App& program, Request& request) {
                  "action is a material"});
   add_file_flag(*command, flags->bodies,
                 {"--bodies", "DIR", "Write the closed solid of each action to this folder, an STL each"});
+  add_baseline_flags(*command, flags->baseline, "actions");
   add_report_flags(*command, flags->report, request);
   CLI::Option* image =
       add_file_flag(*command, flags->image,

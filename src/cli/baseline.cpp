@@ -22,11 +22,10 @@ nlohmann::ordered_json read_report(const std::string& file) {
 }  // namespace
 
 void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {
-  CLI::Option* baseline = add_file_flag(
-      command, flags.file,
-      {"--baseline", "FILE.json",
-       "Compare the figures with those of an earlier report of this command, as --json writes it"});
-  add_criteria_flag(command, flags.fail_on, report_figure_names(name))->needs(baseline);
+  add_file_flag(command, flags.file,
+                {"--baseline", "FILE.json",
+                 "Compare the figures with those of an earlier report of this command, as --json writes it"});
+  add_criteria_flag(command, flags.fail_on, report_figure_names(name));
 }
 
 Baseline::Baseline(const BaselineFlags& flags, std::string command)
@@ -35,8 +34,12 @@ Baseline::Baseline(const BaselineFlags& flags, std::string command)
 }
 
 void Baseline::compare(const std::function<nlohmann::ordered_json()>& report) {
-  if (flags_.file.empty()) return;
-  figures_ = report_figures(command_, before_, report(), one_line(flags_.file));
+  if (flags_.file.empty() && flags_.fail_on.empty()) return;
+  for (const Criterion& criterion : flags_.fail_on)
+    if (criterion.of_change && flags_.file.empty())
+      throw UsageError(fmt::format("--fail-on: '{}' is of a change; give --baseline, too", criterion.text));
+  const nlohmann::ordered_json now = report();
+  figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
   failed_ = met_criteria(flags_.fail_on, figures_);
 }
 
@@ -52,6 +55,19 @@ void Baseline::add_to(nlohmann::ordered_json& report) const {
     figures[std::string(figure.name)] = {
         {"was", figure.before}, {"is", figure.after}, {"error", figure.error}};
   report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed_}};
+}
+
+void Baseline::put_report(Console& console, const std::string& json_path,
+                          const std::function<nlohmann::ordered_json()>& json,
+                          const std::function<std::string()>& text) const {
+  cli::put_report(
+      console, json_path,
+      [&] {
+        nlohmann::ordered_json report = json();
+        add_to(report);
+        return report;
+      },
+      [&] { return text() + table(); });
 }
 
 int Baseline::exit_code(Console& console) const {

@@ -134,12 +134,12 @@ void BatchBaseline::add(const batch::PartResult& result) {
 
 void BatchBaseline::compare(const batch::PartResult& result, const Row& before) {
   const std::string state(batch::state_name(result.state));
-  const std::size_t told = told_;
-  if (state != before.state) tell(result.path, "state", before.state, state);
+  const std::size_t noted = noted_;
+  if (state != before.state) note(result.path, "state", before.state, state);
   const bool same_unit = batch::spreadsheet_text(result.unit) == before.unit;
   const bool comparable = same_unit && state == before.state;
   if (!same_unit && state == before.state)
-    tell(result.path, "unit", before.unit.empty() ? "none" : before.unit,
+    note(result.path, "unit", before.unit.empty() ? "none" : before.unit,
          result.unit.empty() ? "none" : result.unit);
   std::vector<ComparedFigure> figures;
   const double area = result.figure(Figure::area).value_or(0.0);
@@ -148,15 +148,15 @@ void BatchBaseline::compare(const batch::PartResult& result, const Row& before) 
     if (!comparable || !was || !is) continue;
     const double error = row.area ? k_same_share * area : 0.0;
     figures.push_back({row.name, *was, *is, error, row.area ? area : 0.0});
-    if (std::abs(*is - *was) > error) tell(result.path, row.name, figure(*was), figure(*is));
+    if (std::abs(*is - *was) > error) note(result.path, row.name, figure(*was), figure(*is));
   }
-  (told_ == told ? same_ : changed_) += 1;
+  (noted_ == noted ? same_ : changed_) += 1;
   apply(result.path, figures);
 }
 
-void BatchBaseline::tell(const std::string& path, std::string_view what, const std::string& was,
+void BatchBaseline::note(const std::string& path, std::string_view what, const std::string& was,
                          const std::string& is) {
-  if (++told_ > k_most_told) return;
+  if (++noted_ > k_most_told) return;
   changes_ += fmt::format("  {}: {} was {}, is {}\n", one_line(path), what, one_line(was), one_line(is));
 }
 
@@ -192,7 +192,7 @@ std::string BatchBaseline::table() const {
   std::string text = fmt::format("against {}: {} new, {} gone, {} changed, {} as before\n", one_line(file_),
                                  counted(fresh_, "part"), gone_, changed_, same_);
   text += changes_;
-  if (told_ > k_most_told) text += fmt::format("  … {} changes in all\n", told_);
+  if (noted_ > k_most_told) text += fmt::format("  … {} changes in all\n", noted_);
   return text;
 }
 

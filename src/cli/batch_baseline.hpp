@@ -46,7 +46,7 @@ class BatchBaseline : public batch::MergeSink {
                            std::size_t line) const;
   [[nodiscard]] Row* earlier(const batch::PartResult& result);
   void compare(const batch::PartResult& result, const Row& before);
-  void tell(const std::string& path, std::string_view what, const std::string& was, const std::string& is);
+  void note(const std::string& path, std::string_view what, const std::string& was, const std::string& is);
   /// Applies the criteria that ask for one of the figures; `path` is empty for counts of parts.
   void apply(std::string_view path, std::span<const ComparedFigure> figures);
 
@@ -55,7 +55,7 @@ class BatchBaseline : public batch::MergeSink {
   std::vector<bool> applied_;  // of the criteria
   std::vector<Row> rows_;
   std::unordered_map<std::string, std::vector<std::size_t>> rows_of_path_;
-  std::size_t fresh_ = 0, gone_ = 0, changed_ = 0, same_ = 0, failed_before_ = 0, failed_ = 0, told_ = 0;
+  std::size_t fresh_ = 0, gone_ = 0, changed_ = 0, same_ = 0, failed_before_ = 0, failed_ = 0, noted_ = 0;
   std::string changes_;
   std::vector<std::string> failures_;
   std::size_t failure_count_ = 0;

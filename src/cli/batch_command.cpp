@@ -26,8 +26,8 @@ using namespace batch;
 
 namespace {
 
-/// More failures than these are told by `status`.
-constexpr std::size_t k_failures_told = 20;
+/// More failures than these are listed by `status`.
+constexpr std::size_t k_failures_listed = 20;
 constexpr std::chrono::seconds k_plain_interval(30);
 
 struct PlanFlags {
@@ -187,14 +187,14 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
         return counts.rows == 0 ? std::string(stage) : progress_text(counts, watch, columns);
       },
       k_plain_interval);
-  std::size_t told = 0;
-  const auto tell = [&](const std::string& path, const std::string& reason) {
-    if (++told <= k_failures_told) console.warning(fmt::format("{}: failed: {}", path, reason));
-    if (told == k_failures_told + 1)
-      console.warning("further failures are not told here; moldlight batch status tells the reasons");
+  std::size_t noted = 0;
+  const auto note = [&](const std::string& path, const std::string& reason) {
+    if (++noted <= k_failures_listed) console.warning(fmt::format("{}: failed: {}", path, reason));
+    if (noted == k_failures_listed + 1)
+      console.warning("further failures are not listed here; moldlight batch status lists the reasons");
   };
   const RunEnd end = run.carry_out(
-      {.failed = tell, .warning = [&](const std::string& sentence) { console.warning(sentence); }}, progress);
+      {.failed = note, .warning = [&](const std::string& sentence) { console.warning(sentence); }}, progress);
   console.set_progress_text({});
   const BatchStatus status = batch_status(manifest, {.shard = flags.shard}, Progress());
   console.result(fmt::format("this run: {} done, {} failed, {} passed over, {:.1f} s\n", counts.done.load(),
@@ -298,7 +298,7 @@ void add_plan(CLI::App& batch, Request& request) {
   command->add_option("SOURCE", flags->source,
                       "Folder of parts, pattern in quotes, or CSV list with a column path, and a column a "
                       "setting where rows differ (unit, direction, …)");
-  add_file_flag(*command, flags->out, {"--out", "DIR", "Folder of the batch, made new"});
+  add_file_flag(*command, flags->out, {"-o,--out", "DIR", "Folder of the batch, made new"});
   add_file_flag(
       *command, flags->anew,
       {"--anew", "DIR",

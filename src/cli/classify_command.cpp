@@ -103,14 +103,9 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
     write_reports(flags.report, report::classify_report(for_report, study));
   }
-  put_report(
-      console, flags.part.json,
-      [&] {
-        nlohmann::ordered_json json = json_report();
-        baseline.add_to(json);
-        return json;
-      },
-      [&] { return classify_text(study, console.colour(), progress) + baseline.table(); });
+  baseline.put_report(console, flags.part.json, json_report, [&] {
+    return to_text(report::classify_report({model, progress}, study), {.colour = console.colour()});
+  });
   return baseline.exit_code(console);
 }
 

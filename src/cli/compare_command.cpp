@@ -77,7 +77,11 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
   }
   put_report(
       console, flags.a.json, [&] { return compare_json(comparison); },
-      [&] { return compare_table(comparison); });
+      [&] {
+        const report::ReportContext for_text{comparison.b.model, progress};
+        return to_text(report::compare_report(for_text, comparison, {flags.fail_on, figures}),
+                       {.colour = console.colour()});
+      });
   for (const std::string& sentence : failed) console.failure(sentence);
   return failed.empty() ? 0 : k_criterion_failed;
 }
@@ -93,7 +97,7 @@ void add_compare_command(CLI::App& program, Request& request) {
   add_report_flags(*command, flags->a, request);
   add_text_flag(
       *command,
-      {"--direction", "X,Y,Z|AXIS|best|each",
+      {"-d,--direction", "X,Y,Z|AXIS|best|each",
        "Parting direction +d of both: three numbers of any length, an axis such as z or -y, the best of "
        "A, or of each part its own best [default best]"},
       [flags = flags.get()](const std::string& text) {

@@ -39,7 +39,7 @@ class Console {
   /// at most, for work that takes long. Called from whichever thread reports.
   void set_progress_text(ProgressText text, std::chrono::seconds plain_interval = std::chrono::seconds(2));
 
-  /// One line with the stages that progress() was told of, each with its time; only when verbose.
+  /// One line with the stages that progress() was given, each with its time; only when verbose.
   void log_stages();
 
   /// stdout is a terminal and NO_COLOR is not set.

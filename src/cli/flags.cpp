@@ -1,6 +1,8 @@
 #include "cli/flags.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -12,11 +14,11 @@
 
 namespace moldlight::cli {
 
-namespace {
-
-constexpr std::size_t k_help_width = 104;
-
-}  // namespace
+std::string names_of(std::string_view flag) {
+  for (const auto& [letter, name] : {std::pair("-u", "--unit"), {"-j", "--jobs"}})
+    if (flag == name) return fmt::format("{},{}", letter, name);
+  return std::string(flag);
+}
 
 CLI::Option* add_text_flag(CLI::App& command, const FlagTexts& flag,
                            std::function<void(const std::string&)> parse) {
@@ -28,8 +30,25 @@ CLI::Validator named() {
   return {[](std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, ""};
 }
 
+namespace {
+/// Refuses a name that says that something else is in the file.
+CLI::Validator png_named() {
+  return {[](std::string& name) {
+            std::string extension = std::filesystem::path(name).extension().string();
+            std::ranges::transform(extension, extension.begin(),
+                                   [](unsigned char c) { return std::tolower(c); });
+            return extension.empty() || extension == ".png" ? std::string()
+                                                            : name + ": pictures are PNG; name it .png";
+          },
+          ""};
+}
+}  // namespace
+
 CLI::Option* add_file_flag(CLI::App& command, std::string& path, const FlagTexts& flag) {
-  return command.add_option(flag.name, path, flag.help)->option_text(flag.value)->check(named());
+  CLI::Option* option =
+      command.add_option(flag.name, path, flag.help)->option_text(flag.value)->check(named());
+  if (flag.value == "FILE.png") option->check(png_named());
+  return option;
 }
 
 CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
@@ -57,7 +76,7 @@ void add_report_flags(CLI::App& command, PartFlags& flags, Request& request) {
 
 CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
   return add_text_flag(command,
-                       {"--direction", "X,Y,Z|AXIS|best",
+                       {"-d,--direction", "X,Y,Z|AXIS|best",
                         "Parting direction +d, in which the core's side opens: three numbers of any length, "
                         "an axis such as z or -y, or the best that a sweep finds."},
                        [flag](const std::string& text) {
@@ -105,31 +124,6 @@ CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criter
   return add_text_flag(
       command, {"--fail-on", "CRITERIA", help},
       [&criteria, figures](const std::string& text) { criteria = parse_criteria(text, figures); });
-}
-
-std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  const std::string text = option->get_description();
-  const std::size_t width = k_help_width - get_column_width();
-  std::string wrapped;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column > 0 && column + 1 + end - begin > width) {
-      wrapped += '\n';
-      column = 0;
-    } else if (column > 0) {
-      wrapped += ' ';
-      ++column;
-    }
-    wrapped += text.substr(begin, end - begin);
-    column += end - begin;
-    begin = end + 1;
-  }
-  return wrapped;
-}
-
-std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-  return option->get_option_text().empty() ? "" : " " + option->get_option_text();
 }
 
 }  // namespace moldlight::cli

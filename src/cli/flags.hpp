@@ -93,6 +93,9 @@ template <typename S>
                      standard);
 }
 
+/// The flag's name, with the letter that is short for it where there is one: "-u,--unit".
+[[nodiscard]] std::string names_of(std::string_view flag);
+
 /// Adds the option's flag; the value goes into `settings`, which outlives the command and holds the default.
 /// A value that the option refuses is a UsageError while parsing. A switch that is off by default is a flag
 /// without a value. `option` outlives the command, too.
@@ -103,7 +106,7 @@ CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& sett
     return command.add_flag(std::string(option.flag), settings.*is_switch->member, std::string(option.help));
   }
   CLI::Option* flag =
-      add_text_flag(command, {std::string(option.flag), value_text(option), flag_help(option, settings)},
+      add_text_flag(command, {names_of(option.flag), value_text(option), flag_help(option, settings)},
                     [&option, &settings](const std::string& text) {
                       if (text.empty()) throw UsageError(fmt::format("{}: the value is empty", option.flag));
                       set_option(option, settings, text);
@@ -148,14 +151,5 @@ void add_method_flags(CLI::App& command, MethodSettings& settings);
 /// --fail-on, for these figures.
 CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
                                const std::vector<std::string_view>& figures);
-
-/// Breaks the lines of descriptions.
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(34); }
-  [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
-  /// What stands for the value, and nothing else beside the name.
-  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
-};
 
 }  // namespace moldlight::cli

@@ -18,6 +18,7 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "cli/flags.hpp"
+#include "cli/help.hpp"
 
 namespace moldlight::cli {
 
@@ -63,12 +64,20 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// `moldlight PART` stands for `moldlight view PART`, and so does `moldlight` alone, which asks for one.
+/// `moldlight PART` stands for `moldlight view PART`, and so does `moldlight` alone, which asks for one;
+/// `moldlight help sweep` for `moldlight sweep --help`.
 void insert_default_command(const CLI::App& program, std::vector<std::string>& arguments) {
   if (arguments.empty()) arguments = {"view"};
+  if (arguments.front() == "version") arguments.front() = "--version";
+  if (arguments.front() == "help") {
+    std::rotate(arguments.begin(), arguments.begin() + 1, arguments.end());
+    arguments.back() = "--help";
+  }
   if (arguments.front().starts_with('-')) return;
+  std::vector<std::string> commands;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     if (command->get_name() == arguments.front()) return;
+    commands.push_back(command->get_name());
   }
   // A mistyped command is not to open a window.
   const std::filesystem::path file(arguments.front());
@@ -76,8 +85,8 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
   const bool names_a_file =
       std::filesystem::exists(file, ignored) || file.has_extension() || file.has_parent_path();
   if (!names_a_file) {
-    throw UsageError(arguments.front() +
-                     ": there is no such command or file; moldlight --help lists the commands");
+    throw UsageError(arguments.front() + ": there is no such command or file" +
+                     did_you_mean(arguments.front(), commands) + "moldlight --help lists the commands");
   }
   arguments.insert(arguments.begin(), "view");
 }
@@ -92,6 +101,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   program.set_version_flag("--version", "moldlight " MOLDLIGHT_VERSION, "Print the version and exit");
   program.require_subcommand(1);
   for (const auto add : k_add_commands) add(program, request);
+  arrange_help(program);
   insert_default_command(program, arguments);
   request.words = arguments;
   try {
@@ -102,13 +112,19 @@ int run_program(std::vector<std::string> arguments, Console& console) {
     console.result(text.str());
     return code;
   } catch (const CLI::ParseError& error) {
-    const std::string command =
-        program.get_subcommands().empty() ? "" : program.get_subcommands().front()->get_name() + " ";
+    const CLI::App* used = &program;
+    std::string command;
+    while (!used->get_subcommands().empty()) {
+      used = used->get_subcommands().front();
+      command += used->get_name() + " ";
+    }
     // A mistyped option is why another one is missing.
     const auto more = program.remaining(true);
     const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
-    const std::string what = unknown != more.end() ? "there is no option " + *unknown : error.what();
-    throw UsageError(what + "; see moldlight " + command + "--help");
+    const std::string what = unknown == more.end()
+                                 ? error.what() + std::string("; ")
+                                 : "there is no option " + *unknown + did_you_mean(*unknown, flags_of(*used));
+    throw UsageError(what + "see moldlight " + command + "--help");
   }
   console.set_verbosity(request.quiet     ? Verbosity::quiet
                         : request.verbose ? Verbosity::verbose

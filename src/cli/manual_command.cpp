@@ -8,11 +8,20 @@
 
 #include "base/error.hpp"
 #include "cli/flags.hpp"
+#include "cli/help.hpp"
 #include "gui/commands.hpp"
 
 namespace moldlight::cli {
 
 namespace {
+
+/// What is read of the environment.
+constexpr std::pair<std::string_view, std::string_view> k_environment[] = {
+    {"NO_COLOR", "No colours in the terminal, whatever its value"},
+    {"TERM", "No colours and no moving line of progress where it is dumb"},
+    {"XDG_STATE_HOME", "Where the window keeps recent parts and settings; ~/.local/state unless set"},
+    {"XDG_PICTURES_DIR", "Where the window saves pictures; ~/Pictures unless set"},
+    {"MESA_SHADER_CACHE_DIR, XDG_CACHE_HOME", "Where the OpenGL driver keeps compiled shaders"}};
 
 struct ManualFlags {
   std::string form = "man";
@@ -100,6 +109,13 @@ std::string manual(const CLI::App& program) {
                               roff(flag.help));
   }
   text += fmt::format(".SH DESCRIPTION\n{}.\n", roff(program.get_description())) + commands;
+  text += ".SH EXAMPLES\n";
+  for (const CommandExample& example : command_examples())
+    text += fmt::format("{}:\n.PP\n.nf\n.RS\n{}\n.RE\n.fi\n.PP\n", roff(std::string(example.what_for)),
+                        roff(std::string(example.line)));
+  text += ".SH ENVIRONMENT\n";
+  for (const auto& [name, meaning] : k_environment)
+    text += fmt::format(".TP\n\\fB{}\\fR\n{}.\n", name, roff(std::string(meaning)));
   text += ".SH EXIT STATUS\n";
   for (const ExitCode& each : k_exit_codes)
     text += fmt::format(".TP\n{}\n{}.\n", each.code, roff(std::string(each.meaning)));

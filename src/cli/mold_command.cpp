@@ -7,6 +7,7 @@
 
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
+#include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/png.hpp"
@@ -28,6 +29,7 @@ struct MoldFlags {
   bool as_3mf = false, with_actions = false;
   std::string image;
   StillSettings still;
+  BaselineFlags baseline;
   ReportFlags report;
 };
 
@@ -41,7 +43,10 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   }
   files.push_back({"--image", flags.image});
   std::ranges::copy(flags.report.files(), std::back_inserter(files));
-  check_outputs({.inputs = {{"PART", flags.part.part}}, .files = files, .folder = {"--out", flags.folder}});
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
+                 .files = files,
+                 .folder = {"--out", flags.folder}});
+  Baseline baseline(flags.baseline, "mold");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
   if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
@@ -71,10 +76,12 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
     write_reports(flags.report, report::mold_report(for_report, study));
   }
-  put_report(
-      console, flags.part.json, [&] { return mold_json(study, progress); },
-      [&] { return mold_text(study, progress); });
-  if (flags.folder.empty() || refusal.empty()) return 0;
+  const auto json_report = [&] { return mold_json(study, progress); };
+  baseline.compare(json_report);
+  baseline.put_report(console, flags.part.json, json_report, [&] {
+    return to_text(report::mold_report({model, progress}, study), {.colour = console.colour()});
+  });
+  if (flags.folder.empty() || refusal.empty()) return baseline.exit_code(console);
   console.failure(refusal);
   return k_criterion_failed;
 }
@@ -107,13 +114,14 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->check(named())
       ->allow_extra_args(false);
   CLI::Option* folder = add_file_flag(*command, flags->folder,
-                                      {"--out", "DIR",
+                                      {"-o,--out", "DIR",
                                        "Write the halves to this folder: core.stl, cavity.stl, and with "
                                        "--fill-undercut insert_1.stl and so on"});
   command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
       ->needs(folder);
   command->add_flag("--actions", flags->with_actions,
-                    "Find the side actions, and tell which inserts go with them instead of being loose");
+                    "Find the side actions, and list which inserts they move instead of leaving them loose");
+  add_baseline_flags(*command, flags->baseline, "mold");
   add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(
       *command, flags->image,

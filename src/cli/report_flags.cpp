@@ -46,8 +46,12 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
 report::ReportContext report_context(const ReportFlags& flags, const gl::Context& context,
                                      std::shared_ptr<const PartModel> model, Palette palette,
                                      const Progress& progress) {
-  return {context, std::move(model), palette, MOLDLIGHT_VERSION, command_text(flags.request->words),
-          progress};
+  return {.model = std::move(model),
+          .progress = progress,
+          .gl = &context,
+          .palette = palette,
+          .version = MOLDLIGHT_VERSION,
+          .command = command_text(flags.request->words)};
 }
 
 void write_reports(const ReportFlags& flags, const report::Report& report) {

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "report/describe/describe.hpp"
 #include "report/pdf_writer.hpp"
+#include "report/text_writer.hpp"
 
 namespace moldlight::cli {
 

@@ -176,7 +176,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   const SweepSettings settings = sweep_settings(flags, progress);
   Baseline baseline(flags.baseline, "sweep");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  // Before the sweep, so that a backend that is not there is told at once.
+  // Before the sweep, so that a backend that is not there is reported at once.
   const auto context = flags.drawn() ? create_context(settings.method.backend) : nullptr;
   SweepMeter meter(seeks_actions(settings));
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
@@ -187,19 +187,11 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   console.set_progress_text({});
   warn(*model, result, progress, console);
   if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
-  const auto report = [&] { return sweep_json_with_verdicts(*model, result); };
-  if (!progress.cancelled()) baseline.compare(report);
-  put_report(
-      console, flags.part.json,
-      [&] {
-        nlohmann::ordered_json json = report();
-        baseline.add_to(json);
-        return json;
-      },
-      [&] {
-        return sweep_text(*model, result, flags.wide ? TableWidth::all : TableWidth::narrow) +
-               baseline.table();
-      });
+  const auto json_report = [&] { return sweep_json_with_verdicts(*model, result); };
+  if (!progress.cancelled()) baseline.compare(json_report);
+  baseline.put_report(console, flags.part.json, json_report, [&] {
+    return to_text(report::sweep_report({model, progress}, result), {.wide = flags.wide});
+  });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
     if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {

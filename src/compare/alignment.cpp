@@ -26,7 +26,7 @@ constexpr std::size_t k_starts_followed = 4;
 constexpr int k_most_steps = 60;
 /// Shares of the diagonal: points farther off than that have no part in a step; the last is above rounding.
 constexpr double k_first_reach = 0.05, k_last_reach = 1e-6, k_reach_shrinks = 0.7;
-/// Moments nearer to each other than this share do not tell axes apart.
+/// Moments nearer to each other than this share do not distinguish axes.
 constexpr double k_alike_moments = 0.02;
 constexpr int k_turns = 24;
 

@@ -108,7 +108,7 @@ ChordDeviation chord_deviation(const PartModel& model, const Faces& faces) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const PlateEdge& edge = edges[k];
     if (!steps[k] && faces.of_facet[edge.left] != faces.of_facet[edge.right]) continue;
-    // Of a narrow step beside a wide one the narrow one tells how much the surface bends.
+    // Of a narrow step beside a wide one the narrow one shows how much the surface bends.
     const double width = 2.0 * std::min(geometry.areas[edge.left], geometry.areas[edge.right]) / edge.length;
     for (const FacetIndex facet : {edge.left, edge.right}) {
       chords.normal[facet] = std::max(chords.normal[facet], 0.125 * width * edge.bend);

@@ -9,8 +9,8 @@
 namespace moldlight {
 
 /// An estimate a facet, in the part's unit; 0 for a facet of a plane. Of a surface that bends by an angle b
-/// from facet to facet, each w wide, the chords are off by w b / 8. What bends is told by the part's faces:
-/// those of CAD, else round walls of 10 steps a turn or more.
+/// from facet to facet, each w wide, the chords are off by w b / 8. What bends is known from the part's
+/// faces: those of CAD, else round walls of 10 steps a turn or more.
 struct ChordDeviation {
   std::vector<double> normal;   // off the facet's plane
   std::vector<double> lateral;  // of its rim: the greatest of the facets around its corners

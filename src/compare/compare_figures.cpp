@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace moldlight {
@@ -99,52 +100,88 @@ std::span<const ChangeRow> change_rows() {
   return k_rows;
 }
 
-/// Where a report of `classify` has a figure, and below a candidate one of `sweep`; empty where it has none.
+/// The commands whose reports have figures, with the schemas in which these stand where they stand now.
+struct ReportKind {
+  std::string_view command;
+  int first_schema, last_schema;
+};
+constexpr std::array<ReportKind, 4> k_report_kinds = {
+    {{"classify", 2, 2}, {"sweep", 2, 3}, {"actions", 1, 2}, {"mold", 2, 2}}};
+
+std::size_t kind_of(std::string_view command) {
+  const auto found = std::ranges::find(k_report_kinds, command, &ReportKind::command);
+  CHECK(found != k_report_kinds.end());
+  return static_cast<std::size_t>(found - k_report_kinds.begin());
+}
+
+/// Where each command's report has a figure, below a candidate in that of a sweep; empty where it has none.
+/// Where that is an object, the figure is the sum of what is in it.
 struct ReportRow {
-  std::string_view name, classify, sweep;
+  std::string_view name;
+  std::array<std::string_view, k_report_kinds.size()> paths;
   Whole whole = Whole::none;
 };
 
-constexpr std::array<ReportRow, 19> k_report_rows = {{
-    {"undercut", "/areas/undercut", "/areas/undercut", Whole::area},
-    {"core", "/areas/core", "/areas/core", Whole::area},
-    {"cavity", "/areas/cavity", "/areas/cavity", Whole::area},
-    {"both", "/areas/both", "/areas/both", Whole::area},
-    {"total", "/part/area", "", Whole::area},
-    {"volume", "/part/volume", "", Whole::none},
-    {"near-vertical", "/areas/near_vertical", "", Whole::area},
-    {"projected-area", "/projected_area", "/projected_area", Whole::none},
-    {"projected-undercut", "/projected_undercut", "/projected_undercut", Whole::none},
-    {"reverse-draft", "/draft/reverse/area", "/reverse_draft", Whole::area},
-    {"undercuts", "", "/patches", Whole::none},
-    {"draw-depth", "", "/draw_depth", Whole::none},
-    {"undraughted-area", "", "/undraughted_area", Whole::area},
-    {"parting-climb", "", "/parting_climb", Whole::none},
-    {"parting-length", "", "/parting_length", Whole::none},
-    {"travel", "", "/travel", Whole::none},
-    {"unreleased", "", "/unreleased_area", Whole::area},
-    {"side-actions", "", "/side_actions", Whole::none},
-    {"tilt-margin", "", "/tilt_margin_deg", Whole::none},
+constexpr std::array<ReportRow, 24> k_report_rows = {{
+    {"undercut",
+     {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/assignment/action"},
+     Whole::area},
+    {"core", {"/areas/core", "/areas/core", "", "/assignment/core"}, Whole::area},
+    {"cavity", {"/areas/cavity", "/areas/cavity", "", "/assignment/cavity"}, Whole::area},
+    {"both", {"/areas/both", "/areas/both", "", ""}, Whole::area},
+    {"total", {"/part/area", "", "/part/area", "/part/area"}, Whole::area},
+    {"volume", {"/part/volume", "", "/part/volume", "/part/volume"}},
+    {"near-vertical", {"/areas/near_vertical", "", "", ""}, Whole::area},
+    {"projected-area", {"/projected_area", "/projected_area", "", ""}},
+    {"projected-undercut", {"/projected_undercut", "/projected_undercut", "", ""}},
+    {"reverse-draft",
+     {"/draft/reverse/area", "/reverse_draft", "", "/assignment/reverse_draft"},
+     Whole::area},
+    {"undercuts", {"/verdict/undercuts", "/patches", "/verdict/undercuts", "/verdict/undercuts"}},
+    {"unreleased",
+     {"", "/unreleased_area", "/verdict/unreleased_area", "/verdict/unreleased_area"},
+     Whole::area},
+    {"actions", {"", "/verdict/actions", "/verdict/actions", "/verdict/actions"}},
+    {"slides", {"", "/verdict/actions/slide", "/verdict/actions/slide", "/verdict/actions/slide"}},
+    {"lifters", {"", "/verdict/actions/lifter", "/verdict/actions/lifter", "/verdict/actions/lifter"}},
+    {"draw-depth", {"", "/draw_depth", "", ""}},
+    {"undraughted-area", {"", "/undraughted_area", "", ""}, Whole::area},
+    {"parting-climb", {"", "/parting_climb", "", "/loops/0/climb"}},
+    {"parting-length", {"", "/parting_length", "", "/loops/0/length"}},
+    {"steel-on-steel", {"", "", "", "/surfaces/contact"}},
+    {"too-steep", {"", "", "", "/surfaces/too_steep"}},
+    {"travel", {"", "/travel", "", ""}},
+    {"side-actions", {"", "/side_actions", "", ""}},
+    {"tilt-margin", {"", "/tilt_margin_deg", "", ""}},
 }};
-
-std::string_view path_of(const ReportRow& row, bool sweep) { return sweep ? row.sweep : row.classify; }
 
 std::optional<double> number_at(const Json& json, std::string_view path) {
   const Json::json_pointer pointer{std::string(path)};
-  if (!json.contains(pointer) || !json.at(pointer).is_number()) return std::nullopt;
-  return json.at(pointer).get<double>();
+  if (!json.contains(pointer)) {
+    // Of kinds of side actions a verdict counts those that there are.
+    const bool counted = path.starts_with("/verdict/actions/") && json.contains(pointer.parent_pointer()) &&
+                         json.at(pointer.parent_pointer()).is_object();
+    return counted ? std::optional(0.0) : std::nullopt;
+  }
+  const Json& found = json.at(pointer);
+  if (found.is_object()) {
+    double sum = 0.0;
+    for (const Json& each : found) sum += each.is_number() ? each.get<double>() : 0.0;
+    return sum;
+  }
+  return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
 }
 
 /// What of the report has the figures.
 const Json& figures_of(std::string_view command, const Json& report, std::string_view file) {
-  // Figures of a sweep stand where they stood in the schema before.
-  const std::string schema = fmt::format("moldlight.{}/{}", command, command == "sweep" ? 3 : 2);
-  const bool known =
-      report.is_object() && report.contains("schema") &&
-      (report["schema"] == schema || report["schema"] == fmt::format("moldlight.{}/2", command));
+  const ReportKind& kind = k_report_kinds[kind_of(command)];
+  bool known = false;
+  for (int schema = kind.first_schema; schema <= kind.last_schema; ++schema)
+    known = known || (report.is_object() && report.contains("schema") &&
+                      report["schema"] == fmt::format("moldlight.{}/{}", command, schema));
   if (!known)
-    throw UsageError(
-        fmt::format("--baseline: {} is no report of moldlight {} --json ({})", file, command, schema));
+    throw UsageError(fmt::format("--baseline: {} is no report of moldlight {} --json (moldlight.{}/{})", file,
+                                 command, command, kind.last_schema));
   if (command != "sweep") return report;
   if (!report.contains("candidates") || !report["candidates"].is_array() || report["candidates"].empty())
     throw UsageError(fmt::format("--baseline: {} lists no direction", file));
@@ -179,20 +216,19 @@ std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
 std::vector<std::string_view> report_figure_names(std::string_view command) {
   std::vector<std::string_view> names;
   for (const ReportRow& row : k_report_rows)
-    if (!path_of(row, command == "sweep").empty()) names.push_back(row.name);
+    if (!row.paths[kind_of(command)].empty()) names.push_back(row.name);
   return names;
 }
 
 std::vector<ComparedFigure> report_figures(std::string_view command, const Json& before, const Json& after,
                                            std::string_view file) {
-  const bool sweep = command == "sweep";
   const Json &was = figures_of(command, before, file), &is = figures_of(command, after, "this run");
   const double whole = number_at(after, "/part/area").value_or(0.0);
   const double doubt = number_at(was, "/undercut_uncertainty").value_or(0.0) +
                        number_at(is, "/undercut_uncertainty").value_or(0.0);
   std::vector<ComparedFigure> figures;
   for (const ReportRow& row : k_report_rows) {
-    const std::string_view path = path_of(row, sweep);
+    const std::string_view path = row.paths[kind_of(command)];
     if (path.empty()) continue;
     const auto old = number_at(was, path), now = number_at(is, path);
     if (!old || !now) continue;

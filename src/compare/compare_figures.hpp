@@ -16,7 +16,7 @@ namespace moldlight {
 /// Those that both parts have. What only the difference has, such as new surface, was 0 before.
 [[nodiscard]] std::vector<ComparedFigure> comparison_figures(const Comparison& comparison);
 
-/// Names of the figures that a report of a command (`classify`, `sweep`) can have.
+/// Names of the figures that a report of a command (`classify`, `sweep`, `actions`, `mold`) can have.
 [[nodiscard]] std::vector<std::string_view> report_figure_names(std::string_view command);
 /// Those of two reports of one command, as its --json writes them; of a sweep those of its best direction.
 /// Throws UsageError, which names `file`, where `before` is no such report.

@@ -61,7 +61,7 @@ std::string count_text(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Whether they are the same to the bit, so that nothing can be told of one that is not so of the other.
+/// Whether they are the same to the bit, so that whatever holds of one holds of the other.
 bool are_equal(const PartModel& a, const PartModel& b) {
   return a.part.mesh.vertices == b.part.mesh.vertices && a.part.mesh.facets == b.part.mesh.facets &&
          a.part.facet_source == b.part.facet_source && a.part.unit == b.part.unit;

@@ -25,6 +25,9 @@ constexpr float k_search_margin = 1e-6F;
 /// More pieces near a polygon than this, and it is asked about in halves.
 constexpr std::size_t k_many_near = 512, k_many_over = 48;
 constexpr int k_most_halvings = 24;
+/// Halvings one after the other that leave as much near: of needles as long as the part, all are near
+/// everywhere.
+constexpr int k_most_useless = 6;
 
 struct PieceOverlay {
   std::vector<PieceShare> shares;
@@ -68,10 +71,10 @@ class Laying {
     piece_ = piece;
     const auto corners = side_.corners(piece);
     left_.clear();
-    lay({corners.begin(), corners.end()}, {tolerance_.rounding, false}, 0, result);
+    lay({corners.begin(), corners.end()}, {tolerance_.rounding, false}, {}, result);
     const std::vector<ConvexPolygon> left = std::move(left_);
     left_.clear();
-    for (const ConvexPolygon& polygon : left) lay(polygon, {tolerance_.apart, true}, 0, result);
+    for (const ConvexPolygon& polygon : left) lay(polygon, {tolerance_.apart, true}, {}, result);
     for (ConvexPolygon& polygon : left_) {
       const double area = polygon_area(polygon);
       result.left.push_back({piece, std::move(polygon), area});
@@ -91,6 +94,12 @@ class Laying {
     bool explaining = false;
   };
 
+  /// How a polygon came about.
+  struct Halvings {
+    int count = 0, useless = 0;
+    std::size_t near = ~std::size_t{0};  // before the last
+  };
+
   [[nodiscard]] Nearness nearness(PieceIndex other, const Slack& slack) const {
     if (!slack.explaining) return {slack.base, slack.base};
     const FacetIndex here = side_.facet(piece_), there = onto_.facet(other);
@@ -101,7 +110,7 @@ class Laying {
   }
 
   /// Gives what lies on the other part to the result, and the rest to left_.
-  void lay(const ConvexPolygon& polygon, const Slack& slack, int halvings, PieceOverlay& result) {
+  void lay(const ConvexPolygon& polygon, const Slack& slack, const Halvings& halvings, PieceOverlay& result) {
     const glm::dvec3 centre = polygon_centre(polygon);
     double radius = 0.0;
     for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, centre));
@@ -129,9 +138,12 @@ class Laying {
       }
       over.push_back(one);
     }
-    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings < k_most_halvings &&
-        radius > reach) {
-      for (const ConvexPolygon& half : halved(polygon)) lay(half, slack, halvings + 1, result);
+    const int useless = near.size() < halvings.near ? 0 : halvings.useless + 1;
+    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings.count < k_most_halvings &&
+        useless < k_most_useless && radius > reach) {
+      if (progress_.cancelled()) throw Cancelled();
+      for (const ConvexPolygon& half : halved(polygon))
+        lay(half, slack, {halvings.count + 1, useless, near.size()}, result);
       return;
     }
     std::stable_partition(over.begin(), over.end(), [&](const Over& one) { return same_region(one.piece); });

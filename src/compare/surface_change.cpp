@@ -231,7 +231,7 @@ class RegionChanges {
   RegionChanges(const OverlaySide& former, const OverlaySide& fresh, const SurfaceChange& change)
       : former_(former), fresh_(fresh), change_(change) {}
 
-  [[nodiscard]] ChangedRegion told(const OtherRegion& one) const {
+  [[nodiscard]] ChangedRegion noted(const OtherRegion& one) const {
     return {.from = former_.region(one.piece), .to = fresh_.region(one.other)};
   }
 
@@ -288,14 +288,14 @@ void add_regions(const OverlaySide& former, const RegionChanges& changes,
     const auto [at, is_new] =
         number.try_emplace(root->first, static_cast<std::uint32_t>(change.regions.size()));
     if (is_new) {
-      change.regions.push_back(changes.told(one));
+      change.regions.push_back(changes.noted(one));
       moments.emplace_back();
     }
-    ChangedRegion& told = change.regions[at->second];
-    told.area += one.area;
+    ChangedRegion& noted = change.regions[at->second];
+    noted.area += one.area;
     moments[at->second].add(one.polygon, one.area);
-    for (const glm::dvec3& corner : one.polygon) told.bounds.add(corner);
-    told.centre = moments[at->second].centre(told.bounds);
+    for (const glm::dvec3& corner : one.polygon) noted.bounds.add(corner);
+    noted.centre = moments[at->second].centre(noted.bounds);
     change.change_of_region[numbers[k]] = at->second;
   }
 }

@@ -13,6 +13,7 @@ namespace {
 
 /// Along the extent; a cell is never smaller than what polygons reach.
 constexpr double k_cells = 128.0;
+constexpr double k_places_a_polygon = 256.0, k_always_places = 4e6;
 constexpr std::size_t k_steps_between = 64;  // two looks at whether to go on
 
 struct InCell {
@@ -36,6 +37,21 @@ std::uint64_t cell_number(const glm::i64vec3& cell) {
          (static_cast<std::uint64_t>(cell.y) & k_mask) << 21 | (static_cast<std::uint64_t>(cell.z) & k_mask);
 }
 
+/// At least so large, and so that the boxes are in some tens of cells each: one polygon may be as long as the
+/// part, or longer where the two parts are of very different size.
+double cell_size(const std::vector<Bounds>& boxes, double least) {
+  const double most = k_places_a_polygon * static_cast<double>(boxes.size()) + k_always_places;
+  for (double size = std::max(least, 1e-300);; size *= 2.0) {
+    double places = 0.0;
+    for (const Bounds& box : boxes) {
+      if (box.min.x > box.max.x) continue;
+      const glm::dvec3 cells = (box.max - box.min) / size + 1.0;
+      places += cells.x * cells.y * cells.z;
+    }
+    if (!(places > most)) return size;
+  }
+}
+
 }  // namespace
 
 void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
@@ -44,15 +60,18 @@ void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
                     const Progress& progress) {
   double greatest = 0.0;
   for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
-  const double size = std::max(extent / k_cells, 4.0 * greatest);
   std::vector<Bounds> boxes(polygons.size());
-  std::vector<InCell> places;
-  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
   for (std::uint32_t k = 0; k < polygons.size(); ++k) {
     if (polygons[k].polygon->empty()) continue;
     for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
     boxes[k].min -= polygons[k].reach;
     boxes[k].max += polygons[k].reach;
+  }
+  const double size = cell_size(boxes, std::max(extent / k_cells, 4.0 * greatest));
+  std::vector<InCell> places;
+  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    if (polygons[k].polygon->empty()) continue;
     const glm::dvec3 &low = boxes[k].min, &high = boxes[k].max;
     for (std::int64_t x = cell_at(low.x); x <= cell_at(high.x); ++x)
       for (std::int64_t y = cell_at(low.y); y <= cell_at(high.y); ++y)

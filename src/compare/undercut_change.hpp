@@ -28,8 +28,8 @@ struct PlannedSide {
 };
 
 /// Undercuts with the most surface in common are one; then those whose centres are within half their size.
-/// Grown and shrunk are told only where surface or regions changed on them, beyond the tolerance. All of the
-/// former part's, in its order, then what is new.
+/// Grown and shrunk are reported only where surface or regions changed on them, beyond the tolerance. All of
+/// the former part's, in its order, then what is new.
 [[nodiscard]] std::vector<MatchedChange> match_undercuts(const PlannedSide& former, const PlannedSide& fresh,
                                                          const SurfaceChange& surface);
 

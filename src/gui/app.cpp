@@ -179,6 +179,7 @@ void App::frame(const FrameInput& input) {
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
   find_actions(edits.dragging || ImGui::IsAnyItemActive());
+  verdict_.update(state_);
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
   compare_revisions(edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
   sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);

@@ -20,6 +20,7 @@
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/mold_finder.hpp"
 #include "gui/jobs/revision_comparer.hpp"
+#include "gui/jobs/verdict_keeper.hpp"
 #include "gui/jobs/window_sweep.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/store/history.hpp"
@@ -46,7 +47,7 @@ struct AppOptions {
   Measurer::MakeContext make_context;
 };
 
-/// What the platform tells of a frame, beside what it tells ImGui.
+/// What the platform knows of a frame, beside what it gives ImGui.
 struct FrameInput {
   glm::ivec2 size{0};          // pixels
   float content_scale = 1.0F;  // of the monitor
@@ -73,10 +74,10 @@ class App {
   /// Replaces the settings, for the part that is shown and the next one.
   void set_notes(const PartNotes& notes);
 
-  /// Whether what to do next is told at the things themselves; only where the window asks for it.
+  /// Whether what to do next is shown at the things themselves; only where the window asks for it.
   void show_hints(bool shown) { state_.shows_hints = shown; }
 
-  /// Readies fonts and style; then ImGui is told of the frame's input, then frame() does the rest.
+  /// Readies fonts and style; then ImGui gets the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
   void frame(const FrameInput& input);
   /// Draws what frame() left, over the whole target. Returns true while the picture is being refined.
@@ -106,12 +107,12 @@ class App {
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
   [[nodiscard]] std::optional<std::string> take_picture_request();
-  /// To be told where a picture went: the next ones go there too, and where is said.
+  /// To be called with where a picture went: the next ones go there too, and where is said.
   void picture_saved(const std::string& path);
   /// True once the user has asked to end the program.
   [[nodiscard]] bool quitting() const { return quitting_; }
   void say(std::string text, bool failure);
-  /// Tells all that runs in the background to end, without waiting for it.
+  /// Asks all that runs in the background to end, without waiting for it.
   void end_jobs();
   /// Saves what is to be remembered.
   void save();
@@ -194,6 +195,7 @@ class App {
   FileWatch file_watch_;
   Measurer measurer_;
   ActionFinder actions_;
+  VerdictKeeper verdict_;
   MoldFinder mold_;
   RevisionComparer comparer_;
   WindowSweep sweep_;

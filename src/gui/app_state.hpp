@@ -20,6 +20,7 @@
 #include "gui/view/surface.hpp"
 #include "mold/map_frame.hpp"
 #include "render/camera.hpp"
+#include "study/verdict.hpp"
 
 namespace moldlight::gui {
 
@@ -30,7 +31,7 @@ struct Figures {
   std::optional<Classification> shown = {};
   std::shared_ptr<const SplitMesh> split = {};       // of the present settings; none while it is not there
   std::shared_ptr<const PieceSamples> samples = {};  // of the split mesh, for comparing the maps with it
-  // Of the maps that tell the regions shown; none if they do not.
+  // Of the maps from which the regions shown come; none if they do not.
   std::shared_ptr<const MapComparison> maps = {};
   std::optional<UndercutTotals> undercuts = {};  // not known while the direction moves
   bool stale = false;                            // of other settings than the present ones
@@ -91,6 +92,7 @@ struct AppState : Editable {
   Figures figures;
   SweepState sweep;
   ActionsState actions;
+  std::optional<Verdict> verdict;  // of the study; none while undercuts are not counted
   MoldState mold;
   RevisionState revisions;                  // of the part and another revision of it
   bool mold_open = false;                   // the panel of the mold is unfolded

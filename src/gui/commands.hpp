@@ -96,7 +96,7 @@ struct Edits : Editable {
 
   explicit Edits(const Editable& state) : Editable(state) {}
 
-  /// Puts the direction among the bookmarks, under a note that tells it.
+  /// Puts the direction among the bookmarks, under a note that shows it.
   void keep_bookmark();
 
   /// ask(&Commands::open_part, path).

@@ -47,7 +47,7 @@ class InputQueue {
     std::vector<KeyPress> keys;
     bool any = false;
   };
-  /// Tells ImGui the input of the frame that begins at `now_s`. ImGui's clock follows that of the events, so
+  /// Gives ImGui the input of the frame that begins at `now_s`. ImGui's clock follows that of the events, so
   /// that two clicks are a double click by the time between them, however long frames take.
   Played play(ImGuiIO& io, double now_s);
   [[nodiscard]] bool empty() const { return events_.empty(); }

@@ -50,7 +50,7 @@ class GlfwLibrary {
   GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };
 
-/// GLFW's window with its OpenGL context, and what it tells of keys and dropped files.
+/// GLFW's window with its OpenGL context, and its keys and dropped files.
 class WindowContext final : public gl::Context {
  public:
   /// Throws Error where the display has no OpenGL 3.3.

@@ -16,7 +16,7 @@ namespace moldlight {
 struct PartFormat {
   std::string_view name;                     // "STL binary"
   std::vector<std::string_view> extensions;  // in lower case; the first in capitals is its name in lists
-  bool binary;                               // never text, which tells formats of one extension apart
+  bool binary;                               // never text, which distinguishes formats of one extension
   /// Each is null where the format has no such sign. `magic`: the beginning leaves no doubt. `words`: a text
   /// that begins so is one of it. `refuse`: throws FileError for a file that has its name but not its magic.
   bool (*magic)(const FileBeginning& file);
@@ -32,7 +32,7 @@ struct PartFormat {
 
 /// "STL, OBJ, PLY" and so on, with `last` before the last one.
 [[nodiscard]] std::string part_format_names(std::string_view last);
-/// True if files of this name are part files, as far as the name tells.
+/// True if files of this name are part files, as far as the name says.
 [[nodiscard]] bool is_part_file_name(const std::string& name);
 
 /// The name's extension in lower case without the dot; empty where there is none.

@@ -20,6 +20,7 @@ Part read_part(const std::string& path, const ReadOptions& options, const Progre
     Part part = format->read(context);
     part.file = path;
     part.format = format->name;
+    part.effort = options.effort;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
     repair_part(part, options.repair);

@@ -10,8 +10,8 @@
 namespace moldlight {
 
 /// Reads a part file of any known format; equal vertices are welded, no facet is dropped or reordered unless
-/// the options choose a body or ask for a full repair (Part::file_facets tells then). Throws FileError that
-/// names the place for a file that is unreadable, damaged or holds no facets, Cancelled when told so.
+/// the options choose a body or ask for a full repair (Part::file_facets has them then). Throws FileError
+/// that names the place for a file that is unreadable, damaged or holds no facets, Cancelled when asked to.
 [[nodiscard]] Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress);
 
 }  // namespace moldlight

@@ -14,6 +14,8 @@ struct ReadOptions {
   double linear_deflection = 0.0;       // distance in the file's unit; 0: 0.0005 of the part's diagonal
   double angular_deflection_deg = 5.0;  // angle between neighbouring chords, (0, 90]
 
+  double effort = 1.0;  // times the usual work that exact regions may take, [1, 10'000]
+
   // What is made of it then, in this order.
   std::string unit = {};      // see set_unit; empty: as the file says
   std::string body = "all";   // see select_body

@@ -17,7 +17,7 @@ namespace moldlight {
 [[noreturn]] void refuse_binary_stl(const std::string& path, const FileBeginning& file);
 /// Binary STL: one body, named by nothing. Coordinates are the file's floats, exactly.
 [[nodiscard]] Part read_binary_stl(const ReadContext& context);
-/// ASCII STL: one body a solid that has facets. Normals are not looked at: the corners' order tells the
+/// ASCII STL: one body a solid that has facets. Normals are not looked at: the corners' order gives the
 /// outer side.
 [[nodiscard]] Part read_ascii_stl(const ReadContext& context);
 

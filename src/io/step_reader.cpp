@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -55,10 +56,32 @@ class Child {
   pid_t pid_;
 };
 
+/// Closed with the scope. Above those that the child uses, lest one is laid over another.
+class Descriptor {
+ public:
+  explicit Descriptor(int opened) : number_(opened) {
+    if (opened < 0) return;
+    number_ = ::fcntl(opened, F_DUPFD_CLOEXEC, k_step_file_descriptor + 1);
+    ::close(opened);
+  }
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
 class Pipe {
  public:
   Pipe() {
     if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+    if (ends_[1] < 0 || ends_[1] > k_step_file_descriptor) return;
+    const int higher = ::fcntl(ends_[1], F_DUPFD_CLOEXEC, k_step_file_descriptor + 1);
+    ::close(std::exchange(ends_[1], higher));
   }
   ~Pipe() {
     close_writing_end();
@@ -67,7 +90,7 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  [[nodiscard]] bool is_open() const { return ends_[0] >= 0; }
+  [[nodiscard]] bool is_open() const { return ends_[0] >= 0 && ends_[1] >= 0; }
   [[nodiscard]] int reading_end() const { return ends_[0]; }
   [[nodiscard]] int writing_end() const { return ends_[1]; }
   void close_writing_end() {
@@ -84,11 +107,14 @@ struct ChildResult {
   int exit_code = 0;
   int signal = 0;  // that ended it; 0 for none
   bool timed_out = false;
+  bool too_long = false;  // it wrote more than it may
 };
 
 struct ChildCommand {
   std::string program;  // path
   std::vector<std::string> arguments;
+  int file = -1;                 // open; the child finds it at k_step_file_descriptor
+  std::uint64_t most_bytes = 0;  // that it may hand back
   std::chrono::seconds time_limit{60};
 };
 
@@ -96,6 +122,7 @@ pid_t start(const ChildCommand& command, int writing_end) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, writing_end, k_step_result_descriptor);
+  posix_spawn_file_actions_adddup2(&actions, command.file, k_step_file_descriptor);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
   }
@@ -137,6 +164,11 @@ std::optional<ChildResult> run_child(const ChildCommand& command, const Progress
     const ssize_t got = ::read(pipe.reading_end(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;
+    if (result.bytes.size() + static_cast<std::size_t>(got) > command.most_bytes) {
+      result.too_long = true;
+      child.kill();
+      break;
+    }
     result.bytes.append(chunk.data(), static_cast<std::size_t>(got));
   }
   const int status = child.wait();
@@ -148,8 +180,14 @@ std::optional<ChildResult> run_child(const ChildCommand& command, const Progress
 constexpr std::string_view k_end_mark = "END-ISO-10303-21";
 constexpr std::uint64_t k_base_memory_bytes = std::uint64_t{3} << 30;
 constexpr std::uint64_t k_memory_bytes_a_byte = 100;
+// Of what is handed back: a facet with three corners of its own and a name of its own; names and sentences.
+constexpr std::uint64_t k_result_bytes_a_facet = 128, k_result_bytes_a_byte = 16,
+                        k_base_result_bytes = std::uint64_t{1} << 20;
 constexpr std::chrono::seconds k_base_time{120};
 constexpr std::uint64_t k_bytes_a_second = 50'000;
+
+constexpr const char* k_broken =
+    "breaks the STEP reader OpenCASCADE; repair it in the CAD program or export STL";
 
 [[noreturn]] void fail_for_signal(const ReadContext& context, int signal) {
   if (signal == SIGINT || signal == SIGTERM) throw Cancelled();  // went to both programs
@@ -160,13 +198,6 @@ constexpr std::uint64_t k_bytes_a_second = 50'000;
                signal, limit ? "raise them, coarsen the deflection or" : "repair it in the CAD program or");
 }
 
-/// Leads another program to the same file, which "/dev/stdin" does not.
-std::string path_for_others(const std::string& path) {
-  std::error_code error;
-  const fs::path resolved = fs::canonical(path, error);
-  return (error ? fs::absolute(path) : resolved).string();
-}
-
 std::string run_reading_program(const ReadContext& context, std::uint64_t file_bytes) {
   const auto program = step_reading_program();
   if (!program) {
@@ -174,10 +205,15 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
                  "is a STEP file, and this build has no STEP support (the program moldlight-step is "
                  "missing); export the part as STL");
   }
+  const Descriptor file(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) context.fail("", "cannot be opened again: {}", std::strerror(errno));
   ChildCommand command;
   command.program = *program;
+  command.file = file.number();
+  command.most_bytes = k_base_result_bytes + k_result_bytes_a_facet * context.options.max_facets +
+                       k_result_bytes_a_byte * file_bytes;
   command.time_limit = k_base_time + std::chrono::seconds(file_bytes / k_bytes_a_second);
-  command.arguments = {path_for_others(context.path), fmt::format("{}", context.options.linear_deflection),
+  command.arguments = {fmt::format("{}", context.options.linear_deflection),
                        fmt::format("{}", context.options.angular_deflection_deg),
                        std::to_string(context.options.max_facets),
                        std::to_string(k_base_memory_bytes + k_memory_bytes_a_byte * file_bytes)};
@@ -190,6 +226,7 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
     context.fail("", "takes more than {} s to read; coarsen the deflection or export the part as STL",
                  command.time_limit.count());
   }
+  if (child->too_long) context.fail("", "{}", k_broken);
   if (child->signal != 0) fail_for_signal(context, child->signal);
   if (child->exit_code != 0) {
     context.fail("", "cannot be read: {} ends with exit code {}; it may need more memory than is allowed",
@@ -197,9 +234,6 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
   }
   return child->bytes;
 }
-
-constexpr const char* k_broken =
-    "breaks the STEP reader OpenCASCADE; repair it in the CAD program or export STL";
 
 /// The reading program may have been broken by its file in ways that leave it running.
 void check_result(const ReadContext& context, const StepResult& result) {

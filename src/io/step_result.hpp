@@ -74,6 +74,8 @@ class ByteReader {
 
 /// File descriptor that moldlight-step writes its result to.
 inline constexpr int k_step_result_descriptor = 3;
+/// And that it finds the file open at.
+inline constexpr int k_step_file_descriptor = 4;
 
 struct StepBody {
   std::string name;

@@ -54,7 +54,7 @@ Adjacency build_adjacency(const TriangleMesh& mesh) {
   const CutMesh cut = cut_mesh(mesh);
 
   OpenMesh::TriConnectivity half_edges;
-  omerr().disable();  // OpenMesh tells of refused facets on stderr; they are dealt with below
+  omerr().disable();  // OpenMesh reports refused facets on stderr; they are dealt with below
   half_edges.reserve(cut.copy_count, 3 * mesh.facets.size() / 2 + 3, mesh.facets.size());
   for (std::uint32_t copy = 0; copy < cut.copy_count; ++copy) half_edges.new_vertex();
 

@@ -13,7 +13,7 @@ namespace moldlight {
 enum class EdgeDefect : std::uint8_t { open, nonmanifold, inconsistent };
 
 /// Edges that hang together, end to end. A closed chain runs back from its last vertex to its first and meets
-/// no other vertex twice; where chains touch at a vertex they are told apart there.
+/// no other vertex twice; where chains touch at a vertex they are distinguished there.
 struct EdgeChain {
   std::vector<VertexIndex> vertices;  // in order; the first is not repeated at the end
   bool closed = false;

@@ -1,5 +1,5 @@
 // The faces of a part: what a designer takes for one surface, a plane, a round wall, a fillet. Those of CAD
-// where the file tells them; else facets put together by how the surface bends.
+// where the file has them; else facets put together by how the surface bends.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Turning parts and bodies that a file holds inside out. Voids are told from such bodies by where they lie.
+// Turning parts and bodies that a file holds inside out. Voids are distinguished from such bodies by where
+// they lie.
 #pragma once
 
 #include <cstddef>

@@ -30,6 +30,7 @@ struct Part {
   std::vector<std::string> repairs = {};        // what a repair did, one sentence each
   std::vector<std::string> file_bodies = {};  // names of all bodies of the file where one of them was chosen
   std::size_t chosen_body = 0;                // its number among them, from 1; 0: all were taken
+  double effort = 1.0;                        // times the usual work that its exact regions may take, >= 1
 };
 
 }  // namespace moldlight

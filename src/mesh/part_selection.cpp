@@ -86,7 +86,9 @@ Part select_body(Part part, std::string_view selector) {
 }
 
 void set_unit(Part& part, std::string_view unit) {
-  const auto to = find_length_unit(unit);
+  std::string word(unit);
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto to = find_length_unit(word);
   if (!to) throw UsageError(fmt::format("--unit: '{}' is unknown; use um, mm, cm, dm, m, in or ft", unit));
   const auto from = find_length_unit(part.unit);
   part.unit = to->name;

@@ -12,7 +12,7 @@ namespace moldlight {
 /// the only one.
 [[nodiscard]] Part select_body(Part part, std::string_view selector);
 
-/// Body `index` (from 0) of the part as a part of its own. file_facets tells which facets of the file it has,
+/// Body `index` (from 0) of the part as a part of its own. file_facets has which facets of the file it has,
 /// chosen_body and file_bodies from among which bodies it comes.
 [[nodiscard]] Part extract_body(const Part& part, std::size_t index);
 

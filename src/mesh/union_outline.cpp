@@ -53,7 +53,7 @@ class PointSet {
   std::unordered_map<std::uint64_t, std::uint32_t> cells_;
 };
 
-/// Tells whether a point is in some triangle.
+/// Whether a point is in some triangle.
 class Cover {
  public:
   Cover(const PointSet& points, std::span<const Corners> triangles) : points_(points), triangles_(triangles) {

@@ -8,7 +8,7 @@
 namespace moldlight {
 
 // Rounding, in the unit frame (diagonal 1) with u = 2^-53. A vertex that was moved there and turned is off by
-// at most 8 u; cuts nearer to each other than 1e-13 are one, and a region is told with a tolerance of 1e-12.
+// at most 8 u; cuts nearer to each other than 1e-13 are one, and a region is known with a tolerance of 1e-12.
 // The last is far above the others: e = 1e-12 is how far a border of regions may be off, seen along the
 // direction. On a facet that makes at most e / s, where s is |n . d| of an up or down facet; what bounds a
 // region of a near-vertical facet is taken to cross it at half a degree at least, so s = 0.01. Borders
@@ -22,7 +22,7 @@ struct PartErrors {
       0.0;  // rounding of the facets' areas and their sum: 4 u times the sum of p^2, N u times the area
   double shadow_gap =
       0.0;  // bound of the rounding in the difference of the projected areas: facets + e times the sum of p
-  /// Surface that is missing or turned inside out, as far as its rim tells: the sum over the chains of open
+  /// Surface that is missing or turned inside out, as far as its rim says: the sum over the chains of open
   /// edges, and of edges between facets that are wound in opposite ways, of the area of the flat face that
   /// has the same rim (half the length of the sum of p_i x p_i+1).
   double faulty_area = 0.0;

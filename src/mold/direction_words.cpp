@@ -12,7 +12,8 @@ namespace moldlight {
 namespace {
 
 constexpr double k_beside_axis_deg = 10.0;
-constexpr int k_decimals = 3;  // tell every vector from an axis that is farther off
+constexpr int k_decimals = 3;                    // enough for every vector that is farther off an axis
+constexpr double k_least_shown_lean_deg = 1e-4;  // nobody can set a mold up by less
 
 std::string component(double value) {
   const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -k_decimals);
@@ -45,7 +46,7 @@ std::string angle_text(double deg) {
 
 std::string direction_words(const glm::dvec3& direction) {
   const NearestAxis nearest = nearest_axis(direction);
-  if (nearest.is_met()) return nearest.name;
+  if (nearest.is_met() || nearest.angle_deg < k_least_shown_lean_deg) return nearest.name;
   if (nearest.angle_deg <= k_beside_axis_deg)
     return fmt::format("{} off {} (towards {})", angle_text(nearest.angle_deg), nearest.name,
                        lean_text(nearest.axis, direction));

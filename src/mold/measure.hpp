@@ -31,7 +31,7 @@ inline constexpr std::uint8_t k_accessible_minus = 2;
 [[nodiscard]] double near_vertical_area(const FacetGeometry& geometry, const glm::dvec3& direction,
                                         double tau_deg);
 
-/// Draft angles that coordinates of a file in single precision cannot tell apart, degrees.
+/// Draft angles that coordinates of a file in single precision cannot distinguish, degrees.
 inline constexpr double k_draft_rounding_deg = 1e-3;
 
 /// Near-vertical surface that one half alone reaches and that leans against it by more than rounding.

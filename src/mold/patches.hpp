@@ -1,4 +1,4 @@
-// Undercut patches of whole facets, as far as facets tell: what an overlap of bodies may put in doubt
+// Undercut patches of whole facets, as far as facets go: what an overlap of bodies may put in doubt
 // together.
 #pragma once
 

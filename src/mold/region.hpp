@@ -22,7 +22,7 @@ struct Colour {
 };
 
 /// The paper's colours (core blue, cavity green, both gray, undercut red) or a set that colour-blind eyes
-/// tell apart.
+/// distinguish.
 enum class Palette : std::uint8_t { paper, colour_blind_safe };
 
 /// What else the program says about a region: the one place for it.

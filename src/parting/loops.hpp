@@ -75,8 +75,8 @@ struct PartingLine {
 
 [[nodiscard]] PartingLine parting_line(const Assignment& assignment);
 
-/// "planar parting line at z = 12.4, 9 shut-offs, no step steeper than 85°".
+/// "Parting line: planar at z = 12.4 mm, no step steeper than 85°. 9 shut-offs."
 [[nodiscard]] std::string parting_verdict(const Assignment& assignment, const PartingLine& line,
-                                          double diagonal);
+                                          const PartModel& model);
 
 }  // namespace moldlight

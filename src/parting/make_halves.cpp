@@ -43,7 +43,7 @@ constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sh
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
 constexpr double k_least_contact = 1e-6, k_least_missed = 1e-5;
-/// Facets with a smaller height, as a share of the diagonal, are told of as needles.
+/// Facets with a smaller height, as a share of the diagonal, are reported as needles.
 constexpr double k_needle = 1e-7;
 
 using Facets = std::vector<std::array<SheetVertex, 3>>;
@@ -134,20 +134,24 @@ class Trial {
         frame_{halves.frame, halves.centre, asked.model.frame.diagonal} {}
 
   std::optional<MoldFault> run(const Progress& progress) {
-    if (auto fault = make_surface()) return fault;
+    if (auto fault = make_surface(progress)) return fault;
+    progress.report(k_halves_stage, 0.5);
     if (auto fault = make_bodies()) return fault;
+    progress.report(k_halves_stage, 0.7);
     if (auto fault = make_inserts()) return fault;
+    progress.report(k_halves_stage, 0.8);
     return certify(progress);
   }
 
  private:
   /// The sheets with the parting surface between them.
-  std::optional<MoldFault> make_surface() {
+  std::optional<MoldFault> make_surface(const Progress& progress) {
     const double diagonal = frame_.diagonal;
     sheets_ = part_sheets(asked_.split, frame_, attempt_);
+    progress.report(k_halves_stage, 0.1);
     hand_ = hand_walls(asked_.split, sheets_, asked_.wished, attempt_);
     if (const auto at = sheets_.stand_in_columns(attempt_.tolerance))
-      return MoldFault{"facets are so small or so close to each other that their ends cannot be told apart",
+      return MoldFault{"facets are so small or so close to each other that their ends fall together",
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
     sheets_.keep_volume(
@@ -166,7 +170,7 @@ class Trial {
                            .walls = hand_.walls,
                            .line = line};
     ForcedSlope forced;
-    if (auto fault = add_parting_surface(sheets_, wish, forced)) return fault;
+    if (auto fault = add_parting_surface(sheets_, wish, forced, progress)) return fault;
     const Bounds all = box_of(sheets_);
     block_ = {.low = all.min.z - margin, .high = all.max.z + margin};
     rectangle_ = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
@@ -199,13 +203,13 @@ class Trial {
       halves_.contact_area += contact.area;
     }
     const double lean = tell_missed();
-    halves_.missed_leaning = told(lean, hand_.leaning_at);
+    halves_.missed_leaning = noted(lean, hand_.leaning_at);
   }
 
   /// What of the faces given by hand the halves form otherwise; returns the area of those that lean.
   double tell_missed() {
     const MissedWalls missed = missed_walls(sheets_, hand_.walls, k_wall_reach * attempt_.tolerance);
-    halves_.missed_upright = told(missed.area, missed.at);
+    halves_.missed_upright = noted(missed.area, missed.at);
     double leaning = hand_.leaning_area;
     for (std::size_t k = 0; k < hand_.walls.size(); ++k) {
       if (hand_.released[k]) continue;
@@ -215,7 +219,7 @@ class Trial {
     }
     return leaning;
   }
-  [[nodiscard]] MissedFaces told(double area, const std::optional<glm::dvec3>& at) const {
+  [[nodiscard]] MissedFaces noted(double area, const std::optional<glm::dvec3>& at) const {
     if (area <= k_least_missed * hand_.wished_area || !at) return {};
     return {area * frame_.diagonal * frame_.diagonal, frame_.in_part(*at)};
   }
@@ -287,7 +291,7 @@ class Trial {
                       std::abs(halves_.volume_gap)),
           k_avoid_rounding, most_moved(sheets_)};
     halves_.tolerance = attempt_.tolerance;
-    const WrittenMold& written = halves_.written = written_mold(halves_);
+    WrittenMold& written = halves_.written = written_mold(halves_);
     if (!written.refusal.empty()) {
       MoldFault fault{written.refusal, k_avoid_rounding};
       if (written.refused_at) fault.place = frame_.in_mold(*written.refused_at);
@@ -295,12 +299,20 @@ class Trial {
     }
     for (std::size_t k = 0; k < 2; ++k) {
       MoldBody& half = k == 0 ? halves_.core : halves_.cavity;
+      // What is mended must not become needles.
+      const TriangleMesh before = written.bodies[k].mesh;
+      const std::size_t crossed_before = crossed_facets(before, progress).size();
+      uncross_written(halves_, k, progress);
+      const double thinnest = k_needle * frame_.diagonal * halves_.scale;
+      if (find_needles(written.bodies[k].mesh, thinnest).count > find_needles(before, thinnest).count)
+        written.bodies[k].mesh = before;
       const TriangleMesh& mesh = written.bodies[k].mesh;
       const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
       half.crossed_facets = crossed.size();
+      halves_.mended_facets += crossed_before - std::min(crossed_before, crossed.size());
       if (!crossed.empty())
         half.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
-      const Needles needles = find_needles(mesh, k_needle * frame_.diagonal * halves_.scale);
+      const Needles needles = find_needles(mesh, thinnest);
       half.needles = needles.count;
       if (needles.place) half.needle_at = place_in_part(halves_, written, *needles.place);
       half.crowded_edges = written.bodies[k].crowded_edges;
@@ -350,7 +362,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   for (const SheetTolerance& attempt : k_attempts) {
     if (best && tried >= k_most_for_beauty) break;
     ++tried;
-    progress.report("making the halves", 0.0);
+    progress.report(k_halves_stage, 0.0);
     MoldHalves attempted = halves;
     const auto fault = Trial(asked, attempt, attempted).run(progress);
     if (fault) {
@@ -358,7 +370,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
       continue;
     }
     if (!best || attempted.cleaner_than(*best)) best = std::move(attempted);
-    if (best->blemishes() == 0 && !best->leans()) break;
+    if (best->blemishes() + best->mended_facets == 0 && !best->leans()) break;
   }
   if (best) return *best;
   halves.refusal = first->what;

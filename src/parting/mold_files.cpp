@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "io/solid_writer.hpp"
 #include "parting/hull/tidy_solid.hpp"
+#include "parting/hull/uncross.hpp"
 
 namespace moldlight {
 
@@ -167,6 +168,13 @@ WrittenMold written_mold(const MoldHalves& halves) {
   if (axis_of(halves.frame.z) >= 0 && fill(mold, halves, true).empty()) return mold;
   mold.refusal = fill(mold, halves, false);
   return mold;
+}
+
+void uncross_written(MoldHalves& halves, std::size_t half, const Progress& progress) {
+  WrittenBody& body = halves.written.bodies[half];
+  const glm::dvec3 up = halves.written.part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
+  uncross(body.mesh, {.tolerance = k_rounding_steps * rounding_step(body.mesh), .pull = half == 0 ? up : -up},
+          progress);
 }
 
 void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold) {

@@ -11,6 +11,10 @@ namespace moldlight {
 /// The bodies as files have them; make_halves() keeps those of its halves.
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 
+/// Moves what crosses by rounding in the written core (0) or cavity (1) apart, where that can be done. Throws
+/// Cancelled.
+void uncross_written(MoldHalves& halves, std::size_t half, const Progress& progress);
+
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,
                                        const glm::dvec3& at);

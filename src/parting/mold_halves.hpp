@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -90,6 +91,7 @@ struct MoldHalves {
   std::vector<ContactWall> contacts;  // in the part's coordinates, the largest first
   double tolerance = 0.0;             // with which it succeeded, as a share of the diagonal
   WrittenMold written;                // what was certified of them
+  std::size_t mended_facets = 0;      // of these, that crossed by rounding before they were moved apart
 
   /// What a certified half may have of faults by rounding.
   [[nodiscard]] std::size_t blemishes() const {
@@ -100,8 +102,14 @@ struct MoldHalves {
     constexpr double k_most_leaning = 5e-7;
     return std::max(core.leaning, cavity.leaning) > k_most_leaning;
   }
+  /// Whether the halves are solids that CAM and Boolean kernels take: closed, and nothing crosses, touches
+  /// itself or leans.
+  [[nodiscard]] bool certified() const {
+    return made() && written.refusal.empty() && blemishes() == 0 && !leans();
+  }
   [[nodiscard]] bool cleaner_than(const MoldHalves& other) const {
-    return leans() != other.leans() ? other.leans() : blemishes() < other.blemishes();
+    if (leans() != other.leans()) return other.leans();
+    return std::pair(blemishes(), mended_facets) < std::pair(other.blemishes(), other.mended_facets);
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -12,6 +11,8 @@
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
+#include "mold/direction_words.hpp"
+#include "parting/mold_figures.hpp"
 
 namespace moldlight {
 
@@ -20,26 +21,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json loop_json(const PartingLoop& loop) {
-  Json points = Json::array();
-  for (const glm::dvec3& point : loop.points) points.push_back(point_json(point));
-  return {{"kind", loop_name(loop.kind)},
-          {"length", loop.length},
-          {"climb", loop.climb()},
-          {"low", loop.low},
-          {"high", loop.high},
-          {"up_and_down", loop.up_and_down},
-          {"flatness", loop.flatness},
-          {"steep_length", loop.steep_length},
-          {"steep_draft_deg", loop.steep_draft_deg},
-          {"steepest_deg", loop.steepest_deg},
-          {"sharpest_deg", loop.sharpest_deg},
-          {"on_crease", loop.on_crease},
-          {"projected_area", loop.area},
-          {"breaks", loop.breaks},
-          {"break_length", loop.break_length},
-          {"smoothed",
-           {{"points", loop.moved}, {"length", loop.smoothed_length}, {"climb", loop.smoothed_climb}}},
-          {"points", points}};
+  Json json = {{"kind", loop_name(loop.kind)}};
+  put_figures(found_figures(loop_figures(), loop), json);
+  json["points"] = Json::array();
+  for (const glm::dvec3& point : loop.points) json["points"].push_back(point_json(point));
+  return json;
 }
 
 /// A number of each side.
@@ -124,119 +110,36 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
   json["unreleased"] = of_insert.unreleased;
 }
 
-/// "2 are formed by side actions: insert_1 by a slide along …".
-std::string insert_actions_text(const MoldReport& report) {
-  std::string text;
-  for (std::size_t k = 0; k < report.by_action.size(); ++k) {
-    for (const std::size_t number : report.by_action[k].actions) {
-      const SideAction& action = report.plan->actions[number];
-      text += fmt::format("          insert_{} goes with a {} along {}{}\n", k + 1, facts(action.kind).name,
-                          direction_text(action.direction, 3),
-                          report.by_action[k].unreleased > 0 ? ", but not all of it" : "");
-    }
-  }
-  return text;
-}
-
 /// Halves, surfaces, inserts; null where there are none.
 void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
-  const bool made = halves.made();
-  json["surfaces"] = made ? Json{{"parting", halves.surface.parting_area},
-                                 {"shut_offs", halves.surface.shut_off_area},
-                                 {"steepest_deg", halves.surface.steepest_deg},
-                                 {"too_steep", halves.surface.too_steep_area},
-                                 {"contact", halves.contact_area},
-                                 {"contacts", contacts_json(halves)},
-                                 {"forced_deg", halves.forced_deg},
-                                 {"forced_at", halves.forced_at ? point_json(*halves.forced_at) : Json()}}
-                          : Json();
-  json["halves"] = Json();
+  json["surfaces"] = json["halves"] = json["volume_gap"] = Json();
   json["inserts"] = Json::array();
-  json["volume_gap"] = made ? Json(halves.volume_gap) : Json();
   json["refused"] = refusal_json(report);
-  if (!made || written.bodies.size() < 2) return;
-  json["halves"] = {
-      {"core", half_json(written.bodies[0], halves.core)},
-      {"cavity", half_json(written.bodies[1], halves.cavity)},
-      {"frame", written.part_frame ? "part" : "mold"},
-      {"scale", halves.scale},
-      {"block_volume", halves.block_volume},
-      {"part_volume", halves.part_volume},
-      {"insert_volume", halves.insert_volume},
-      {"specks_volume", halves.specks_volume},
-      {"missed",
-       {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}};
+  if (!halves.made()) return;
+  put_figures(found_figures(halves_figures(), halves), json);
+  Json& surfaces = json["surfaces"];
+  surfaces["contacts"] = contacts_json(halves);
+  surfaces["forced_at"] = halves.forced_at ? point_json(*halves.forced_at) : Json();
+  if (written.bodies.size() < 2) {
+    json["halves"] = Json();
+    return;
+  }
+  json["halves"].update(
+      {{"core", half_json(written.bodies[0], halves.core)},
+       {"cavity", half_json(written.bodies[1], halves.cavity)},
+       {"certified", halves.certified()},
+       {"faults", half_faults(report.model, halves)},
+       {"frame", written.part_frame ? "part" : "mold"},
+       {"missed",
+        {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}});
   for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
     Json insert = body_json(written.bodies[k + 2]);
     insert["place"] = point_json(insert_place(halves, k));
     if (report.plan != nullptr) add_actions(*report.plan, report.by_action[k], insert);
     json["inserts"].push_back(std::move(insert));
   }
-}
-
-std::string halves_table(const MoldReport& report) {
-  const MoldHalves& halves = report.halves;
-  const WrittenMold& written = report.written;
-  const Part& part = report.model.part;
-  if (!written.refusal.empty())
-    return "\n" + refusal_text(report.model, halves, written, refused_loop(report)) + "\n";
-  const std::string area_unit = powered_unit(part, 2), volume_unit = powered_unit(part, 3);
-  std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(
-      out,
-      "\nhalves    core {} {}, cavity {}, closed; volumes with part and inserts are {} of the block apart\n",
-      figure(halves.core.volume), volume_unit, figure(halves.cavity.volume),
-      error_text(std::abs(halves.volume_gap)));
-  fmt::format_to(out, "          parting surface {} {}, shut-offs {}; no steeper than {:.0f}°{}\n",
-                 figure(halves.surface.parting_area), area_unit, figure(halves.surface.shut_off_area),
-                 std::ceil(std::min(halves.surface.steepest_deg, report.settings.slope_deg) - 1e-6),
-                 halves.surface.too_steep_area > 0.0
-                     ? fmt::format(" but for {} {}, up to {:.0f}°", error_text(halves.surface.too_steep_area),
-                                   area_unit, std::ceil(halves.surface.steepest_deg))
-                     : "");
-  if (!halves.contacts.empty()) {
-    const ContactWall& most = halves.contacts.front();
-    fmt::format_to(out,
-                   "          steel on steel without draft: {} {} in {} place{}, the most at {}, {} high\n",
-                   figure(halves.contact_area), area_unit, halves.contacts.size(),
-                   halves.contacts.size() == 1 ? "" : "s", figures(most.place, 1.0), figure(most.height));
-  }
-  if (halves.forced_at) {
-    fmt::format_to(out, "          the part's own outline {}, near {}: no parting surface meets all of it\n",
-                   halves.forced_deg > 89.99 ? std::string("has steps")
-                                             : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
-                   figures(*halves.forced_at, report.model.frame.diagonal));
-  }
-  for (const std::string& line : missed_lines(report.model, halves))
-    fmt::format_to(out, "          {}\n", line);
-  if (!halves.inserts.empty()) {
-    fmt::format_to(out, "          left to {} insert{}: {} {}, {} of the part's volume\n",
-                   halves.inserts.size(), halves.inserts.size() == 1 ? "" : "s", figure(halves.insert_volume),
-                   volume_unit, share_text(halves.insert_volume, halves.part_volume));
-  }
-  if (report.plan != nullptr) text += insert_actions_text(report);
-  const std::size_t crossed = halves.core.crossed_facets + halves.cavity.crossed_facets,
-                    touching = halves.core.crowded_edges + halves.cavity.crowded_edges;
-  if (crossed > 0) {
-    const auto& place = halves.core.crossed_at ? halves.core.crossed_at : halves.cavity.crossed_at;
-    fmt::format_to(out, "          {} facets cross others by rounding, some near {}\n", crossed,
-                   figures(*place, report.model.frame.diagonal));
-  }
-  if (const std::size_t needles = halves.core.needles + halves.cavity.needles; needles > 0) {
-    const auto& place = halves.core.needle_at ? halves.core.needle_at : halves.cavity.needle_at;
-    fmt::format_to(out, "          {} facet{} thinner than {}, the longest near {}\n", needles,
-                   needles == 1 ? " is" : "s are", error_text(1e-7 * report.model.frame.diagonal),
-                   figures(*place, report.model.frame.diagonal));
-  }
-  if (touching > 0)
-    fmt::format_to(out, "          a half touches itself in {} edge{}\n", touching, touching == 1 ? "" : "s");
-  for (const WrittenBody& body : written.bodies) {
-    if (!body.file.empty()) fmt::format_to(out, "          {}\n", body.file);
-  }
-  return text;
 }
 
 }  // namespace
@@ -259,7 +162,7 @@ std::string refusal_text(const PartModel& model, const MoldHalves& halves, const
                          std::string_view loop) {
   if (written.refusal.empty()) return {};
   std::string text = "no halves: " + written.refusal;
-  if (halves.refused_at) text += ", near " + figures(*halves.refused_at, model.frame.diagonal);
+  if (halves.refused_at) text += ", near " + FigureStyle(model).point(*halves.refused_at);
   if (!loop.empty()) text += fmt::format(", at loop {}", loop);
   return halves.change.empty() ? text : text + "; " + halves.change;
 }
@@ -267,24 +170,43 @@ std::string refusal_text(const PartModel& model, const MoldHalves& halves, const
 std::string unfilled_text(const PartModel& model, const MoldSettings& settings, const MoldHalves& halves) {
   constexpr std::size_t k_most_places = 3;
   if (halves.inserts.empty() || settings.fill_undercut) return {};
+  const FigureStyle style(model);
   std::string places;
   for (std::size_t k = 0; k < std::min(halves.inserts.size(), k_most_places); ++k)
-    places += fmt::format("{}{}", k == 0 ? "" : "; ", figures(insert_place(halves, k), model.frame.diagonal));
-  return fmt::format("undercuts keep {} {} in {} place{} from both halves, at {}{}",
-                     figure(halves.insert_volume), powered_unit(model.part, 3), halves.inserts.size(),
+    places += fmt::format("{}{}", k == 0 ? "" : "; ", style.point(insert_place(halves, k)));
+  return fmt::format("undercuts keep {} in {} place{} from both halves, at {}{}",
+                     style.with_unit(FigureKind::volume, halves.insert_volume), halves.inserts.size(),
                      halves.inserts.size() == 1 ? "" : "s", places,
                      halves.inserts.size() > k_most_places ? "; …" : "");
 }
 
+std::vector<std::string> half_faults(const PartModel& model, const MoldHalves& halves) {
+  std::vector<std::string> faults;
+  if (!halves.made()) return faults;
+  for (const auto& [name, half] : {std::pair("core", &halves.core), {"cavity", &halves.cavity}}) {
+    if (half->crossed_facets > 0)
+      faults.push_back(fmt::format("{} facet{} of the {} cross{} others by rounding, near {}",
+                                   half->crossed_facets, half->crossed_facets == 1 ? "" : "s", name,
+                                   half->crossed_facets == 1 ? "es" : "",
+                                   FigureStyle(model).point(*half->crossed_at)));
+    if (half->crowded_edges > 0)
+      faults.push_back(fmt::format("the {} touches itself in {} edge{}", name, half->crowded_edges,
+                                   half->crowded_edges == 1 ? "" : "s"));
+  }
+  if (halves.leans()) faults.push_back("walls of a half lean along its pull by rounding");
+  return faults;
+}
+
 std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& halves) {
+  const FigureStyle style(model);
   std::vector<std::string> lines;
   for (const auto& [missed, why] :
        {std::pair(&halves.missed_leaning, "they lean against it or are hidden"),
         {&halves.missed_upright, "the parting surface would have to be steeper there"}}) {
     if (!missed->at) continue;
-    lines.push_back(fmt::format("{} {} of the faces that a half was to form, near {}, it cannot: {}",
-                                figure(missed->area), powered_unit(model.part, 2),
-                                figures(*missed->at, model.frame.diagonal), why));
+    lines.push_back(fmt::format("{} of the faces that a half was to form, near {}, it cannot: {}",
+                                style.with_unit(FigureKind::area, missed->area), style.point(*missed->at),
+                                why));
   }
   return lines;
 }
@@ -299,26 +221,51 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   json["direction"] = point_json(assignment.direction);
   json["settings"] = options_json(method_options(), query.method);
   json["settings"].update(options_json(mold_options(), settings));
-  json["assignment"] = {{"core", assignment.area(MoldSide::core)},
-                        {"cavity", assignment.area(MoldSide::cavity)},
-                        {"action", assignment.area(MoldSide::action)},
-                        {"free", assignment.free_area},
-                        {"reverse_draft", assignment.reverse_draft_area},
-                        {"height", assignment.height},
-                        {"energy", assignment.energy},
-                        {"energy_all_to_core", assignment.energy_to_core},
-                        {"energy_all_to_cavity", assignment.energy_to_cavity}};
+  put_figures(found_figures(assignment_figures(), assignment), json["assignment"]);
   json["euler"] = euler_json(line.euler);
   json["loops"] = Json::array();
   for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(loop));
   add_halves(report, json);
-  json["parting_line"] = parting_verdict(assignment, line, model.frame.diagonal);
+  json["parting_line"] = parting_verdict(assignment, line, model);
   return json;
 }
 
-namespace {
+std::vector<std::string> halves_remarks(const MoldReport& report) {
+  const PartModel& model = report.model;
+  const MoldHalves& halves = report.halves;
+  const FigureStyle style(model);
+  const auto near = [&](const glm::dvec3& place) { return "near " + style.point(place); };
+  std::vector<std::string> remarks;
+  if (!halves.contacts.empty())
+    remarks.push_back(
+        fmt::format("Most of the steel on steel without draft is {}.", near(halves.contacts.front().place)));
+  if (halves.forced_at)
+    remarks.push_back(fmt::format("The part's own outline {} {}: no parting surface meets all of it.",
+                                  halves.forced_deg > 89.99
+                                      ? std::string("has steps")
+                                      : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
+                                  near(*halves.forced_at)));
+  for (const std::string& line : missed_lines(model, halves)) remarks.push_back(line + ".");
+  for (std::size_t k = 0; k < report.by_action.size(); ++k) {
+    for (const std::size_t number : report.by_action[k].actions) {
+      const SideAction& action = report.plan->actions[number];
+      remarks.push_back(fmt::format("insert_{} goes with a {} along {}{}.", k + 1,
+                                    facts(action.kind).singular, direction_words(action.direction),
+                                    report.by_action[k].unreleased > 0 ? ", but not all of it" : ""));
+    }
+  }
+  const auto count = [](std::size_t many, std::string_view one, std::string_view more) {
+    return fmt::format("{} {}", many, many == 1 ? one : more);
+  };
+  for (const std::string& fault : half_faults(model, halves)) remarks.push_back(sentence_of(fault));
+  if (const std::size_t needles = halves.core.needles + halves.cavity.needles; needles > 0)
+    remarks.push_back(
+        fmt::format("{} thinner than {} {}, the longest {}.", count(needles, "facet is", "facets are"),
+                    error_text(1e-7 * model.frame.diagonal), length_unit(model.part),
+                    near(*(halves.core.needle_at ? halves.core.needle_at : halves.cavity.needle_at))));
+  return remarks;
+}
 
-/// What accounts for loops that are fewer or more than the part's handles ask for.
 std::string difference_text(const EulerCheck& e) {
   if (e.loops == e.expected_loops) return {};
   const auto several = [](std::int64_t count, std::string_view what) {
@@ -333,50 +280,6 @@ std::string difference_text(const EulerCheck& e) {
   std::int64_t handles = 0;
   for (const MoldSide side : k_mold_sides) handles += e.twice_handles(side) / 2;
   return handles == 0 ? text : text + " and " + several(handles, "handle");
-}
-
-}  // namespace
-
-std::string mold_table(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
-  constexpr std::size_t k_most_rows = 20;
-  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
-  const FigureColumn areas(assignment.total_area), lengths(10.0 * model.frame.diagonal);
-  std::string text =
-      fmt::format("{} along {}: {}\n\n", part_name(model.part), figures(assignment.direction, 1.0),
-                  parting_verdict(assignment, line, model.frame.diagonal));
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:<9}{:>17}{:>10}\n", "formed by", "area " + area_unit, "share");
-  for (const MoldSide side : k_mold_sides) {
-    fmt::format_to(out, "{:<9}{:>16}{:>10}\n", side_name(side), areas.text(assignment.area(side)),
-                   share_text(assignment.area(side), assignment.total_area));
-  }
-  fmt::format_to(out, "either could form {} {}", areas.text(assignment.free_area), area_unit);
-  if (assignment.reverse_draft_area > 0.0)
-    fmt::format_to(out, "; {} {} leans against its half, by less than the soft draft",
-                   areas.text(assignment.reverse_draft_area), area_unit);
-  text += "\n\n";
-  if (!line.loops.empty()) {
-    fmt::format_to(out, "{:>4}  {:<9}{:>12}{:>12}{:>12}{:>12}{:>10}{:>10}{:>8}\n", "#", "loop",
-                   "length " + unit, "climb " + unit, "flat to " + unit, "steep " + unit, "sharpest",
-                   "on crease", "breaks");
-  }
-  for (std::size_t k = 0; k < std::min(line.loops.size(), k_most_rows); ++k) {
-    const PartingLoop& loop = line.loops[k];
-    fmt::format_to(out, "{:>4}  {:<9}{:>12}{:>12}{:>12}{:>12}{:>9.1f}°{:>9.1f}%{:>8}\n", k + 1,
-                   loop_name(loop.kind), lengths.text(loop.length), lengths.text(loop.climb()),
-                   lengths.text(loop.flatness), lengths.text(loop.steep_length), loop.sharpest_deg,
-                   100.0 * loop.on_crease, loop.breaks);
-  }
-  if (line.loops.size() > k_most_rows) fmt::format_to(out, "      … {} in all\n", line.loops.size());
-  const EulerCheck& e = line.euler;
-  fmt::format_to(out,
-                 "\ncheck {}  Euler characteristics: core {} + cavity {} + actions {} = part {}{}\n"
-                 "check {}  {} loops of core and cavity; genus {} asks for {}{}\n",
-                 e.sums() ? "✓" : "✗", e.core, e.cavity, e.action, e.part,
-                 e.touching == 0 ? "" : fmt::format(" + {} where lines touch", e.touching),
-                 e.accounted() ? "✓" : "✗", e.loops, e.genus, e.expected_loops, difference_text(e));
-  return text + halves_table(report);
 }
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// The report on a mold: a table for people, JSON for programs.
+// The report on a mold: JSON for programs, and sentences for people.
 #pragma once
 
 #include <string>
@@ -39,6 +39,9 @@ struct MoldReport {
 [[nodiscard]] std::string unfilled_text(const PartModel& model, const MoldSettings& settings,
                                         const MoldHalves& halves);
 
+/// Why halves that were made are not certified, a clause each; nothing where they are.
+[[nodiscard]] std::vector<std::string> half_faults(const PartModel& model, const MoldHalves& halves);
+
 /// Faces given by hand that the halves form otherwise: how much, where, why.
 [[nodiscard]] std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& halves);
 
@@ -46,7 +49,11 @@ struct MoldReport {
 /// degrees.
 [[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
 
-/// The verdict, who forms what, the loops, the checks.
-[[nodiscard]] std::string mold_table(const MoldReport& report);
+/// What a toolmaker wants to know of the halves beside their figures, with its place: a sentence each.
+[[nodiscard]] std::vector<std::string> halves_remarks(const MoldReport& report);
+
+/// What accounts for loops that are fewer or more than the part's handles ask for; empty where they are as
+/// many.
+[[nodiscard]] std::string difference_text(const EulerCheck& euler);
 
 }  // namespace moldlight

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
+#include "mold/direction_words.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_frame.hpp"
 
@@ -19,37 +21,25 @@ constexpr double k_steep_deg = 85.0;
 constexpr double k_many_climbs = 4.0;
 constexpr double k_small_draft_deg = 5.0;
 
-/// "z = 12.4"; "12.4 along 0.6, 0, 0.8" for a direction that is no axis.
-std::string height_text(const glm::dvec3& direction, double height) {
+/// "z = 12.4 mm"; "12.4 mm along 0.6, 0, 0.8" for a direction that is no axis.
+std::string height_text(const FigureStyle& style, const glm::dvec3& direction, double height) {
   const int axis = axis_of(direction);
-  if (axis < 0) return fmt::format("{} along {}", figure(height), figures(direction, 1.0));
-  return fmt::format("{} = {}", "xyz"[axis], figure(height * direction[axis]));
+  if (axis < 0)
+    return fmt::format("{} along {}", style.with_unit(FigureKind::length, height),
+                       direction_words(direction));
+  return fmt::format("{} = {}", "xyz"[axis], style.with_unit(FigureKind::length, height * direction[axis]));
 }
 
 std::string plural(std::size_t count, std::string_view word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// What the whole numbers say where they are not those of two simple surfaces.
-std::string count_text(const EulerCheck& euler) {
-  if (euler.loops == euler.expected_loops) return {};
-  std::string why;
-  if (euler.core_pieces > euler.bodies) why += fmt::format(" the core is in {} pieces,", euler.core_pieces);
-  if (euler.cavity_pieces > euler.bodies)
-    why += fmt::format(" the cavity is in {} pieces,", euler.cavity_pieces);
-  const auto of_actions = euler.borders[static_cast<std::size_t>(MoldSide::action)];
-  if (euler.action_pieces > 0)
-    why += fmt::format(" side actions form {} of the surface with {},", plural(euler.action_pieces, "piece"),
-                       plural(static_cast<std::size_t>(of_actions), "border"));
-  if (!why.empty()) why.pop_back();
-  return fmt::format(", {} where the part's {} ask for {}{}{}", plural(euler.loops, "loop"),
-                     plural(static_cast<std::size_t>(std::max<std::int64_t>(0, euler.genus)), "handle"),
-                     euler.expected_loops, why.empty() ? "" : ":", why);
-}
-
 }  // namespace
 
-std::string parting_verdict(const Assignment& assignment, const PartingLine& line, double diagonal) {
+std::string parting_verdict(const Assignment& assignment, const PartingLine& line, const PartModel& model) {
+  const FigureStyle style(model);
+  const double diagonal = model.frame.diagonal;
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
   std::size_t outer = 0, shut_offs = 0, breaks = 0;
   double steepest = 0.0, steep = 0.0, flatness = 0.0, up_and_down = 0.0, draft = 0.0;
   for (const PartingLoop& loop : line.loops) {
@@ -64,40 +54,36 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
     steepest = std::max(steepest, loop.steepest_deg);
     steep += loop.steep_length;
   }
-  if (outer == 0) return "no parting line: core and cavity do not meet";
+  if (outer == 0) return "No parting line: core and cavity do not meet.";
   const double climb = line.outer_high - line.outer_low;
-  std::string text;
+  std::string text = "Parting line: ";
   if (climb <= k_planar_share * diagonal) {
-    text =
-        "planar parting line at " +
-        height_text(assignment.direction, std::abs(line.outer_low) > 1e-6 * diagonal ? line.outer_low : 0.0);
+    text += "planar at " + height_text(style, assignment.direction,
+                                       std::abs(line.outer_low) > 1e-6 * diagonal ? line.outer_low : 0.0);
   } else if (flatness <= k_planar_share * diagonal) {
-    text = fmt::format("parting line in an inclined plane, climbing {}", figure(climb));
+    text += fmt::format("in an inclined plane, {} high", length(climb));
   } else {
-    text = fmt::format("parting line that climbs {}", figure(climb));
+    text += fmt::format("stepped, {} high", length(climb));
     if (up_and_down > k_many_climbs * climb) {
-      text += fmt::format(", up and down {} in all", figure(up_and_down));
+      text += fmt::format(", {} up and down in all", length(up_and_down));
       if (draft <= k_small_draft_deg)
         text += fmt::format(" on facets of at most {:.1f}° of draft", std::ceil(10.0 * draft) / 10.0);
     }
   }
-  text += fmt::format(", {}", shut_offs == 0 ? "no shut-off" : plural(shut_offs, "shut-off"));
-  if (steepest <= k_steep_deg) {
-    text += fmt::format(", no step steeper than {:.0f}°", k_steep_deg);
-  } else {
-    text += fmt::format(", {} of steep steps, up to {:.0f}°", figure(steep), std::floor(steepest));
-  }
+  text += steepest <= k_steep_deg
+              ? fmt::format(", no step steeper than {:.0f}°.", k_steep_deg)
+              : fmt::format(", {} of steps as steep as {:.0f}°.", length(steep), std::floor(steepest));
+  text += shut_offs == 0 ? " No shut-offs." : fmt::format(" {}.", plural(shut_offs, "shut-off"));
   if (line.smoothed_length > 1e-6 * diagonal || line.smoothed_climb > 1e-6 * diagonal)
     text +=
-        fmt::format("; smoothing took {} of its length and {} of its climbs",
-                    figure(std::max(0.0, line.smoothed_length)), figure(std::max(0.0, line.smoothed_climb)));
+        fmt::format(" Smoothing made the line {} shorter and took {} of its ups and downs.",
+                    length(std::max(0.0, line.smoothed_length)), length(std::max(0.0, line.smoothed_climb)));
   const double action = assignment.area(MoldSide::action);
-  if (action > 0.0) {
-    text += fmt::format("; side actions form {} of the surface", share_text(action, assignment.total_area));
-    if (breaks > 0)
-      text += fmt::format(" and break the line {}", breaks == 1 ? "once" : plural(breaks, "time"));
-  }
-  return text + count_text(line.euler);
+  if (action > 0.0)
+    text += fmt::format(
+        " Side actions form {} of the surface{}.", share_text(action, assignment.total_area),
+        breaks == 0 ? "" : " and break the line " + (breaks == 1 ? "once" : plural(breaks, "time")));
+  return text;
 }
 
 }  // namespace moldlight

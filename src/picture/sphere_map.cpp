@@ -176,7 +176,7 @@ void draw_marks(Canvas& canvas, const MapPlace& place, const std::vector<SphereM
     canvas.line(centre, middle, {k_light, 0.7}, 2.4 * scale);
     canvas.line(centre, middle, {k_dark, 0.8}, 1.2 * scale);
   }
-  // A mark that a better one would cover is told by its label alone.
+  // A mark that a better one would cover has its label alone.
   const auto covered = [&](std::size_t k) {
     return std::any_of(
         labelled.begin(), labelled.begin() + static_cast<std::ptrdiff_t>(k), [&](const auto& better) {

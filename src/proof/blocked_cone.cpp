@@ -25,7 +25,7 @@ bool BlockedCone::faces(FacetIndex facet, const RayBundle& bundle) const {
   return true;
 }
 
-/// The ray caster's single precision may meet the neighbour of what it tells.
+/// The ray caster's single precision may meet the neighbour of what it names.
 bool BlockedCone::truly_hit(FacetIndex facet, const glm::dvec3& origin, const glm::dvec3& direction) const {
   const auto& vertices = part_.mesh.facets[facet];
   std::array<glm::dvec3, 3> to;

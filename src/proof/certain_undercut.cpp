@@ -93,7 +93,7 @@ ElementAnswer CertainUndercut::ask(const SurfaceElement& element, const SphereCe
     beside.radius = 2.0 * lateral_ * std::sin(0.5 * tau_rad_);
     const bool above = blocked(beside, cell, 1.0, answer);
     if (!above && !answer.hidden_at_centre) return answer;
-    // Also where nothing is certain any more: whether the middle is hidden is told by both sides.
+    // Also where nothing is certain any more: both sides say whether the middle is hidden.
     const bool below = blocked(beside, cell, -1.0, answer);
     certain = above && below;
     if (certain && draft_rad + reach_rad >= tau_rad_) certain = blocked_above(own, cell, 1.0, normal, answer);

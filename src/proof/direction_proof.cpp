@@ -27,8 +27,8 @@ constexpr int k_calm_generations = 3;
 /// Points between two looks whether to stop.
 constexpr std::size_t k_between_looks = 64;
 
-/// By area: pieces are looked at where points tell of the bound, less so many standard errors, and points are
-/// looked at until they tell of so much more than the bound.
+/// By area: pieces are looked at where points come near the bound, less so many standard errors, and points
+/// are looked at until they have so much more than the bound.
 constexpr double k_standard_errors = 3.0, k_points_wanted = 1.3;
 
 using Points = std::vector<std::uint32_t>;

@@ -26,7 +26,7 @@ struct ProofTask {
   double finest_length = 1e-3;
   /// Asked between cells, from any thread; once it says true what is open stays open.
   std::function<bool()> stop = {};
-  /// Told of the share of the half-sphere that is not decided yet, [0, 1], one call at a time.
+  /// Called with the share of the half-sphere that is not decided yet, [0, 1], one call at a time.
   std::function<void(double open_share)> progress = {};
 };
 
@@ -55,7 +55,7 @@ struct DirectionProof {
                                               const ProofTask& task);
 
 /// Proves it for the surface itself, in the same way but without sampling error: pieces count, and the guides
-/// only tell where to look at them.
+/// only show where to look at them.
 [[nodiscard]] DirectionProof prove_directions(const ProofPart& part, const SurfacePieces& surface,
                                               const ProofTask& task);
 

@@ -31,7 +31,7 @@ struct SurfaceElement {
 [[nodiscard]] std::vector<SurfaceElement> sample_elements(const ProofPart& part,
                                                           const SurfaceSamples& samples);
 
-/// The surface in pieces of facets, and points on it that tell where it is worth looking at them.
+/// The surface in pieces of facets, and points on it that show where it is worth looking at them.
 struct SurfacePieces {
   std::vector<SurfaceElement> pieces;         // facet by facet; none of facets without area
   std::vector<std::uint32_t> first;           // piece of each facet, and one past the last

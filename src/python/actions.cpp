@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 
 /// moldlight.Actions.
 struct PythonActions {
+  using BoundToPython = void;
   Study study;  // that has found all that is shown
 
   [[nodiscard]] const PartModel& model() const { return study.model(); }

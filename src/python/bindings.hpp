@@ -12,6 +12,7 @@
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
 #include "classify/still_picture.hpp"
+#include "python/initialised.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
 
@@ -19,6 +20,7 @@ namespace moldlight::python {
 
 /// moldlight.Part.
 struct PythonPart {
+  using BoundToPython = void;
   std::shared_ptr<const PartModel> model;
 };
 using PartClass = pybind11::class_<PythonPart>;

@@ -28,6 +28,7 @@ using Json = nlohmann::ordered_json;
 /// moldlight.Classification: what is shown of it does not change; the rest is found when it is asked for.
 class PythonClassification {
  public:
+  using BoundToPython = void;
   explicit PythonClassification(Study study) : study_(std::move(study)) {}
 
   [[nodiscard]] const PartModel& model() const { return study_.model(); }
@@ -57,6 +58,7 @@ using SharedClassification = std::shared_ptr<PythonClassification>;
 
 /// moldlight.Border.
 struct Border {
+  using BoundToPython = void;
   std::string left, right;
   py::array vertices, points;
   bool closed = false;
@@ -64,6 +66,7 @@ struct Border {
 
 /// moldlight.SplitMesh.
 struct PythonSplit {
+  using BoundToPython = void;
   std::shared_ptr<const SplitMesh> mesh;
   py::array vertices;
   py::list borders;

@@ -67,7 +67,7 @@ void translate(std::exception_ptr failure) {
 
 void add_errors(py::module_& module) {
   Exceptions& types = exceptions();
-  types.error = make_type(module, "Error", "A failure that moldlight tells of: what, where, what to do.",
+  types.error = make_type(module, "Error", "A failure: what happened, where, and what to do.",
                           py::reinterpret_borrow<py::object>(PyExc_Exception));
   const auto under_error = [&](PyObject* more) {
     return more == nullptr ? py::reinterpret_borrow<py::object>(types.error)

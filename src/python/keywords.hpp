@@ -22,7 +22,7 @@
 
 namespace moldlight::python {
 
-/// A setting as it is told of: in docstrings, in the stubs, to programs that make a control of it.
+/// A setting as it is described: in docstrings, in the stubs, to programs that make a control of it.
 struct Keyword {
   std::string_view key, label, unit;
   std::string help;

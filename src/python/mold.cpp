@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 
 /// moldlight.Mold.
 struct PythonMold {
+  using BoundToPython = void;
   Study study;  // that has found all that is shown
 
   [[nodiscard]] const PartModel& model() const { return study.model(); }
@@ -198,8 +199,8 @@ void add_mold(py::module_& module, PartClass& part) {
           picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
                       "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonMold& self) {
-        return py::str(fmt::format("<moldlight.Mold: {}>", parting_verdict(self.assignment(), self.line(),
-                                                                           self.model().frame.diagonal)));
+        return py::str(fmt::format("<moldlight.Mold: {}>",
+                                   parting_verdict(self.assignment(), self.line(), self.model())));
       });
   add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
   part.def("mold", &find_mold, py::arg("direction"),

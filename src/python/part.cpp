@@ -17,6 +17,9 @@
 
 namespace moldlight::python {
 
+template <>
+inline constexpr bool k_bound<HealthReport> = true;
+
 namespace py = pybind11;
 
 namespace {

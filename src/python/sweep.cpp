@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 
 /// moldlight.Sweep.
 struct PythonSweep {
+  using BoundToPython = void;
   std::shared_ptr<const PartModel> model;
   SweepResult result;
 

@@ -22,7 +22,7 @@ namespace {
 /// A twentieth of the second within which an interrupt is to end the work.
 constexpr std::chrono::milliseconds k_look_interval(50);
 
-/// What the working thread tells the one that waits.
+/// What the working thread passes to the one that waits.
 class Watched {
  public:
   void report(std::string_view stage, double fraction) {

@@ -26,7 +26,7 @@ struct OverPicture {
   GLuint framebuffer;
   float hidden;                // share of the opacity that is left where surface hides the line
   bool on_surface;             // they go with the surface that a mold moves, and end where it is cut
-  bool depth_of_tube = false;  // they are told by how deep in a tube they are, apart where they are hidden
+  bool depth_of_tube = false;  // they are known by how deep in a tube they are, apart where they are hidden
 };
 
 void draw_segments(ViewTools& tools, const ViewFrame& frame, const SegmentBuffer& segments,
@@ -116,7 +116,7 @@ void draw_tube(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {
   tools.gl.ClearBufferfv(GL_COLOR, 0, k_none);
   const OverPicture into{
       .framebuffer = targets.to_tube.name(), .hidden = 0.0F, .on_surface = true, .depth_of_tube = true};
-  // The colour tells into which channels: seen and hidden, of the line and of the loop that is looked at.
+  // The colour says into which channels: seen and hidden, of the line and of the loop that is looked at.
   draw_segments(tools, frame, tools.mesh.tube, {glm::vec4(1.0F, 1.0F, 0.0F, 0.0F), k_tube_px}, into);
   draw_segments(tools, frame, tools.mesh.chosen_tube, {glm::vec4(0.0F, 0.0F, 1.0F, 1.0F), k_chosen_tube_px},
                 into);

@@ -83,7 +83,7 @@ class PartView {
   void draw_sample(const ViewSubject& subject);
 
   ViewTools tools_;
-  // What the targets show, to tell whether the next picture is the same.
+  // What the targets show, to know whether the next picture is the same.
   ViewInputs shown_;
   int samples_ = 0;                 // drawn so far
   glm::dmat4 unit_from_clip_{1.0};  // of the first of them

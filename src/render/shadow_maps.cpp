@@ -71,7 +71,7 @@ ShadowMaps::Place& ShadowMaps::begin(const MapSubject& subject, const MapSetting
   CHECK(!batch_ || !settings.symmetric_kernel);
   settings_ = settings;
   part_ = &subject.part;
-  // Views tell drawings apart by it, also those of several pairs of maps.
+  // Views distinguish drawings by it, also those of several pairs of maps.
   static std::atomic<std::uint64_t> drawings = 0;
   revision_ = ++drawings;
   if (settings.resolution != allocated_) allocate(settings.resolution);

@@ -19,8 +19,8 @@
 
 namespace moldlight {
 
-/// As shaders/view/surface_bits.glsl has them: where a surface's first word tells facet + 1 and that it is a
-/// section's cut, and from where on a piece's source tells its accessibility bits.
+/// As shaders/view/surface_bits.glsl has them: where a surface's first word has facet + 1 and that it is a
+/// section's cut, and from where on a piece's source has its accessibility bits.
 inline constexpr std::uint32_t k_surface_number_mask = 0x0FFFFFFFU, k_surface_cut_bit = 0x10000000U;
 inline constexpr int k_source_bits_shift = 30;
 

@@ -64,7 +64,7 @@ SplitSurface::SplitSurface(const gl::Functions& gl, const SplitGeometry& geometr
       source_buffer_(
           gl::make_buffer(gl, GL_TEXTURE_BUFFER, std::span<const std::uint32_t>(geometry.sources))),
       sources_(gl::make_buffer_texture(gl, GL_R32UI, source_buffer_)) {
-  // Views tell surfaces apart by it, wherever they lie in memory.
+  // Views distinguish surfaces by it, wherever they lie in memory.
   static std::atomic<std::uint64_t> surfaces = 0;
   revision_ = ++surfaces;
   classes_.set(gl, classes);

@@ -1,4 +1,4 @@
-// The part on the GPU as pictures draw it: smooth normals, lines, and what tells its regions.
+// The part on the GPU as pictures draw it: smooth normals, lines, and where its regions come from.
 #pragma once
 
 #include <array>
@@ -80,7 +80,7 @@ class FaceNumbers {
   gl::Texture texels_;
 };
 
-/// Lines among the marks: outlines of the chosen face and of the blocking one; ways that are told with their
+/// Lines among the marks: outlines of the chosen face and of the blocking one; ways that are drawn with their
 /// lengths.
 enum class MarkedLines : std::uint8_t { chosen, blocking, ways };
 inline constexpr std::size_t k_marked_lines = 3;
@@ -113,7 +113,7 @@ struct ViewMesh {
   FaceNumbers faces;
 };
 
-/// What a picture shows: a part, a parting direction, and what tells the regions. A plain picture needs
+/// What a picture shows: a part, a parting direction, and where the regions come from. A plain picture needs
 /// neither maps nor a split surface, any other at least one of them; to mark their difference takes both.
 /// What is pointed at must live as long as a picture is drawn.
 struct ViewSubject {

@@ -16,8 +16,8 @@ enum class ColourMode : std::uint8_t { regions, draft_angle, plain };
 /// What lies behind the part: the theme's gradient, one colour, or nothing (alpha 0).
 enum class Backdrop : std::uint8_t { gradient, flat, none };
 
-/// What tells the regions: the computed ones of the split surface, or look-ups in the shadow maps. Where a
-/// subject has but one of them, it is that.
+/// Where the regions come from: the computed ones of the split surface, or look-ups in the shadow maps. Where
+/// a subject has but one of them, it is that.
 enum class RegionsBy : std::uint8_t { exact, maps };
 
 /// How a section plane lies: across the parting direction, along it, or across an axis of the part.

@@ -83,7 +83,7 @@ std::string html_page(const Report& report) {
       "{}\">{}</p>\n",
       html_text(report.kind), html_text(report.part), html_text(report.subject), tone_class(report.tone),
       html_text(report.sentence));
-  if (!report.lead.empty()) html += fmt::format("<p class=\"lead\">{}</p>\n", html_text(report.lead));
+  if (!report.lead.empty()) html += fmt::format("<p class=\"lead\">{}</p>\n", html_text(report.paragraph()));
   html += "</header>\n" + view_html(report);
   for (const Section& section : report.sections) {
     html += fmt::format("<section>\n<h2>{}</h2>\n", html_text(section.title));

@@ -39,7 +39,7 @@ class Pieces {
 
 Ink tone_ink(Tone tone) { return tone == Tone::good ? k_good : tone == Tone::bad ? k_bad : k_attention; }
 
-/// A sign beside the verdict that tells its tone without colour, too.
+/// A sign beside the verdict that has its tone without colour, too.
 void draw_tone(Canvas& canvas, Tone tone, const glm::dvec2& centre, double radius) {
   const Ink ink = tone_ink(tone);
   if (tone == Tone::good) canvas.disc(centre, radius, ink);
@@ -66,7 +66,7 @@ void add_head(const Setting& setting, const Report& report, Pieces& pieces) {
     };
   }
   pieces.add(std::move(lines));
-  if (!report.lead.empty()) pieces.add_text(report.lead, {.size_px = k_body_pt, .ink = k_soft}, 3.0);
+  if (!report.lead.empty()) pieces.add_text(report.paragraph(), {.size_px = k_body_pt, .ink = k_soft}, 3.0);
 }
 
 /// One line of the legend: marks with their names and what stands beside them.
@@ -116,7 +116,7 @@ std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) 
 
 void add_view(const Setting& setting, const Report& report, Pieces& pieces) {
   if (report.still.light.rgba.empty()) return;
-  // The caption tells how the view is used that paper does not have.
+  // The caption says how the view is used that paper does not have.
   pieces.add(picture_piece(setting, report.still, report.still.text, k_still_pt));
   if (!report.view) return;
   std::vector<Piece> legend = legend_pieces(setting, *report.view);

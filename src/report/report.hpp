@@ -1,8 +1,10 @@
-// A report as a value: what it says, without how it looks. Writers make a page or a PDF of the same value.
+// A report as a value: what it says, without how it looks. Writers make a page, a PDF or a terminal's text of
+// the same value.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace moldlight::report {
 struct Mark {
   Colour colour = {};
   bool hatched = false;
+  std::string_view terminal = {};  // the code that sets it there; none for what a terminal shows without
 };
 
 /// A text for people; where it is a figure, also the number and where the JSON report has it (a JSON
@@ -45,9 +48,12 @@ struct ShareBar {
   std::vector<Share> shares;
 };
 
+/// Where a column is shown: pages have room for all.
+enum class ColumnRoom : std::uint8_t { any, wide, pages };
 struct Column {
   std::string heading;
   bool text = false;  // else figures, which stand at the right
+  ColumnRoom room = ColumnRoom::any;
 };
 struct Row {
   std::vector<Value> cells;
@@ -98,6 +104,7 @@ using Block = std::variant<FigureGrid, ShareBar, Table, Pictures, DraftBars, Tex
 struct Section {
   std::string title;
   std::vector<Block> blocks;
+  bool pages_only = false;  // left out of a terminal's text
 };
 
 enum class Tone : std::uint8_t { good, attention, bad };
@@ -108,10 +115,17 @@ struct Report {
   std::string subject;   // "along +Z"
   std::string sentence;  // the verdict
   Tone tone = Tone::good;
-  std::string lead;  // a sentence below it; may be empty
-  Picture still;     // what stands for the view where there is none
+  std::vector<std::string> lead;  // sentences below it
+  Picture still;                  // what stands for the view where there is none
   std::optional<ModelView> view;
   std::vector<Section> sections;
+
+  /// The sentences below the verdict as one paragraph.
+  [[nodiscard]] std::string paragraph() const {
+    std::string text;
+    for (const std::string& one : lead) text += (text.empty() ? "" : " ") + one;
+    return text;
+  }
 };
 
 }  // namespace moldlight::report

@@ -1,12 +1,14 @@
-// moldlight-step: reads one STEP file for moldlight and writes the facets to descriptor 3. Not meant to be
-// run by hand.
+// moldlight-step: reads one STEP file for moldlight from descriptor 4 and writes the facets to descriptor 3.
+// Not meant to be run by hand.
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <istream>
 #include <string>
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
+#include <ext/stdio_filebuf.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -14,11 +16,14 @@
 
 #include "io/step_result.hpp"
 #include "step/memory.hpp"
+#include "step/sandbox.hpp"
 #include "step/tessellation.hpp"
 
 namespace {
 
 using moldlight::StepResult;
+
+constexpr std::size_t k_buffer_bytes = std::size_t{1} << 16;
 
 StepResult failed(const std::string& sentence) {
   StepResult result;
@@ -47,9 +52,13 @@ const std::string& no_memory_left() {
 
 [[noreturn]] void end_without_memory() { hand_back(no_memory_left()); }
 
-StepResult read(const std::string& path, const moldlight::step::TessellationSettings& settings) {
+StepResult read(const moldlight::step::TessellationSettings& settings) {
   try {
-    return moldlight::step::tessellate(path, settings);
+    __gnu_cxx::stdio_filebuf<char> buffer(moldlight::k_step_file_descriptor, std::ios::in, k_buffer_bytes);
+    std::istream file(&buffer);
+    moldlight::step::prepare();
+    if (const std::string fault = moldlight::step::give_up_rights(); !fault.empty()) return failed(fault);
+    return moldlight::step::tessellate(file, settings);
   } catch (const Standard_OutOfMemory&) {
     end_without_memory();
   } catch (const Standard_Failure& failure) {
@@ -68,20 +77,21 @@ bool is_orphan() {
 
 }  // namespace
 
-/// Arguments: file, linear deflection, angular deflection in degrees, facet limit, memory limit in bytes.
+/// Arguments: linear deflection, angular deflection in degrees, facet limit, memory limit in bytes. The file
+/// is open as k_step_file_descriptor.
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
+  if (argc != 5) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (is_orphan()) return 1;
   const rlimit no_core_file = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core_file);
   no_memory_left();
-  moldlight::step::limit_memory(std::strtoull(argv[5], nullptr, 10), end_without_memory);
+  moldlight::step::limit_memory(std::strtoull(argv[4], nullptr, 10), end_without_memory);
   moldlight::step::TessellationSettings settings;
-  settings.linear_deflection = std::strtod(argv[2], nullptr);
-  settings.angular_deflection_deg = std::strtod(argv[3], nullptr);
-  settings.max_facets = std::strtoull(argv[4], nullptr, 10);
-  const StepResult result = read(argv[1], settings);
+  settings.linear_deflection = std::strtod(argv[1], nullptr);
+  settings.angular_deflection_deg = std::strtod(argv[2], nullptr);
+  settings.max_facets = std::strtoull(argv[3], nullptr, 10);
+  const StepResult result = read(settings);
   if (moldlight::step::memory_ran_short()) end_without_memory();
   hand_back(result.to_bytes());
 }

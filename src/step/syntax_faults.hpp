@@ -1,4 +1,4 @@
-// What OpenCASCADE's parser has to say about the syntax of a STEP file, which it tells to printers only.
+// What OpenCASCADE's parser has to say about the syntax of a STEP file, which it shows to printers only.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace moldlight::step {
 /// parser drops the entity there and goes on, so that a part of the file is lost.
 class SyntaxFaults : public Message_Printer {
  public:
-  SyntaxFaults() { SetTraceLevel(Message_Trace); }  // the least of all, as which the parser tells of them
+  SyntaxFaults() { SetTraceLevel(Message_Trace); }  // the least of all, as which the parser counts them
 
   /// From 1; 0 where the syntax is sound.
   [[nodiscard]] std::size_t first_line() const { return first_line_; }

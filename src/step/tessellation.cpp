@@ -18,6 +18,7 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <Poly_Triangulation.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
@@ -210,13 +211,15 @@ void add_bodies(const STEPControl_Reader& reader, const TopoDS_Shape& shape, dou
 
 }  // namespace
 
-StepResult tessellate(const std::string& path, const TessellationSettings& settings) {
+void prepare() { STEPControl_Controller::Init(); }
+
+StepResult tessellate(std::istream& file, const TessellationSettings& settings) {
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   const Handle(SyntaxFaults) syntax_faults = new SyntaxFaults;
   Message::DefaultMessenger()->AddPrinter(syntax_faults);
   StepResult result;
   STEPControl_Reader reader;
-  const bool was_read = reader.ReadFile(path.c_str()) == IFSelect_RetDone;
+  const bool was_read = reader.ReadStream("part.step", file) == IFSelect_RetDone;
   if (syntax_faults->first_line() > 0) {
     throw std::runtime_error("line " + std::to_string(syntax_faults->first_line()) +
                              ": this is not what STEP allows here; export the part again");

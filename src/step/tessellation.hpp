@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <iosfwd>
 
 #include "io/step_result.hpp"
 
@@ -16,7 +16,10 @@ struct TessellationSettings {
   std::uint64_t max_facets = 0;
 };
 
+/// Has OpenCASCADE read what it keeps in files and in the environment, so that it needs none later.
+void prepare();
+
 /// Solids are the bodies, in the order of the file; then shells and faces that belong to none.
-[[nodiscard]] StepResult tessellate(const std::string& path, const TessellationSettings& settings);
+[[nodiscard]] StepResult tessellate(std::istream& file, const TessellationSettings& settings);
 
 }  // namespace moldlight::step

@@ -47,25 +47,28 @@ std::shared_ptr<const SplitRegions> Asked<SplitRegions>::find(Study& study, cons
   return shared(std::move(regions));
 }
 
-ExactQuery Asked<UndercutTotals>::inputs(const Study& study) { return exact_inputs(study); }
+Asked<UndercutTotals>::Inputs Asked<UndercutTotals>::inputs(const Study& study) {
+  return {exact_inputs(study), study.questions().actions.least_travel_mm};
+}
 std::shared_ptr<const UndercutTotals> Asked<UndercutTotals>::find(Study& study, const Progress& progress) {
   if (const auto plan = study.known<ActionPlan>()) return shared(undercut_totals(*plan));
-  const ExactQuery query = exact_inputs(study);
+  const auto [query, least_travel_mm] = inputs(study);
   const PartModel& model = study.model();
   const auto split = study.known<SplitRegions>();
   const auto regions = study.known<Classification>();
   const auto mesh = split ? split->result.split : regions ? regions->split : nullptr;
-  if (mesh) return shared(totals_of(find_undercuts(model, *mesh, query, progress)));
-  // Facets told by samples may miss some.
+  if (mesh) return shared(totals_of(find_undercuts(model, *mesh, query, progress, least_travel_mm)));
+  // Facets given by samples may miss some.
   if (study.questions().query.method.readout != Readout::exact)
-    return shared(
-        totals_of(find_undercuts(model, *study.find<SplitRegions>(progress).result.split, query, progress)));
+    return shared(totals_of(find_undercuts(model, *study.find<SplitRegions>(progress).result.split, query,
+                                           progress, least_travel_mm)));
   const FacetFractions& fractions = study.find<Classification>(progress).facet_fractions;
   std::vector<FacetIndex> facets;
   for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
     if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0) facets.push_back(facet);
   }
-  return shared(count_undercuts(model, query, facets, progress));
+  return shared(count_undercuts(model, {.query = query, .facets = facets, .least_travel_mm = least_travel_mm},
+                                progress));
 }
 
 Asked<ActionPlan>::Inputs Asked<ActionPlan>::inputs(const Study& study) {

@@ -71,7 +71,7 @@ struct Asked<SplitRegions> {
 };
 template <>
 struct Asked<UndercutTotals> {
-  using Inputs = ExactQuery;
+  using Inputs = std::pair<ExactQuery, double>;  // the least travel
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const UndercutTotals> find(Study& study, const Progress& progress);
 };

@@ -1,8 +1,10 @@
 #include "study/study_reports.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
+#include "classify/figures.hpp"
 #include "parting/draft/draft_report.hpp"
 
 namespace moldlight {
@@ -10,13 +12,6 @@ namespace moldlight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// With a capital and a full stop.
-std::string sentence_of(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text + ".";
-}
 
 Json verdict_or_null(const PartModel& model, const SweepCandidate& candidate) {
   const std::optional<Verdict> verdict = verdict_of(model, candidate);
@@ -63,6 +58,9 @@ Verdict mold_verdict(Study& study, const Progress& progress) {
   Verdict verdict = study.verdict(progress);
   if (!study.find<MoldHalves>(progress).written.refusal.empty())
     verdict.reasons.push_back(sentence_of(mold_refusal(study, progress)));
+  const MoldHalves& halves = study.find<MoldHalves>(progress);
+  for (const std::string& fault : half_faults(study.model(), halves))
+    verdict.reasons.push_back(fmt::format("The halves are not certified: {}.", fault));
   return verdict;
 }
 
@@ -99,31 +97,6 @@ Json sweep_json_with_verdicts(const PartModel& model, const SweepResult& result)
     json["candidates"][k]["verdict"] = verdict_or_null(model, result.candidates[k]);
   json["verdict"] = result.candidates.empty() ? Json() : verdict_or_null(model, result.candidates.front());
   return json;
-}
-
-std::string classify_text(Study& study, bool colour, const Progress& progress) {
-  std::string text = verdict_text(study.verdict(progress)) + "\n" +
-                     classify_table(study.model(), study.find<Classification>(progress), colour);
-  if (study.questions().required_draft_deg > 0.0)
-    text += "\n" + draft_lines(study.model(), study.find<DraftCheck>(progress));
-  return text;
-}
-
-std::string actions_text(Study& study, const Progress& progress) {
-  return verdict_text(study.verdict(progress)) + "\n" + actions_table(actions_report(study, progress));
-}
-
-std::string mold_text(Study& study, const Progress& progress) {
-  return verdict_text(mold_verdict(study, progress)) + "\n" + mold_table(mold_report(study, progress));
-}
-
-std::string sweep_text(const PartModel& model, const SweepResult& result, TableWidth width) {
-  std::string text;
-  if (!result.candidates.empty()) {
-    if (const auto verdict = verdict_of(model, result.candidates.front()))
-      text = verdict_text(*verdict) + "\n";
-  }
-  return text + sweep_table(model, result, width);
 }
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// What a study has found, as reports: JSON for programs, a text for the terminal. Each carries the verdict.
+// What a study has found, as reports: JSON for programs, with the verdict.
 #pragma once
 
 #include <string>
@@ -35,10 +35,5 @@ namespace moldlight {
 /// Schema `moldlight.sweep/3`: each direction's verdict, and that of the first.
 [[nodiscard]] nlohmann::ordered_json sweep_json_with_verdicts(const PartModel& model,
                                                               const SweepResult& result);
-
-[[nodiscard]] std::string classify_text(Study& study, bool colour, const Progress& progress);
-[[nodiscard]] std::string actions_text(Study& study, const Progress& progress);
-[[nodiscard]] std::string mold_text(Study& study, const Progress& progress);
-[[nodiscard]] std::string sweep_text(const PartModel& model, const SweepResult& result, TableWidth width);
 
 }  // namespace moldlight

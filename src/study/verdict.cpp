@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "actions/best_changes.hpp"
 #include "classify/figures.hpp"
 #include "mesh/defect_edges.hpp"
 
@@ -54,8 +55,12 @@ std::string near_crossing(const PartModel& model) {
   return {};
 }
 
-Fault fault_of(const PartModel& model) {
+Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
   const HealthReport& health = model.health;
+  if (uncertainty.sampled_facets > 0 && uncertainty.readout >= uncertainty.mesh)
+    return {fmt::format("too much crosses {}, which {} sampled", counted(uncertainty.sampled_facets, "facet"),
+                        uncertainty.sampled_facets == 1 ? "is" : "are"),
+            "unite the bodies in CAD, look at one with --body, or raise --effort"};
   if (health.open_edges > 0)
     return {fmt::format("the mesh is open at {}{}", counted(health.open_edges, "edge"),
                         near_text(model, EdgeDefect::open)),
@@ -95,6 +100,7 @@ class Judge {
   Verdict judged() {
     if (!judged_by_health()) judge_by_undercuts();
     add_specks();
+    add_sampled();
     return std::move(verdict_);
   }
 
@@ -116,7 +122,7 @@ class Judge {
     }
     const double doubt = doubt_of(facts_.regions);
     if (doubt <= lateral_ * lateral_ && health.closed) return false;
-    const Fault fault = fault_of(facts_.model);
+    const Fault fault = fault_of(facts_.model, facts_.regions.uncertainty);
     if (doubt > lateral_ * lateral_ && doubt >= verdict_.undercut_area) {
       set(VerdictState::unknown,
           fmt::format("Not decided: {}, so {} may be undercut or not.", fault.what, area(doubt)));
@@ -162,27 +168,32 @@ class Judge {
                                   : fmt::format("; {} {} the rest", listed(actions.counts),
                                                 number == 1 ? "releases" : "release")));
     } else {
+      const std::string undercuts = verdict_.undercuts == 1 ? "the undercut"
+                                    : verdict_.undercuts == 2
+                                        ? "both undercuts"
+                                        : fmt::format("all {} undercuts", verdict_.undercuts);
+      const std::string what =
+          fmt::format("{} ({}){}", undercuts, area(verdict_.undercut_area),
+                      actions.crowded > 0 ? ", but " + room_text(actions.crowded) : std::string());
       set(VerdictState::side_actions,
-          fmt::format("{} {} {} ({}).", listed(actions.counts), number == 1 ? "releases" : "release",
-                      verdict_.undercuts == 1   ? "the undercut"
-                      : verdict_.undercuts == 2 ? "both undercuts"
-                                                : fmt::format("all {} undercuts", verdict_.undercuts),
-                      area(verdict_.undercut_area)));
+          number > k_most_actions
+              ? fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts),
+                            what)
+              : fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
     }
+    if (actions.stuck > 0 && actions.crowded > 0) add(room_text(actions.crowded) + ".");
     if (facts_.plan != nullptr) add_plan(*facts_.plan);
   }
 
   void add_plan(const ActionPlan& plan) {
-    std::size_t meeting = 0, crowded = 0;
-    for (const SideAction& action : plan.actions) {
-      meeting += action.meets.empty() ? 0 : 1;
-      crowded += has_room(action) ? 0 : 1;
-    }
+    std::size_t meeting = 0;
+    for (const SideAction& action : plan.actions) meeting += action.meets.empty() ? 0 : 1;
     if (meeting > 0) add(fmt::format("The ways of {} cross.", counted(meeting, "action")));
-    if (crowded > 0)
-      add(fmt::format("{} less room than {}.",
-                      crowded == 1 ? "1 lifter has" : fmt::format("{} lifters have", crowded),
-                      crowded == 1 ? "it needs" : "they need"));
+  }
+
+  [[nodiscard]] static std::string room_text(std::size_t lifters) {
+    return lifters == 1 ? "1 lifter has less room than it needs"
+                        : fmt::format("{} lifters have less room than they need", lifters);
   }
 
   void add_specks() {
@@ -190,6 +201,16 @@ class Judge {
     add(fmt::format("{} smaller or shallower than {:.3g} {} {} ignored ({}).",
                     counted(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
                     verdict_.specks == 1 ? "is" : "are", area(verdict_.speck_area)));
+  }
+
+  void add_sampled() {
+    const UndercutUncertainty& uncertainty = facts_.regions.uncertainty;
+    if (uncertainty.sampled_facets == 0) return;
+    add(fmt::format("{} sampled, as too much crosses {}: ± {}. --effort raises the limit.",
+                    uncertainty.sampled_facets == 1
+                        ? "1 facet is"
+                        : fmt::format("{} facets are", uncertainty.sampled_facets),
+                    uncertainty.sampled_facets == 1 ? "it" : "them", area(uncertainty.readout)));
   }
 
   const VerdictFacts& facts_;
@@ -234,12 +255,6 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict) {
           {"specks", {{"number", verdict.specks}, {"area", verdict.speck_area}}},
           {"actions", actions},
           {"reasons", verdict.reasons}};
-}
-
-std::string verdict_text(const Verdict& verdict) {
-  std::string text = verdict.sentence + "\n";
-  for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
-  return text;
 }
 
 }  // namespace moldlight

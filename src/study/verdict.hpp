@@ -64,7 +64,5 @@ struct VerdictFacts {
 /// {"state", "sentence", "undercuts", "undercut_area", "unreleased_area", "specks": {"number", "area"},
 /// "actions": {"slide": 2}, "reasons"}.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
-/// Sentence and reasons for a terminal, a line each.
-[[nodiscard]] std::string verdict_text(const Verdict& verdict);
 
 }  // namespace moldlight

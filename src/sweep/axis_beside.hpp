@@ -1,5 +1,5 @@
 // The axis of the part that a direction leans from by less than the required draft: walls along it lean back
-// for that direction, which undercut alone does not always tell.
+// for that direction, which undercut alone does not always show.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,7 @@ struct BasinSearch {
   const DirectionRating& rating;
   ScoringPool& rays;
   const SweepClock& clock;
-  /// Told of every direction tried, in an order that does not depend on the number of threads.
+  /// Called with every direction tried, in an order that does not depend on the number of threads.
   std::function<void(const EvaluatedDirection&)> evaluated;
 };
 

@@ -26,7 +26,7 @@ struct Contender {
   [[nodiscard]] bool canonical() const { return candidate.canonical.has_value(); }
 };
 
-/// What is told of a scored direction.
+/// What is handed over of a scored direction.
 [[nodiscard]] inline EvaluatedDirection evaluated_direction(const glm::dvec3& direction, CandidateKind kind,
                                                             const DirectionScore& score) {
   return {.direction = direction,

@@ -34,17 +34,23 @@ DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
   return found;
 }
 
+bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercuts) const {
+  return least_weight + per_area * undercuts.area > most ||
+         (beside && undercuts.area >= beside->area &&
+          (undercuts.count >= beside->count || undercuts.area > beside->area + worth));
+}
+
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
                                                                 const ActionLimit& limit,
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
-    if (std::isfinite(limit.most)) {
-      const Undercuts undercuts =
-          find_undercuts(model_, *split.split, exact_query(model_, split.query()), Progress(&progress));
+    if (std::isfinite(limit.most) || limit.beside) {
+      const Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
+                                                 Progress(&progress), settings_.least_travel_mm);
       const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       const UndercutTotals totals = totals_of(undercuts);
-      if (weight + limit.per_area * totals.area > limit.most)
+      if (limit.is_exceeded(weight, totals))
         return DirectionActions{
             .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
     }

@@ -39,6 +39,12 @@ struct DirectionActions {
 struct ActionLimit {
   double most = std::numeric_limits<double>::infinity();  // of their weight and what is added for the surface
   double per_area = 0.0;                                  // that they form, for the part's unit squared
+  /// Of a direction beside it whose side actions are known: as many undercuts, as large, need no fewer, nor
+  /// do those that are larger by more than `worth`, an area.
+  std::optional<UndercutTotals> beside = {};
+  double worth = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool is_exceeded(double least_weight, const UndercutTotals& undercuts) const;
 };
 
 class DirectionActionFinder {

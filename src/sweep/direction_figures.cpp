@@ -19,7 +19,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_least_told_deg = 0.01;
+constexpr double k_least_shown_deg = 0.01;
 // What is left of undercuts: beside weights of side actions.
 constexpr double k_small_rest = 1e-3;    // of the part's area
 constexpr double k_small_penalty = 4.0;  // more than any one action
@@ -130,27 +130,14 @@ std::optional<double> figure_value(const DirectionFigure& row, const SweepCandid
 std::string figure_text(const DirectionFigure& row, const PartModel& model, const SweepCandidate& candidate) {
   const auto value = figure_value(row, candidate);
   if (!value) return "-";
-  switch (row.kind) {
-    case FigureKind::area:
-      return (candidate.measured ? "" : "≈ ") + FigureColumn(model.geometry.total_area).text(*value);
-    case FigureKind::error:
-      return error_text(*value);
-    case FigureKind::per_cent:
-      return fmt::format("{:.2f}", *value);
-    case FigureKind::length:
-      return FigureColumn(10.0 * model.frame.diagonal).text(*value);
-    case FigureKind::count:
-      return fmt::format("{:.0f}", *value);
-    case FigureKind::force:
-      return figure(*value);
-    case FigureKind::actions:
-      return candidate.actions ? candidate.actions->text() : "-";
-    case FigureKind::angle:
-      if (*value >= k_widest_tilt_deg) return fmt::format("> {:g}°", k_widest_tilt_deg);
-      return *value < k_least_told_deg ? fmt::format("< {:g}°", k_least_told_deg)
-                                       : fmt::format("{:.2g}°", *value);
+  if (row.kind == FigureKind::actions) return candidate.actions ? candidate.actions->text() : "-";
+  if (row.kind == FigureKind::angle) {
+    if (*value >= k_widest_tilt_deg) return fmt::format("> {:g}°", k_widest_tilt_deg);
+    return *value < k_least_shown_deg ? fmt::format("< {:g}°", k_least_shown_deg)
+                                      : fmt::format("{:.2g}°", *value);
   }
-  return {};
+  return (row.kind == FigureKind::area && !candidate.measured ? "≈ " : "") +
+         FigureStyle(model).text(row.kind, *value);
 }
 
 std::string figure_aside(const DirectionFigure& row, const SweepCandidate& candidate) {
@@ -159,11 +146,8 @@ std::string figure_aside(const DirectionFigure& row, const SweepCandidate& candi
   return " to " + lean_text(candidate.classification.direction, tilt->toward);
 }
 
-std::string figure_heading(const DirectionFigure& row, const Part& part) {
-  const std::string label(row.label);
-  if (row.kind == FigureKind::area || row.kind == FigureKind::error)
-    return label + " " + powered_unit(part, 2);
-  return row.kind == FigureKind::length ? label + " " + length_unit(part) : label;
+std::string figure_heading(const DirectionFigure& row, const PartModel& model) {
+  return FigureStyle(model).heading(row.label, row.kind);
 }
 
 std::vector<const DirectionFigure*> figure_columns(const SweepResult& result) {

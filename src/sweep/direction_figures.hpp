@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "classify/figure_table.hpp"
 #include "classify/part_model.hpp"
 #include "parting/line_figures.hpp"
 #include "sweep/sweep_result.hpp"
@@ -19,7 +20,7 @@ namespace moldlight {
 struct DirectionFacts {
   const PartModel& model;
   const SweepSettings& settings;
-  const Classification& classification;  // what classify gives; before that what the score tells
+  const Classification& classification;  // what classify gives; before that what the score knows
   double draw_depth = 0.0;
   bool measured = false;                    // not by its score alone
   std::optional<std::size_t> patches = {};  // how many undercuts
@@ -28,10 +29,6 @@ struct DirectionFacts {
   const DirectionActions* actions = nullptr;  // once they are found
 };
 
-/// What a figure is a number of: this decides its unit, its digits, and what it is divided by as an
-/// objective. Error: how far an area may be off. Actions: weights of side actions, told in words.
-enum class FigureKind : std::uint8_t { area, error, per_cent, length, count, force, angle, actions };
-
 struct DirectionFigure {
   std::string_view key;    // in JSON
   std::string_view label;  // heads its column, wherever it is shown
@@ -39,7 +36,7 @@ struct DirectionFigure {
   std::string_view help;
   struct Use {
     bool objective = false;   // can be ranked by, under its key with - for _; less is better
-    bool classified = false;  // JSON has it among what classify tells
+    bool classified = false;  // JSON has it among what classify shows
     bool column = true;       // has a column in tables even where nothing is ranked by it
     bool brief = false;       // in narrow ones, too
     bool yields = false;      // but not beside side actions
@@ -64,7 +61,7 @@ struct DirectionFigure {
 /// What a table with room for it adds: " to +x-z", the side to which a pull may lean least.
 [[nodiscard]] std::string figure_aside(const DirectionFigure& figure, const SweepCandidate& candidate);
 /// "depth mm".
-[[nodiscard]] std::string figure_heading(const DirectionFigure& figure, const Part& part);
+[[nodiscard]] std::string figure_heading(const DirectionFigure& figure, const PartModel& model);
 /// The figures that have a column, or that the result is ranked by, and that are known of some candidate.
 [[nodiscard]] std::vector<const DirectionFigure*> figure_columns(const SweepResult& result);
 
@@ -73,7 +70,7 @@ void keep_brief(std::vector<const DirectionFigure*>& columns);
 
 /// "undercut", "draw-depth", …: what an objective is written with.
 [[nodiscard]] std::vector<std::string_view> objective_names();
-/// Whether side actions must be known to tell its value.
+/// Whether side actions must be known to show its value.
 [[nodiscard]] bool needs_actions(const Objective& objective);
 /// Whether a sweep finds side actions, for its objective or because it was asked to.
 [[nodiscard]] bool seeks_actions(const SweepSettings& settings);

@@ -27,13 +27,19 @@ void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredB
                                     const Progress& progress) const {
   const Query query{measured.classification.direction, method_};
   if (asked.patches && !measured.undercuts)
-    measured.undercuts =
-        count_undercuts(model_, exact_query(model_, query), measured.undercut_facets, progress);
+    measured.undercuts = count_undercuts(model_,
+                                         {.query = exact_query(model_, query),
+                                          .facets = measured.undercut_facets,
+                                          .least_travel_mm = asked.least_travel_mm},
+                                         progress);
   if (asked.parting && !measured.parting) measured.parting = line_figures(model_, query, progress);
 }
 
 void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {
-  arena_.execute([&] { find_beside(measured, {.patches = true, .parting = true}, progress); });
+  arena_.execute([&] {
+    find_beside(measured, {.patches = true, .parting = true, .least_travel_mm = beside_.least_travel_mm},
+                progress);
+  });
 }
 
 void DirectionMeasurer::find_lines(std::span<MeasuredDirection* const> measured, const Progress& progress) {

@@ -34,6 +34,7 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
       corners_.push_back(mesh.vertices[vertex] - model.frame.center);
     }
   }
+  beside_.least_travel_mm = settings.action_settings.least_travel_mm;
   by_actions_ = needs_actions(settings.objective);
   before_actions_ = settings.objective;
   for (Objective::Term& term : before_actions_.terms) {
@@ -49,14 +50,14 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
 
 Classification DirectionRating::classification(const glm::dvec3& direction,
                                                const DirectionScore& score) const {
-  Classification told;
-  told.settings = settings_.method;
-  told.direction = direction;
-  told.areas = score.areas;
-  told.total_area = model_.geometry.total_area;
-  told.shadow_area = score.shadow_area;
-  told.uncertainty.readout = score.undercut_error;
-  return told;
+  Classification noted;
+  noted.settings = settings_.method;
+  noted.direction = direction;
+  noted.areas = score.areas;
+  noted.total_area = model_.geometry.total_area;
+  noted.shadow_area = score.shadow_area;
+  noted.uncertainty.readout = score.undercut_error;
+  return noted;
 }
 
 DirectionFacts DirectionRating::facts(const Classification& classification,
@@ -96,9 +97,9 @@ RankedFigures DirectionRating::ranked(const Candidate& candidate, const Directio
 }
 
 RankedFigures DirectionRating::scored(const Candidate& candidate, const DirectionScore& score) const {
-  const Classification told = classification(candidate.direction, score);
+  const Classification noted = classification(candidate.direction, score);
   // What is known of a direction given up is that it is worse: it ties with nothing.
-  return ranked(candidate, facts(told, nullptr), score.given_up ? 0.0 : score.undercut_error);
+  return ranked(candidate, facts(noted, nullptr), score.given_up ? 0.0 : score.undercut_error);
 }
 
 RankedFigures DirectionRating::measured(const Candidate& candidate, const MeasuredDirection& measured,

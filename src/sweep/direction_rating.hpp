@@ -42,9 +42,9 @@ class DirectionRating {
   [[nodiscard]] const MeasuredBeside& beside() const { return beside_; }
   [[nodiscard]] bool by_actions() const { return by_actions_; }
 
-  /// What a score tells of what classify would give.
+  /// What a score knows of what classify would give.
   [[nodiscard]] Classification classification(const glm::dvec3& direction, const DirectionScore& score) const;
-  /// `measured`: null where the classification is what a score tells. The facts refer to the classification.
+  /// `measured`: null where the classification is what a score knows. The facts refer to the classification.
   [[nodiscard]] DirectionFacts facts(const Classification& classification,
                                      const MeasuredDirection* measured) const;
 

@@ -36,7 +36,7 @@ class ListingLimit {
   std::vector<Scored> below_;  // what may still matter, by undercut
 };
 
-/// How many contenders are listed, and how close they are told from each other.
+/// How many contenders are listed, and how near to each other they may be.
 struct ListingRules {
   std::size_t most = 1;
   double apart_deg = 3.0;

@@ -58,7 +58,7 @@ std::string per_cent(double share) {
   return fmt::format(fmt::runtime(share < 0.095 ? "{:.2g}" : "{:.0f}"), 100.0 * share);
 }
 
-/// A figure in which two directions may differ, told of the one.
+/// A figure in which two directions may differ, as shown for the one.
 struct Difference {
   double by = 0.0;  // in bands; less is better
   std::string text;
@@ -76,12 +76,16 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
 
 std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
   const double by_formed = one.formed - other.formed;
+  const double by_room = one.without_room - other.without_room;
   return {difference(found, one, other),
           difference(unreleased, one, other),
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other)},
           {k_effort_of_formed * by_formed / mold_band(effort),
            fmt::format("its side actions form {} % of the surface {}", per_cent(std::abs(by_formed)),
                        by_formed > 0.0 ? "more" : "less")},
+          {by_room / mold_band(unreleased),
+           fmt::format("lifters without room to move form {} % of the surface {}",
+                       per_cent(std::abs(by_room)), by_room > 0.0 ? "more" : "less")},
           difference(line, one, other),
           difference(draft, one, other),
           difference(undercut, one, other),
@@ -93,9 +97,16 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 double mold_effort(const MoldCost& cost) {
   constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
   constexpr double k_weight_of_rest = 4;  // more than any one side action
-  const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
-  return rest + cost.weight + k_effort_of_formed * cost.formed + k_effort_of_draft * cost.of(draft) +
-         std::min(1.0, cost.of(line));
+  // Lifters without room release nothing unless the part changes: what they form is a rest, the sooner the
+  // more of it there is.
+  const double rest = k_weight_of_rest * std::max(cost.of(unreleased) > k_least_left ? 1.0 : 0.0,
+                                                  std::min(1.0, cost.without_room / mold_band(unreleased)));
+  return rest + cost.weight + k_effort_of_formed * cost.formed + effort_on_its_side(cost.formed) +
+         k_effort_of_draft * cost.of(draft) + std::min(1.0, cost.of(line));
+}
+
+double effort_on_its_side(double formed) {
+  return k_effort_on_its_side * std::max(0.0, formed - k_on_its_side);
 }
 
 double mold_band(MoldCriterion criterion) { return k_facts[static_cast<std::size_t>(criterion)].band; }

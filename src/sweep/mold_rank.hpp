@@ -16,7 +16,7 @@ namespace moldlight {
 enum class MoldCriterion : std::uint8_t {
   found,       // 1 for a direction that the part's shape does not name, beside one that it names and that
                // costs no more
-  unreleased,  // surface that no side action releases that has room, share of the part's
+  unreleased,  // surface that no side action releases, share of the part's
   effort,      // weight of the side actions, and what is added to it, see mold_effort()
   line,        // climb and steep steps of the parting line, share of the diagonal
   draft,       // surface with too little draft or with reverse draft, share of the part's
@@ -32,6 +32,7 @@ struct MoldCost {
   double weight = 0.0;                               // of side actions
   double formed = 0.0;                               // by them, share of the part's surface
   std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
+  double without_room = 0.0;                         // of formed, by lifters that lack the room to move
 
   [[nodiscard]] double of(MoldCriterion criterion) const {
     return values[static_cast<std::size_t>(criterion)];
@@ -41,12 +42,19 @@ struct MoldCost {
 
 /// Of the surface that side actions form, as a share: each fifth weighs as much as a slide.
 inline constexpr double k_effort_of_formed = 5.0;
+/// What a part that lies on its side in the mold leaves to them: of what is formed beyond a quarter of the
+/// surface each fortieth weighs as much as a slide.
+inline constexpr double k_on_its_side = 0.25, k_effort_on_its_side = 40.0;
 /// Of surface without draft, as a share: half of it weighs as much as a slide.
 inline constexpr double k_effort_of_draft = 2.0;
-/// The weight of side actions, with what they form, the draft that is missing, the climb of the line, which
-/// is never more than a slide, and more than any one action where something is left unreleased: few slides
-/// are no gain where the part lies on its side in the mold. Set the other figures before.
+/// The weight of side actions, with what they form, the room that they lack, the draft that is missing, the
+/// climb of the line, which is never more than a slide, and more than any one action where something is left
+/// unreleased: few slides are no gain where the part lies on its side in the mold. Set the other figures
+/// before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
+
+/// What of it comes from lying on its side, for the share that side actions form.
+[[nodiscard]] double effort_on_its_side(double formed);
 
 /// Figures that differ by less tie.
 [[nodiscard]] double mold_band(MoldCriterion criterion);

@@ -35,8 +35,8 @@ MoldCost MoldRanking::cost(const Contender& contender) const {
   cost.counts = contender.actions->totals.counts;
   cost.canonical = contender.canonical();
   cost.weight = contender.actions->weight;
-  cost.of(MoldCriterion::unreleased) =
-      (contender.actions->totals.unreleased_area + contender.actions->without_room) / area;
+  cost.of(MoldCriterion::unreleased) = contender.actions->totals.unreleased_area / area;
+  cost.without_room = contender.actions->without_room / area;
   cost.formed = contender.actions->formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (found.near_vertical_area + found.reverse_draft.area) / area;
@@ -50,24 +50,42 @@ MoldCost MoldRanking::cost(const Contender& contender) const {
   return cost;
 }
 
-void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
+ActionLimit MoldRanking::limit(const Contender& contender) const {
   const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
+  const Classification& known = contender.measured->classification;
+  const double without_draft = (known.near_vertical_area + known.reverse_draft.area) / area;
+  // What is left unreleased is no more than what ties.
+  const double formed = known.areas[Region::undercut] / area - mold_band(MoldCriterion::unreleased);
+  ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
+                            k_effort_of_draft * without_draft - effort_on_its_side(formed),
+                    .per_area = k_effort_of_formed / area,
+                    .worth = 0.01 * settings_.worth_pct * area};
+  if (contender.candidate.from_user()) return limit;
+  // What is found beside it is listed for fewer side actions alone.
+  const double beside_deg = contender.canonical() ? k_same_place_deg : k_beside_deg;
+  for (const Released& each : released_) {
+    if (line_angle_deg(each.direction, contender.candidate.direction) > beside_deg) continue;
+    if (!limit.beside || each.undercuts.area < limit.beside->area) limit.beside = each.undercuts;
+  }
+  return limit;
+}
+
+void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
   std::vector<Contender*> open;
   for (Contender& contender : contenders) {
     if (contender.measured && !contender.cost) open.push_back(&contender);
   }
-  for (std::size_t first = 0; first < open.size() && !clock_.stopped(); first += k_together) {
+  for (std::size_t first = 0; first < open.size() && !clock_.stopped();) {
     clock_.report(sweep_stage::k_actions, static_cast<double>(first) / static_cast<double>(open.size()));
-    const auto batch = std::span(open).subspan(first, std::min(k_together, open.size() - first));
+    // Until one sets a limit, each is looked at by itself.
+    const std::size_t together = std::isfinite(least_effort_) ? k_together : 1;
+    const auto batch = std::span(open).subspan(first, std::min(together, open.size() - first));
+    first += batch.size();
     std::vector<glm::dvec3> directions;
     std::vector<ActionLimit> limits;
     for (const Contender* contender : batch) {
-      const Classification& known = contender->measured->classification;
       directions.push_back(contender->candidate.direction);
-      limits.push_back(
-          {.most = least_effort_ + mold_band(MoldCriterion::effort) -
-                   k_effort_of_draft * (known.near_vertical_area + known.reverse_draft.area) / area,
-           .per_area = k_effort_of_formed / area});
+      limits.push_back(limit(*contender));
     }
     if (to_the_end) limits.clear();
     const auto found = actions_.find(
@@ -93,6 +111,8 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
       contender.cost = cost(contender);
       if (contender.cost->of(MoldCriterion::unreleased) > mold_band(MoldCriterion::unreleased)) continue;
       least_effort_ = std::min(least_effort_, contender.cost->of(MoldCriterion::effort));
+      if (contender.canonical())
+        released_.push_back({contender.candidate.direction, contender.actions->undercuts});
       free_ = free_ || (contender.canonical() && contender.cost->weight <= 0.0);
     }
   }
@@ -127,8 +147,15 @@ const Contender* MoldRanking::stands_for(const std::vector<Contender>& contender
       if (found.canonical()) return nullptr;
       continue;
     }
-    if (!other.canonical() || !other.cost) continue;
+    if (!other.canonical()) continue;
     const double angle = angle_deg(other, found);
+    if (!other.cost) {
+      // Given up: it weighs at least so much.
+      if (angle <= k_same_place_deg && found.cost && !found.canonical() && other.actions &&
+          found.cost->weight >= other.actions->weight)
+        return &other;
+      continue;
+    }
     if (angle > (found.canonical() ? k_same_place_deg : k_beside_deg)) continue;
     if (found.canonical() ? !found.cost || costs_no_more(*other.cost, *found.cost)
                           : !found.cost || !is_worth(found, other))
@@ -149,6 +176,13 @@ BesideDirection MoldRanking::beside(const Contender& contender, const Contender&
   if (contender.measured && contender.measured->parting)
     found.climb = contender.measured->parting->outer_climb;
   return found;
+}
+
+void MoldRanking::Listed::cut_to(std::size_t most) {
+  if (contenders.size() <= most) return;
+  contenders.erase(contenders.begin() + static_cast<std::ptrdiff_t>(most), contenders.end());
+  ties.resize(most);
+  reasons.resize(most);
 }
 
 MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const {

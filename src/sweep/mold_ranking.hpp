@@ -42,11 +42,21 @@ class MoldRanking {
     std::vector<Contender> contenders;
     std::vector<bool> ties;  // with the one before
     std::vector<std::vector<std::string>> reasons;
+
+    void cut_to(std::size_t most);
   };
   [[nodiscard]] Listed listed(std::vector<Contender> contenders) const;
 
  private:
+  /// A canonical direction of which side actions release all of its undercuts, but for what ties.
+  struct Released {
+    glm::dvec3 direction;
+    UndercutTotals undercuts;
+  };
+
   [[nodiscard]] MoldCost cost(const Contender& contender) const;
+  /// Where its side actions are not worth looking for, beside what is known.
+  [[nodiscard]] ActionLimit limit(const Contender& contender) const;
   [[nodiscard]] bool is_worth(const Contender& found, const Contender& canonical) const;
   [[nodiscard]] BesideDirection beside(const Contender& contender, const Contender& of) const;
   void put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const;
@@ -60,6 +70,7 @@ class MoldRanking {
   DirectionMeasurer& measurer_;
   DirectionActionFinder& actions_;
   double least_effort_ = std::numeric_limits<double>::infinity();  // of those that leave nothing unreleased
+  std::vector<Released> released_;
   bool free_ = false;
 };
 

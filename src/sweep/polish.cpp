@@ -86,7 +86,7 @@ class Descent {
       DirectionScore exact;
       exact.areas = measured[k]->classification.areas;
       exact.undercut_error = measured[k]->classification.uncertainty.rounding;
-      tell(found.candidate.direction, exact);
+      note(found.candidate.direction, exact);
       if (found.figures.value >= best_.figures.value - k_gain) continue;
       found.measured = std::make_shared<const MeasuredDirection>(*measured[k]);
       best_ = std::move(found);
@@ -109,7 +109,7 @@ class Descent {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       if (!scores[k]) continue;
       if (scores[k]->given_up) {
-        tell(directions[k], *scores[k]);
+        note(directions[k], *scores[k]);
       } else {
         kept.push_back({directions[k], *scores[k]});
       }
@@ -117,7 +117,7 @@ class Descent {
     return kept;
   }
 
-  void tell(const glm::dvec3& direction, const DirectionScore& score) const {
+  void note(const glm::dvec3& direction, const DirectionScore& score) const {
     polishing_.evaluated(evaluated_direction(half_sphere(direction), CandidateKind::refined, score));
   }
 

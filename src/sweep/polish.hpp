@@ -22,7 +22,7 @@ struct Polishing {
   ScoringPool& rays;
   DirectionMeasurer& measurer;
   const SweepClock& clock;
-  /// Told of every direction tried, in an order that does not depend on the number of threads.
+  /// Called with every direction tried, in an order that does not depend on the number of threads.
   std::function<void(const EvaluatedDirection&)> evaluated;
 };
 

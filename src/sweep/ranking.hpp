@@ -18,7 +18,7 @@ struct RankedFigures {
   bool exact = false;  // a direction given by the user or by a feature of the part, not by search
 };
 
-/// Sizes of the part beside which rounding is told.
+/// Sizes of the part beside which rounding is known.
 struct PartMeasure {
   double area = 1.0;      // model units squared
   double diagonal = 1.0;  // model units

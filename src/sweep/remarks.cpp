@@ -31,8 +31,7 @@ std::string difference_text(const PartModel& model, const SweepCandidate& than,
 std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool by_molds) {
   const double error = best.classification.uncertainty.total();
   if (undercut_area(best) <= error) {
-    return fmt::format("The best direction has no undercut that could be told from none (± {}).",
-                       area_text(model, error));
+    return "The best direction has no undercut.";
   }
   const auto count = figure_value(direction_figure("patches"), best);
   const std::string patches = !count ? ""
@@ -57,8 +56,8 @@ void remark_on_actions(const PartModel& model, const SweepResult& result, std::v
       result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
   if (unknown > 0 && result.settings.rank == SweepRank::mold && result.complete) {
     remarks.push_back(fmt::format(
-        "{} of the directions listed certainly need heavier side actions; which was not looked for.",
-        unknown));
+        "{} of the directions listed certainly need{} heavier side actions; what {} was not found out.",
+        unknown, unknown == 1 ? "s" : "", unknown == 1 ? "it needs" : "they need"));
   } else if (unknown > 0) {
     remarks.push_back(
         fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,

@@ -6,8 +6,8 @@ namespace moldlight {
 
 namespace {
 
-/// Rays start above their facet by the rounding of coordinates, which saves telling the facet's own hit from
-/// others. Surfaces that touch count as free here; classify tells them apart.
+/// Rays start above their facet by the rounding of coordinates, which saves distinguishing the facet's own
+/// hit from others. Surfaces that touch count as free here; classify distinguishes them.
 constexpr float k_start_above = 5e-7F;
 
 }  // namespace

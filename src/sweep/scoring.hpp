@@ -17,7 +17,7 @@ class ScoringPool {
  public:
   /// Makes a scorer; called on the thread that will use it.
   using MakeScorer = std::function<std::unique_ptr<DirectionScorer>()>;
-  /// Told of every score, in any order, one call at a time.
+  /// Called with every score, in any order, one call at a time.
   using Listener = std::function<void(std::size_t index, const DirectionScore& score)>;
 
   /// Makes do with the threads that could be started; throws std::system_error where none could.

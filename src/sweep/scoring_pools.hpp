@@ -20,7 +20,7 @@ class ScoringPools {
   [[nodiscard]] const std::string& description() const { return description_; }
   /// For ranking many directions.
   [[nodiscard]] ScoringPool& engine();
-  /// For telling near directions from each other: exact rays from the same surface samples for every
+  /// For distinguishing near directions: exact rays from the same surface samples for every
   /// direction.
   [[nodiscard]] ScoringPool& rays();
   /// One of the scorers of rays(), for a thread of the caller's.

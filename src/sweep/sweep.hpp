@@ -2,7 +2,6 @@
 // top of them classified with the user's settings.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,11 +10,6 @@
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
-
-/// What a sweep tells while it runs, from its own threads, one call at a time.
-struct SweepListener {
-  std::function<void(const EvaluatedDirection&)> evaluated;
-};
 
 /// Runs a sweep on the calling thread and `settings.jobs` others. What is listed has exact figures, whatever
 /// the method's readout. Cancelling the progress or running into the time limit ends the sweep early: what is

@@ -1,4 +1,4 @@
-// The clock of a sweep: when it has to stop, and what it tells meanwhile.
+// The clock of a sweep: when it has to stop, and what it shows meanwhile.
 #pragma once
 
 #include <atomic>

@@ -109,7 +109,7 @@ ContactTile contact_tile(const PartModel& model, const SweepCandidate& candidate
   if (!candidate.tie.empty()) tile.remark = fmt::format("tie {}", candidate.tie);
   for (const std::string_view key : k_tile_figures) {
     tile.figures.push_back(
-        {figure_heading(direction_figure(key), model.part), picture_text(key, model, candidate)});
+        {figure_heading(direction_figure(key), model), picture_text(key, model, candidate)});
   }
   tile.figures.front().value += " ± " + picture_text("undercut_uncertainty", model, candidate);
   tile.reasons = shorter_reasons(candidate.candidate);

@@ -15,7 +15,7 @@ namespace {
 /// Longest side of the pieces that a proof by area begins with, unit frame, and how many there may be.
 constexpr double k_longest_piece = 0.1;
 constexpr std::size_t k_most_pieces = 400'000;
-/// Points that tell a proof by area where to look.
+/// Points that show a proof by area where to look.
 constexpr int k_guides = 20'000;
 constexpr double k_level_95 = 2.0;  // standard errors
 

@@ -1,8 +1,5 @@
 #include "sweep/sweep_report.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -134,69 +131,6 @@ Json proof_json(const SweepProof& proof, bool with_undercuts) {
           {"elapsed_s", proof.elapsed_s}};
 }
 
-/// Rows of cells, each column as wide as its widest cell, all but the first `left` and the last set to the
-/// right.
-class TextTable {
- public:
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-
-  [[nodiscard]] std::string text(const std::vector<bool>& left) const {
-    std::vector<std::size_t> widths(rows_.front().size(), 0);
-    for (const auto& row : rows_) {
-      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns(row[c]));
-    }
-    std::string text;
-    for (const auto& row : rows_) {
-      std::string line;
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        const std::string padding(widths[c] - columns(row[c]), ' ');
-        if (c > 0) line += "  ";
-        line += left[c] ? row[c] + padding : padding + row[c];
-      }
-      line.erase(line.find_last_not_of(' ') + 1);
-      text += line + '\n';
-    }
-    return text;
-  }
-
- private:
-  /// Columns of a terminal: bytes that begin a character of UTF-8.
-  static std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  }
-
-  std::vector<std::vector<std::string>> rows_;
-};
-
-std::string candidate_table(const PartModel& model, const SweepResult& result, TableWidth width) {
-  const bool wide = width == TableWidth::all;
-  std::vector<const DirectionFigure*> columns = figure_columns(result);
-  if (!wide) keep_brief(columns);
-  TextTable table;
-  std::vector<std::string> head = {"#", "tie", "direction"};
-  const std::size_t before_figures = head.size();
-  for (const DirectionFigure* column : columns) head.push_back(figure_heading(*column, model.part));
-  if (wide) head.insert(head.end(), {"Pareto", "vector", "why"});
-  std::vector<bool> left(head.size(), false);
-  left[1] = left[2] = true;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    left[before_figures + k] = columns[k]->kind == FigureKind::actions;
-  left.back() = left.back() || wide;
-  table.add(std::move(head));
-  for (const SweepCandidate& candidate : result.candidates) {
-    std::vector<std::string> row = {fmt::format("{}", candidate.rank), candidate.tie,
-                                    direction_words(candidate.classification.direction)};
-    for (const DirectionFigure* column : columns)
-      row.push_back(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
-    if (wide)
-      row.insert(row.end(), {candidate.pareto ? "*" : "", direction_text(candidate.classification.direction),
-                             reasons_text(candidate.candidate)});
-    table.add(std::move(row));
-  }
-  return table.text(left);
-}
-
 }  // namespace
 
 Json sweep_json(const PartModel& model, const SweepResult& result) {
@@ -217,21 +151,6 @@ Json sweep_json(const PartModel& model, const SweepResult& result) {
   if (result.proof) json["proof"] = proof_json(*result.proof, false);
   if (result.all_free) json["all_free"] = proof_json(*result.all_free, true);
   return json;
-}
-
-std::string sweep_table(const PartModel& model, const SweepResult& result, TableWidth width) {
-  std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {} facets, {}\narea {} {}, box {} {}\n", part_name(model.part),
-                 model.health.facets, model.health.closed ? "closed" : "not closed",
-                 figure(model.geometry.total_area), powered_unit(model.part, 2),
-                 figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal),
-                 length_unit(model.part));
-  fmt::format_to(out, "{} directions scored by {}, {} dropped as surely worse{}\n\n", result.evaluated.size(),
-                 result.engine, result.skipped, result.complete ? "" : "; not complete");
-  if (!result.candidates.empty()) text += candidate_table(model, result, width) + '\n';
-  for (const std::string& remark : result.remarks) text += remark + '\n';
-  return text;
 }
 
 void write_direction_csv(const std::string& path, const SweepResult& result) {

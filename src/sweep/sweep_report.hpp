@@ -16,12 +16,6 @@ namespace moldlight {
 /// nothing with the number of threads.
 [[nodiscard]] nlohmann::ordered_json sweep_json(const PartModel& model, const SweepResult& result);
 
-/// Narrow: what fits a terminal of 80 columns; all: every figure, and what speaks for each direction.
-enum class TableWidth : std::uint8_t { narrow, all };
-
-/// The listed directions, best first, and the remarks.
-[[nodiscard]] std::string sweep_table(const PartModel& model, const SweepResult& result, TableWidth width);
-
 /// Writes `x,y,z,kind,undercut,undercut_error,given_up`, a line for every scored direction in the order of
 /// scoring, every number in the shortest form that reads back the same; whole or not at all. Throws FileError
 /// where it cannot be written.

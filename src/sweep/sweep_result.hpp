@@ -1,6 +1,7 @@
 // What a sweep finds. Lengths and areas are in the part's unit.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ struct EvaluatedDirection {
   double undercut = 0.0;
   double undercut_error = 0.0;  // 95 % level
   bool given_up = false;        // scored only until it was certain not to be listed: the figures are rough
+};
+
+/// What a sweep shows while it runs, from its own threads, one call at a time.
+struct SweepListener {
+  std::function<void(const EvaluatedDirection&)> evaluated;
 };
 
 /// How far the pull may lean before the undercut grows by more than the settings' share of the part's area.

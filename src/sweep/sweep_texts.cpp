@@ -19,15 +19,16 @@ void mark_ties(std::vector<SweepCandidate>& candidates) {
 }
 
 std::string reasons_text(const Candidate& candidate, std::size_t most) {
-  std::vector<const CandidateSource*> told;
+  std::vector<const CandidateSource*> noted;
   for (const CandidateSource& source : candidate.sources) {
     const bool known =
-        std::any_of(told.begin(), told.end(), [&](const auto* s) { return s->kind == source.kind; });
-    if (!known) told.push_back(&source);
+        std::any_of(noted.begin(), noted.end(), [&](const auto* s) { return s->kind == source.kind; });
+    if (!known) noted.push_back(&source);
   }
   std::string text;
-  for (std::size_t i = 0; i < std::min(told.size(), most); ++i) text += (i > 0 ? "; " : "") + told[i]->reason;
-  if (told.size() > most) text += fmt::format("; {} more", told.size() - most);
+  for (std::size_t i = 0; i < std::min(noted.size(), most); ++i)
+    text += (i > 0 ? "; " : "") + noted[i]->reason;
+  if (noted.size() > most) text += fmt::format("; {} more", noted.size() - most);
   return text;
 }
 

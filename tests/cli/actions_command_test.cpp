@@ -29,7 +29,7 @@ class Actions : public ::testing::Test {
 TEST_F(Actions, AreToldInATable) {
   const auto run = run_moldlight(actions({}));
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("side actions: 1 slide\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nslide 1, recess "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("travel mm"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("No cheaper set"), std::string::npos) << run.out;
 }
@@ -38,7 +38,7 @@ TEST_F(Actions, AreToldInJson) {
   const auto run = run_moldlight(actions({"--json", "-", "--clearance", "5"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(run.out);
-  EXPECT_EQ(json["schema"], "moldlight.actions/1");
+  EXPECT_EQ(json["schema"], "moldlight.actions/2");
   EXPECT_EQ(json["settings"]["clearance_mm"], 5.0);
   EXPECT_EQ(json["settings"]["tau_deg"], 1.0);
   ASSERT_EQ(json["patches"].size(), 1U);

@@ -56,5 +56,41 @@ TEST_F(BaselineFlags, RefuseWhatMakesNoSense) {
   EXPECT_EQ(mesh.error_lines(), 1U) << mesh.err;
 }
 
+TEST(Gates, HoldOfWhatIsNowWithoutABaseline) {
+  const SmallPart part;
+  const auto run = [&](const std::string& command, const std::string& criteria) {
+    std::vector<std::string> words = {command, part.file(), "--fail-on", criteria, "--quiet"};
+    if (command != "sweep") words.insert(words.end(), {"--direction", "x"});
+    return run_moldlight(words);
+  };
+  for (const std::string command : {"classify", "actions", "mold"}) {
+    EXPECT_EQ(run(command, "undercuts > 0").exit_code, 3) << command;
+    EXPECT_EQ(run(command, "undercuts > 9, undercut > 100%").exit_code, 0) << command;
+  }
+  EXPECT_EQ(run("actions", "actions > 0").exit_code, 3);
+  EXPECT_EQ(run("actions", "lifters > 40, slides > 40, unreleased > 100%").exit_code, 0);
+  EXPECT_EQ(run("mold", "steel-on-steel >= 0").exit_code, 3);
+  EXPECT_EQ(run("sweep", "undercut >= 0").exit_code, 3);
+  const auto of_change = run("classify", "undercut > +1%");
+  EXPECT_EQ(of_change.exit_code, 2);
+  EXPECT_NE(of_change.err.find("give --baseline"), std::string::npos) << of_change.err;
+  EXPECT_EQ(run("mold", "slopes > 1").exit_code, 2) << "no figure of that name";
+}
+
+TEST(Gates, CompareSideActionsAndMoldsWithEarlierOnes) {
+  const SmallPart part;
+  for (const std::string command : {"actions", "mold"}) {
+    const std::string before = part.output(command + ".json");
+    ASSERT_EQ(run_moldlight({command, part.file(), "-d", "x", "-q", "--json", before}).exit_code, 0);
+    const auto same = run_moldlight({command, part.file(), "-d", "x", "-q", "--baseline", before, "--fail-on",
+                                     "undercut > +0, core > +0"});
+    EXPECT_EQ(same.exit_code, command == "mold" ? 0 : 2) << command << same.err << "actions have no core";
+    const auto turned =
+        run_moldlight({command, part.file(), "-d", "z", "-q", "--baseline", before, "--json", "-"});
+    ASSERT_EQ(turned.exit_code, 0) << turned.err;
+    EXPECT_TRUE(json_of(turned.out)["baseline"]["figures"].contains("undercut"));
+  }
+}
+
 }  // namespace
 }  // namespace moldlight

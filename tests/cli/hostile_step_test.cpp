@@ -103,6 +103,20 @@ TEST_F(HostileStep, OnStdinIsReadFromTheFileBehindIt) {
   expect_one_line(with_stdin("cat \"$2\" | \"$1\" info /dev/stdin"), "a pipe");
 }
 
+/// A reader that a file has taken over hands back without end.
+TEST_F(HostileStep, WhatComesBackIsBounded) {
+  const fs::path program = folder_.path() / "moldlight";
+  fs::copy_file(MOLDLIGHT_BINARY, program);
+  const fs::path reader = folder_.write("moldlight-step", "#!/bin/sh\nexec cat /dev/zero >&3\n");
+  fs::permissions(reader, fs::perms::owner_all);
+  const std::string part = (test::data_folder() / "pins_assembly_mm.step").string();
+  test::ProcessSettings settings;
+  settings.address_space_limit = 500 * k_mib;
+  const auto run = test::Process({program.string(), "info", part, "--max-facets", "1000"}, settings).finish();
+  expect_one_line(run, "zeros without end");
+  EXPECT_NE(run.err.find("breaks the STEP reader"), std::string::npos) << run.err;
+}
+
 pid_t child_of(pid_t parent) {
   std::error_code ignored;
   for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(parent) + "/task", ignored)) {
@@ -154,6 +168,16 @@ class LongStep : public HostileStep {
   std::unique_ptr<test::Process> process_;
   pid_t reader_ = 0;
 };
+
+TEST_F(LongStep, ReadsAnOpenFileBehindAFilter) {
+  const std::string folder = "/proc/" + std::to_string(reader_);
+  const auto filtered = [&] {
+    return test::file_bytes(folder + "/status").find("Seccomp:\t2\n") != std::string::npos;
+  };
+  EXPECT_TRUE(comes_true(filtered, std::chrono::seconds(20)));
+  EXPECT_EQ(fs::read_symlink(folder + "/fd/4").filename(), "doubled.step");
+  EXPECT_EQ(test::file_bytes(folder + "/cmdline").find("doubled.step"), std::string::npos);
+}
 
 TEST_F(LongStep, EndsWithItsReaderAtAnInterrupt) {
   for (const int signal : {SIGINT, SIGTERM}) {

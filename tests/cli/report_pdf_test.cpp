@@ -42,7 +42,7 @@ Words figure_words(const std::string& html) {
   static const std::regex k_figure(R"re(<data data-key="[^"]+" value="[^"]+">([^<]*)</data>)re");
   Words words;
   for (std::sregex_iterator it(html.begin(), html.end(), k_figure), end; it != end; ++it)
-    add_words((*it)[1], words);
+    add_words(std::regex_replace((*it)[1].str(), std::regex("&lt;"), "<"), words);
   return words;
 }
 

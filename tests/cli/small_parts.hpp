@@ -50,7 +50,7 @@ class SmallParts {
   [[nodiscard]] nlohmann::ordered_json status(const std::string& name = "night") const {
     return json_of(batch("status", {"--json", "-"}, name).out);
   }
-  /// The results by their file's name below the batch, without what tells when and how fast they were made.
+  /// The results by their file's name below the batch, without what shows when and how fast they were made.
   [[nodiscard]] std::map<std::string, nlohmann::ordered_json> results(
       const std::string& name = "night") const {
     namespace fs = std::filesystem;

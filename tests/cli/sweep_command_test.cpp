@@ -54,7 +54,7 @@ TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
   const auto run = run_moldlight(part.sweep());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  for (const char* word : {"cup.obj: ", "undercut unit²", "± unit²", "undercuts"})
+  for (const char* word : {"\ncup.obj best along ", "undercut unit²", "± unit²", "undercuts"})
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
   // The sentences below it are the terminal's to break.
   std::istringstream lines(run.out.substr(0, run.out.find("\n\n", run.out.find("\n\n") + 1)));

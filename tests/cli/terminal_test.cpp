@@ -28,7 +28,7 @@ test::ProcessResult run_on_terminal(const std::vector<std::string>& arguments,
 TEST(Terminal, ShowsColoursUnlessAskedNotTo) {
   if (!std::filesystem::exists("/usr/bin/script")) GTEST_SKIP() << "nothing here makes a terminal";
   const SmallPart part;
-  const std::string red = "\033[31mundercut";
+  const std::string red = "\033[31mUndercut";
   ProcessSettings settings;
   settings.removed_environment = {"NO_COLOR"};
   settings.environment = {"TERM=xterm"};

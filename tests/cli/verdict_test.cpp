@@ -1,4 +1,4 @@
-// One verdict: every command that tells one says the same of a part and a direction, in JSON and in text.
+// One verdict: every command that shows one says the same of a part and a direction, in JSON and in text.
 #include <filesystem>
 #include <fstream>
 
@@ -24,7 +24,7 @@ nlohmann::ordered_json report(const std::string& part, std::vector<std::string> 
   return json_of(run.out);
 }
 
-/// Of the counts, which none may tell in another way.
+/// Of the counts, which none may show in another way.
 void expect_same_counts(const nlohmann::ordered_json& a, const nlohmann::ordered_json& b,
                         const std::string& what) {
   EXPECT_EQ(a["undercuts"], b["undercuts"]) << what;

@@ -72,7 +72,7 @@ class WindowTest(unittest.TestCase):
         self.models, self.document = models, FreeCAD.newDocument("Test")
         self.document.UndoMode = 1
         self.messages, self.panels = [], []
-        patches = [mock.patch.object(task, "tell", self.messages.append)]
+        patches = [mock.patch.object(task, "say", self.messages.append)]
         for command in commands.COMMANDS[:-1]:
             patches.append(mock.patch.object(command, "make_panel", self.keeping(command.make_panel)))
         for patch in patches:

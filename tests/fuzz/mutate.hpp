@@ -6,7 +6,7 @@
 
 namespace moldlight::fuzz {
 
-/// One to four changes, told by the seed alone: bits, bytes, numbers, words, runs cut out, doubled or
+/// One to four changes, given by the seed alone: bits, bytes, numbers, words, runs cut out, doubled or
 /// swapped, ends cut.
 [[nodiscard]] std::string mutate(std::string bytes, std::uint64_t seed);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t k_most_facets = 24;
 constexpr std::array<double, 4> k_jitters = {0.0, 1e-2, 1e-4, 1e-6};
-/// None that facets of the grid have: rounding would tell their class.
+/// None that facets of the grid have: rounding would show their class.
 constexpr std::array<double, 4> k_taus_deg = {1.0, 0.1, 5.0, 29.0};
 constexpr std::array<double, 4> k_laterals = {1.0 / 2048.0, 0.01, 0.1, 0.03};
 

@@ -74,7 +74,7 @@ class FaintTexts {
     }
     EXPECT_GT(seen, 3U) << where;
   }
-  void tell() const {
+  void note() const {
     for (const auto& [text, where] : faint_) ADD_FAILURE() << text << " has a contrast of " << where;
   }
 
@@ -95,7 +95,7 @@ TEST_F(Contrast, OfEveryTextIsEnoughInBothThemes) {
       faint.check(window, fmt::format("{}, {}", scenery, dark ? "dark" : "light"));
     }
   });
-  faint.tell();
+  faint.note();
 }
 
 TEST(StartPageContrast, IsEnoughInBothThemes) {
@@ -108,7 +108,7 @@ TEST(StartPageContrast, IsEnoughInBothThemes) {
     window.settle();
     faint.check(window, theme == Theme::dark ? "dark" : "light");
   }
-  faint.tell();
+  faint.note();
 }
 
 }  // namespace

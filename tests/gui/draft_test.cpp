@@ -70,7 +70,7 @@ TEST_F(Draft, AWallIsLookedAtAndItsFootShown) {
   EXPECT_EQ(state().face->number, wall.face);
   EXPECT_NE(state().camera.height, before);
   EXPECT_TRUE(says("foot"));
-  // Its middle is seen; there the cursor tells what to do.
+  // Its middle is seen; there the cursor shows what to do.
   const auto& [from, to] = *wall.foot_line;
   const double up = wall.side == MoldSide::core ? 0.5 : -0.5;
   const glm::dvec3 middle = 0.5 * (from + to) + glm::dvec3(0, 0, up * wall.height);

@@ -28,7 +28,7 @@ class ChosenFaces : public WindowWithPart {
     window.move_mouse({-1e6F, -1e6F});
     window.settle();
     std::vector<std::uint8_t> pixels = window.pixels();
-    // Below the bar, which tells whether there is something to undo.
+    // Below the bar, which shows whether there is something to undo.
     pixels.erase(pixels.begin(), pixels.begin() + std::ptrdiff_t{4} * 40 * window.size().x);
     return pixels;
   }

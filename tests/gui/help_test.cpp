@@ -1,4 +1,4 @@
-// The help sheet is searched by typing; hints tell a newcomer what to do, each until it was done or
+// The help sheet is searched by typing; hints show a newcomer what to do, each until it was done or
 // dismissed.
 #include <chrono>
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace {
 
 class Help : public WindowWithPart {
  protected:
-  [[nodiscard]] bool told(std::string_view text) const {
+  [[nodiscard]] bool noted(std::string_view text) const {
     return std::ranges::any_of(window.app().texts(), [&](const DrawnText& each) {
       return each.text.find(text) != std::string::npos;
     });
@@ -25,37 +25,37 @@ class Help : public WindowWithPart {
 TEST_F(Help, TypingLeavesTheLinesThatHaveTheWords) {
   key({.key = 'H'});
   window.frames(3);
-  EXPECT_TRUE(told("section across"));
-  EXPECT_TRUE(told("bookmark the direction"));
+  EXPECT_TRUE(noted("section across"));
+  EXPECT_TRUE(noted("bookmark the direction"));
   const Section section = state().settings.look.section;
   window.type("SECTION");
   window.frames(3);
-  EXPECT_TRUE(told("section across"));
-  EXPECT_FALSE(told("bookmark the direction"));
+  EXPECT_TRUE(noted("section across"));
+  EXPECT_FALSE(noted("bookmark the direction"));
   EXPECT_EQ(state().settings.look.section, section) << "letters are no shortcuts there";
   key({.key = k_escape});
   EXPECT_FALSE(state().dialogs.help);
   key({.key = 'H'});
   window.frames(3);
-  EXPECT_TRUE(told("bookmark the direction")) << "whole again";
+  EXPECT_TRUE(noted("bookmark the direction")) << "whole again";
 }
 
 TEST_F(Help, HintsComeOneByOneAndGoForGood) {
   window.wait_until_measured();
-  EXPECT_FALSE(told("Drag the arrow")) << "only where they are asked for";
+  EXPECT_FALSE(noted("Drag the arrow")) << "only where they are asked for";
   window.app().show_hints(true);
   window.settle();
-  EXPECT_TRUE(told("Drag the arrow"));
+  EXPECT_TRUE(noted("Drag the arrow"));
   drag(window.control("core arrow").centre(), window.control("core arrow").centre() + glm::vec2(60, 30));
   window.settle();
-  EXPECT_FALSE(told("Drag the arrow"));
-  EXPECT_TRUE(told("What becomes of the part"));
+  EXPECT_FALSE(noted("Drag the arrow"));
+  EXPECT_TRUE(noted("What becomes of the part"));
   click("dismiss the hint");
   window.settle();
-  EXPECT_FALSE(told("What becomes of the part"));
-  EXPECT_TRUE(told("Looks for the best"));
+  EXPECT_FALSE(noted("What becomes of the part"));
+  EXPECT_TRUE(noted("Looks for the best"));
   key({.key = 'W'});
-  EXPECT_FALSE(told("Looks for the best"));
+  EXPECT_FALSE(noted("Looks for the best"));
   EXPECT_EQ(state().hints_done, (std::set<Hint>{Hint::arrow, Hint::verdict, Hint::sweep}));
 }
 
@@ -75,10 +75,10 @@ TEST_F(Help, OpensTheDocumentationInTheBrowser) {
   const auto page = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() /
                     "share/doc/moldlight/html/index.html";
   if (!std::filesystem::exists(page)) {
-    EXPECT_TRUE(told("The documentation is not installed"));
+    EXPECT_TRUE(noted("The documentation is not installed"));
     GTEST_SKIP() << "the documentation is not built: pandoc is missing";
   }
-  EXPECT_TRUE(told("The documentation opens in the browser"));
+  EXPECT_TRUE(noted("The documentation opens in the browser"));
   for (int tries = 0; tries < 100 && !std::filesystem::exists(opened); ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(moldlight::test::file_bytes(opened), page.string() + "\n");

@@ -67,7 +67,7 @@ TEST_F(Hovering, TellsWhatBlocksAnUndercut) {
   EXPECT_EQ(state().hover->point.region, Region::undercut);
   ASSERT_TRUE(state().hover->blocker);
 
-  // The blocker lies on the line along the direction, at the distance that is told, and faces the point.
+  // The blocker lies on the line along the direction, at the distance that is reported, and faces the point.
   const Blocker& blocker = *state().hover->blocker;
   const PartModel& model = *state().model;
   const glm::dvec3 along = direction() * (blocker.above ? 1.0 : -1.0);

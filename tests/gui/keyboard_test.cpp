@@ -14,7 +14,7 @@ constexpr int k_space = 32, k_down = 264, k_page_down = 267, k_home = 268, k_end
 class Keys : public WindowSceneries {
  protected:
   void tab() { key({.key = k_tab}); }
-  /// Goes on with Tab until the control has the keyboard, which the ring tells that changes the picture.
+  /// Goes on with Tab until the control has the keyboard, as the ring shows that changes the picture.
   void tab_to(const std::string& control) {
     std::string seen;
     for (int k = 0; k < 120; ++k) {
@@ -208,6 +208,42 @@ TEST_F(Browser, FiltersAtOnceAndOpensByEnter) {
   EXPECT_FALSE(open());
   window.wait_until_loaded();
   EXPECT_TRUE(state().path.ends_with("copy_123.obj")) << state().path;
+}
+
+TEST_F(Browser, OpensTheFileOfAPathThatIsTyped) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(part.file()).parent_path();
+  fs::copy_file(part.file(), folder / "aaa" / "deep.obj");
+  window.type("aaa/dee");
+  window.frames(2);
+  EXPECT_TRUE(window.app().controls().contains("file deep.obj")) << "what begins so in that folder";
+  window.type("p.obj");
+  window.frames(2);
+  key({.key = k_enter});
+  EXPECT_FALSE(open());
+  window.wait_until_loaded();
+  EXPECT_TRUE(state().path.ends_with("aaa/deep.obj")) << state().path;
+}
+
+TEST_F(Browser, OpensAFullPathByTheButtonAndSaysWhatIsNotThere) {
+  const auto says = [&](const std::string& words) {
+    return std::ranges::any_of(window.app().texts(), [&](const DrawnText& text) {
+      return text.text.find(words) != std::string::npos;
+    });
+  };
+  window.type("/no/such/folder/part.stl");
+  window.frames(2);
+  key({.key = k_enter});
+  EXPECT_TRUE(open());
+  EXPECT_TRUE(says("This folder cannot be read"));
+  EXPECT_FALSE(window.app().controls().contains("Open"));
+  for (int k = 0; k < 24; ++k) key({.key = k_backspace});
+  window.type(part.file());
+  window.frames(2);
+  click("Open");
+  EXPECT_FALSE(open());
+  window.wait_until_loaded();
+  EXPECT_EQ(state().path, part.file());
 }
 
 TEST_F(Browser, GoesThroughListAndFoldersByKeys) {

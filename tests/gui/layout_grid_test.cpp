@@ -24,7 +24,7 @@ class TextOrder {
       }
     }
   }
-  void tell() const {
+  void note() const {
     for (const auto& [complaint, where] : complaints_) ADD_FAILURE() << complaint << " (" << where << ")";
   }
 
@@ -82,7 +82,7 @@ TEST_F(LayoutGrid, NoTextIsCutOffOrCovered) {
       }
     }
   });
-  order.tell();
+  order.note();
 }
 
 TEST(StartPage, NoTextIsCutOffOrCovered) {
@@ -100,7 +100,7 @@ TEST(StartPage, NoTextIsCutOffOrCovered) {
       order.check(window.app().texts(), fmt::format("{}x{} at {}", size.x, size.y, scale));
     }
   }
-  order.tell();
+  order.note();
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST_F(Mold, TellsTheLineAsTheCommandDoes) {
   ASSERT_TRUE(mold().line);
   const Assignment assignment = same_assignment();
   const PartingLine line = parting_line(assignment);
-  EXPECT_EQ(mold().line->verdict, parting_verdict(assignment, line, state().model->frame.diagonal));
+  EXPECT_EQ(mold().line->verdict, parting_verdict(assignment, line, *state().model));
   ASSERT_EQ(mold().line->line.loops.size(), 1U);
   EXPECT_NEAR(mold().line->line.loops[0].length, 100.0, 1e-9);
   EXPECT_FALSE(mold().solids) << "not before they are looked at";

@@ -46,7 +46,7 @@ class RealWindow : public ::testing::Test {
     static_cast<void>(display->act({"windowfocus", "--sync", window}));
   }
 
-  /// Where a control is in a fresh window of this size and scale: the same program tells it without a
+  /// Where a control is in a fresh window of this size and scale: the same program shows it without a
   /// display.
   [[nodiscard]] glm::vec2 place_of(const std::string& control, const glm::ivec2& size, float scale) const {
     OffscreenOptions options;

@@ -1,4 +1,4 @@
-// What the regions are told by: exactly, or by the shadow maps, whose controls are seen to act.
+// Where the regions come from: exactly, or by the shadow maps, whose controls are seen to act.
 #include "classify/classifier.hpp"
 #include "gui/window_with_part.hpp"
 
@@ -44,9 +44,9 @@ TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
 }
 
 TEST_F(RegionsAre, SwitchedInTheLegend) {
-  click("Told by=maps");
+  click("Regions by=maps");
   EXPECT_EQ(by(), RegionsBy::maps);
-  click("Told by=exact");
+  click("Regions by=exact");
   EXPECT_EQ(by(), RegionsBy::exact);
 }
 
@@ -61,7 +61,7 @@ TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
   EXPECT_GT(differing(exact), 500U);
   window.wait_until_measured();
   EXPECT_GT(differing(exact), 500U) << "the split mesh is not what is asked for";
-  click("Told by=exact");
+  click("Regions by=exact");
   move_to({640, 60});
   window.wait_until_measured();
   EXPECT_LT(differing(exact), 50U);
@@ -74,7 +74,7 @@ TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
   click("Mark the difference");
   window.settle();
   EXPECT_GT(differing(plain), 500U);
-  click("Told by=exact");
+  click("Regions by=exact");
   window.wait_until_measured();
   const std::vector<std::uint8_t> marked = window.pixels();
   click("Mark the difference");
@@ -108,13 +108,13 @@ class MapsAreCompared : public RegionsAre {
 TEST_F(MapsAreCompared, ByTheSamplesOfTheSplitMeshWhileTheyTellTheRegions) {
   EXPECT_EQ(text(), "");
   EXPECT_FALSE(is_shown());
-  click("Told by=maps");
+  click("Regions by=maps");
   window.settle();
   ASSERT_TRUE(state().figures.samples);
   EXPECT_NEAR(static_cast<double>(state().figures.maps->samples), 20'000.0, 10.0);
   EXPECT_EQ(text(), expected(20'000));
   EXPECT_TRUE(is_shown());
-  click("Told by=exact");
+  click("Regions by=exact");
   window.settle();
   EXPECT_EQ(text(), "");
   EXPECT_FALSE(is_shown());
@@ -140,7 +140,7 @@ TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
 }
 
 TEST_F(MapsAreCompared, OnceTheDirectionRests) {
-  click("Told by=maps");
+  click("Regions by=maps");
   window.settle();
   const std::string before = text();
   const glm::vec2 tip = window.control("core arrow").centre();

@@ -149,7 +149,7 @@ TEST_F(Revisions, AreToldAtTheCursorOnBoth) {
     places[second ? 1 : 0] = hover->place;
   }
   EXPECT_LT(glm::distance(places[0], places[1]), 2e-3) << "cameras are tied";
-  EXPECT_EQ(state().hover.has_value(), false) << "what is told of the part is of the part";
+  EXPECT_EQ(state().hover.has_value(), false) << "what is noted of the part is of the part";
 
   window.move_mouse(pixel_of(disc()));
   window.settle();

@@ -45,7 +45,7 @@ class WindowSceneries : public WindowWithPart {
         {"section across", press('S'), [] {}},
         {"section along", press('S'), press('S')},
         {"measuring", press('R'), press(k_escape)},
-        {"regions by maps", click_on("Told by=maps"), click_on("Told by=exact")},
+        {"regions by maps", click_on("Regions by=maps"), click_on("Regions by=exact")},
         {"help", press('H'), press(k_escape)},
         {"settings", click_on("settings"), press(k_escape)},
         {"export", press('E', true), press(k_escape)},

@@ -177,7 +177,7 @@ class ProvedSweepWindow : public SweepWindow {
     return sweep;
   }
   ProvedSweepWindow() : SweepWindow(proved()) {}
-  [[nodiscard]] bool told(const std::string& text) const {
+  [[nodiscard]] bool noted(const std::string& text) const {
     return std::ranges::any_of(window_.app().texts(), [&](const DrawnText& each) {
       return each.text.find(text) != std::string::npos;
     });
@@ -191,7 +191,7 @@ TEST_F(ProvedSweepWindow, TellsTheBoundUnderTheMouseAndWhatIsOpen) {
   ASSERT_FALSE(proof.open.empty()) << "the hook has a direction without undercut";
   press(GLFW_KEY_M);
   window_.settle();
-  EXPECT_TRUE(told("Proved outside of the rings: at least "));
+  EXPECT_TRUE(noted("Proved outside of the rings: at least "));
   const ScreenBox ball = window_.control("ball");
   const float half = 0.5F * (ball.max.x - ball.min.x) - 3.0F;
   const Camera& camera = window_.state().camera;
@@ -199,7 +199,7 @@ TEST_F(ProvedSweepWindow, TellsTheBoundUnderTheMouseAndWhatIsOpen) {
     window_.move_mouse(ball.centre() + half * glm::vec2(disc.x, -disc.y));
     window_.frames(2);
     const auto bound = proof.bound_at(ball_direction(camera, {disc, true}));
-    EXPECT_TRUE(told(bound ? "proved: at least " : "open: not proved")) << disc.x << " " << disc.y;
+    EXPECT_TRUE(noted(bound ? "proved: at least " : "open: not proved")) << disc.x << " " << disc.y;
     return bound.has_value();
   };
   std::size_t bounded = 0;

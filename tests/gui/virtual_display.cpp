@@ -39,7 +39,7 @@ VirtualDisplay::VirtualDisplay(const glm::ivec2& screen) {
   const std::string geometry = std::to_string(screen.x) + "x" + std::to_string(screen.y) + "x24";
   ProcessSettings settings;
   settings.time_limit_s = 600.0;
-  // The server itself looks for a display that is free, and tells it when it is ready.
+  // The server itself looks for a display that is free, and shows it when it is ready.
   server_ = std::make_unique<Process>(std::vector<std::string>{k_server, "-displayfd", "1", "-screen", "0",
                                                                geometry, "-noreset", "-nolisten", "tcp"},
                                       settings);

@@ -21,7 +21,7 @@ class VirtualDisplay {
   explicit VirtualDisplay(const glm::ivec2& screen);
   /// Environment of programs that are to show their windows there, drawn in software.
   [[nodiscard]] const std::vector<std::string>& environment() const { return environment_; }
-  /// The resource by which desktops tell the content scale; for programs started afterwards.
+  /// The resource by which desktops show the content scale; for programs started afterwards.
   void set_dots_per_inch(int dpi, const std::string& scratch_file) const;
 
   /// Waits for a visible window with this in its title; gives its number.

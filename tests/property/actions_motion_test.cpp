@@ -102,7 +102,7 @@ bool is_deeper(const PartModel& model, const glm::dvec3& point, double most) {
 }
 
 /// Whether a point of the surface goes into the part on its way by more than the lateral tolerance and what
-/// its way inside adds to that at the required draft. `way` tells where it is at a share of it, unit frame.
+/// its way inside adds to that at the required draft. `way` shows where it is at a share of it, unit frame.
 template <typename Way>
 bool enters(const PartModel& model, const ExactQuery& query, double length, const Way& way,
             double play = 0.0) {
@@ -127,7 +127,7 @@ glm::dvec3 moved(const PartModel& model, const SideAction& action, const glm::dv
 
 struct Played {
   std::size_t actions = 0, points = 0, inside = 0;
-  std::string told;        // which actions have points inside, and how many
+  std::string noted;       // which actions have points inside, and how many
   std::size_t astray = 0;  // points of facets that an action frees in part only, and goes with whole
   std::size_t bodies = 0, body_points = 0, body_inside = 0;
 };
@@ -210,8 +210,8 @@ Played play(const PartModel& model, const Query& query) {
     }
     played.inside += inside;
     if (inside > 0)
-      played.told += "; " + std::string(facts(action.kind).name) + " " + std::to_string(k + 1) + ": " +
-                     std::to_string(inside);
+      played.noted += "; " + std::string(facts(action.kind).name) + " " + std::to_string(k + 1) + ": " +
+                      std::to_string(inside);
     if (const auto body = turns ? std::nullopt : action_body(model, result, plan, k))
       play_body(model, exact, action, *body, played);
   }
@@ -258,12 +258,12 @@ std::vector<fs::path> real_parts() {
 
 TEST(ActionsMotion, NeverEntersThePart) {
   const std::vector<fs::path> parts = real_parts();
-  std::size_t actions = 0, bodies = 0, played_parts = 0, told = 0, points = 0, astray = 0;
+  std::size_t actions = 0, bodies = 0, played_parts = 0, noted = 0, points = 0, astray = 0;
   for (const fs::path& path : parts) {
     const auto model = load_part(path.string(), {}, Progress());
     if (const std::string why = why_no_inside(*model); !why.empty()) {
       std::cout << path.filename().string() << " has no inside that could be entered: " << why << "\n";
-      ++told;
+      ++noted;
       continue;
     }
     ++played_parts;
@@ -281,12 +281,12 @@ TEST(ActionsMotion, NeverEntersThePart) {
       // Of an undercut 0.5 % may stay blocked, and a sample is 1.7 % of one.
       EXPECT_LE(static_cast<double>(played.inside), 0.01 * static_cast<double>(played.points) + 1.0)
           << path.filename() << " along " << direction.x << direction.z << ": " << played.inside << " of "
-          << played.points << played.told;
+          << played.points << played.noted;
     }
   }
   std::cout << actions << " actions and " << bodies << " bodies of " << played_parts << " of " << parts.size()
             << " parts played; " << astray << " of " << points << " points astray\n";
-  EXPECT_EQ(played_parts + told, parts.size());
+  EXPECT_EQ(played_parts + noted, parts.size());
   EXPECT_GT(actions, 10U);
   EXPECT_LT(static_cast<double>(astray), 0.1 * static_cast<double>(points));
 }

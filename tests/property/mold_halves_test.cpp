@@ -111,7 +111,7 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
       const MoldHalves halves =
           make_halves(*model, d, {.height = assignment.height, .line = &line}, {}, Progress{});
       tally.times_ms.push_back(watch.elapsed_ms());
-      const WrittenMold written = written_mold(halves);
+      const WrittenMold& written = halves.written;
       if (!written.refusal.empty()) {
         ++tally.refusals[name + ": " + written.refusal];
         continue;
@@ -156,7 +156,7 @@ TEST(MoldHalvesOfParts, FillTheBlockOnce) {
     if (!model->health.closed) continue;
     const glm::dvec3 d = file.directions[(rows + by_rounding) % file.directions.size()];
     const MoldHalves halves = halves_of(*model, d);
-    const WrittenMold written = written_mold(halves);
+    const WrittenMold& written = halves.written;
     if (!written.refusal.empty()) continue;
     if (halves.core.crossed_facets + halves.cavity.crossed_facets > 0) {
       ++by_rounding;
@@ -171,7 +171,7 @@ TEST(MoldHalvesOfParts, FillTheBlockOnce) {
       for (glm::dvec3& vertex : bodies.back().vertices) vertex = halves.frame.to_mold(vertex - halves.centre);
     }
     const std::size_t wrong = test::misplaced_points(bodies, k_points, 11);
-    // Voids thinner than a tolerance are in no body; the report tells their volume. Single precision moves
+    // Voids thinner than a tolerance are in no body; the report shows their volume. Single precision moves
     // walls by a ten-millionth.
     const double in_specks = k_points * std::abs(halves.specks_volume) / halves.block_volume;
     EXPECT_LE(static_cast<double>(wrong), in_specks < 1e-3 ? 1.0 : 3.0 + 3.0 * in_specks)
@@ -180,7 +180,7 @@ TEST(MoldHalvesOfParts, FillTheBlockOnce) {
   }
   std::cout << fmt::format(
       "{} rows: {} of {} points in none or several bodies, {} pairs of facets that cross; {} rows left out, "
-      "whose report tells of facets that cross by rounding\n",
+      "whose report has facets that cross by rounding\n",
       rows, misplaced, rows * k_points, crossing, by_rounding);
   EXPECT_EQ(crossing, 0U);
   EXPECT_GE(rows, 3U);
@@ -192,7 +192,7 @@ TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
   for (const PartRows& file : part_rows(20000)) {
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
-    const WrittenMold written = written_mold(halves_of(*model, file.pull));
+    const WrittenMold written = halves_of(*model, file.pull).written;
     if (!written.refusal.empty()) continue;
     ++rows;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -224,7 +224,7 @@ TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
       times_ms.push_back(watch.elapsed_ms());
       ++rows;
       EXPECT_TRUE(line.euler.sums()) << name;
-      EXPECT_TRUE(line.euler.accounted()) << name << ": " << parting_verdict(assignment, line, 1.0);
+      EXPECT_TRUE(line.euler.accounted()) << name << ": " << parting_verdict(assignment, line, *model);
       with_other_count += line.euler.loops != line.euler.expected_loops ? 1 : 0;
       const double slack = 1e-9 * (1.0 + assignment.energy);
       EXPECT_LE(assignment.energy, assignment.energy_to_core + slack) << name;
@@ -234,7 +234,7 @@ TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
       if (line.euler.loops == line.euler.expected_loops) {
         ++as_asked;
       } else {
-        std::cout << name << ": " << parting_verdict(assignment, line, model->frame.diagonal) << "\n";
+        std::cout << name << ": " << parting_verdict(assignment, line, *model) << "\n";
       }
     }
   }

@@ -15,6 +15,40 @@ CALLS = int(os.environ.get("MOLDLIGHT_PYTHON_CALLS", "300"))
 TELLING = (moldlight.Error, TypeError, MemoryError)
 
 
+class WithoutInit(unittest.TestCase):
+    """Objects that no __init__ has filled raise, whatever is asked of them."""
+
+    def test_every_member_of_every_class(self):
+        asked = 0
+        for name in ("Part", "Health", "Classification", "SplitMesh", "Border", "Actions", "Mold", "Sweep"):
+            made = getattr(moldlight, name)
+            for member in [*dir(made), "__repr__"]:
+                if member.startswith("_") and member != "__repr__":
+                    continue
+                if isinstance(made.__dict__.get(member), staticmethod) or member == "__repr__" and member not in made.__dict__:
+                    continue
+                empty = made.__new__(made)
+                with self.assertRaises((TypeError, RuntimeError), msg=f"{name}.{member}"):
+                    found = getattr(empty, member)
+                    found("z") if member in ("classify", "actions", "mold", "picture", "save") else found()
+                asked += 1
+        self.assertGreater(asked, 60)
+
+    def test_a_subclass_that_forgets_it(self):
+        class Forgetful(moldlight.Part):
+            def __new__(cls):
+                return moldlight.Part.__new__(cls)
+
+            def __init__(self):
+                pass
+
+        with self.assertRaises(TypeError):
+            Forgetful().health
+        empty = moldlight.Part.__new__(moldlight.Part)
+        with self.assertRaisesRegex(TypeError, "Part holds nothing"):
+            repr(empty)
+
+
 class Layouts(unittest.TestCase):
     def setUp(self):
         self.vertices, self.faces = support.box()
@@ -23,20 +57,20 @@ class Layouts(unittest.TestCase):
         return moldlight.Part(vertices, faces).classify("z").areas
 
     def test_types_and_orders_mean_the_same(self):
-        told = self.areas(self.vertices, self.faces)
-        self.assertEqual(told["core"] + told["cavity"] + told["both"] + told["undercut"], 52.0)
+        noted = self.areas(self.vertices, self.faces)
+        self.assertEqual(noted["core"] + noted["cavity"] + noted["both"] + noted["undercut"], 52.0)
         # Of a box the two ends are of one half each, the walls of either.
-        self.assertEqual(told, {"core": 12.0, "cavity": 12.0, "both": 28.0, "undercut": 0.0})
+        self.assertEqual(noted, {"core": 12.0, "cavity": 12.0, "both": 28.0, "undercut": 0.0})
         for order in "CF":
             for real in (np.float16, np.float32, np.float64, np.longdouble, ">f8", np.int32, np.uint8):
                 for whole in (np.int8, np.uint8, np.int32, np.int64, np.uint32, np.uint64, ">i4"):
                     vertices = np.array(self.vertices, dtype=real, order=order)
                     faces = np.array(self.faces, dtype=whole, order=order)
-                    self.assertEqual(self.areas(vertices, faces), told, (order, real, whole))
+                    self.assertEqual(self.areas(vertices, faces), noted, (order, real, whole))
         wide = np.zeros((16, 6))
         wide[::2, ::2] = self.vertices
-        self.assertEqual(self.areas(wide[::2, ::2], self.faces[::-1, ::-1][:, ::-1]), told)
-        self.assertEqual(self.areas(self.vertices.tolist(), self.faces.tolist()), told)
+        self.assertEqual(self.areas(wide[::2, ::2], self.faces[::-1, ::-1][:, ::-1]), noted)
+        self.assertEqual(self.areas(self.vertices.tolist(), self.faces.tolist()), noted)
 
     def test_part_keeps_what_it_was_given(self):
         part = moldlight.Part(self.vertices, self.faces)
@@ -72,7 +106,7 @@ class Layouts(unittest.TestCase):
 
 
 class SplitMesh(unittest.TestCase):
-    """A box over a plate: known areas, and a split that is closed and tells the same areas."""
+    """A box over a plate: known areas, and a split that is closed and has the same areas."""
 
     def test_split_mesh_is_closed_and_has_the_areas(self):
         part = moldlight.Part.read(support.ASSETS / "cable_clip.stl", unit="mm")
@@ -149,16 +183,16 @@ class Refusals(unittest.TestCase):
 
 class Memory(unittest.TestCase):
     def test_it_stays_what_it_is(self):
-        # A third of what is measured by hand. With one arena: which thread takes which tells of nothing.
+        # A third of what is measured by hand. With one arena: which thread takes which reports nothing.
         measure = pathlib.Path(__file__).with_name("measure")
-        told = subprocess.run([sys.executable, "-B", measure, "memory", "3000"], capture_output=True, text=True,
+        noted = subprocess.run([sys.executable, "-B", measure, "memory", "3000"], capture_output=True, text=True,
                               check=True, env={**os.environ, "MALLOC_ARENA_MAX": "1"}).stdout
         # A part that is kept would cost more than 10 KiB each.
-        self.assertLess(int(told.split("parts: ")[1].split()[0]), 1000, told)
+        self.assertLess(int(noted.split("parts: ")[1].split()[0]), 1000, noted)
 
 
 class Hostile(unittest.TestCase):
-    """Random arrays, values and types: each call ends in a result or in an exception that tells."""
+    """Random arrays, values and types: each call ends in a result or in an exception that says why."""
 
     def setUp(self):
         self.random = random.Random(7)

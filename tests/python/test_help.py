@@ -73,9 +73,9 @@ class Stub(unittest.TestCase):
         self.tree = ast.parse(STUB.read_text(encoding="utf-8"))
 
     def test_it_has_what_the_module_has(self):
-        told = {node.name: node for node in self.tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-        self.assertEqual(set(told) | {"REGIONS", "REGION_COLOURS"}, set(moldlight.__all__))
-        for name, node in told.items():
+        noted = {node.name: node for node in self.tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(set(noted) | {"REGIONS", "REGION_COLOURS"}, set(moldlight.__all__))
+        for name, node in noted.items():
             if not isinstance(node, ast.ClassDef) or issubclass(getattr(moldlight, name), Exception):
                 continue
             members = {member.name if isinstance(member, ast.FunctionDef) else member.target.id
@@ -86,8 +86,8 @@ class Stub(unittest.TestCase):
     def test_calls_have_the_settings(self):
         for node in ast.walk(self.tree):
             if isinstance(node, ast.FunctionDef) and node.name in CALLS:
-                told = {argument.arg for argument in node.args.kwonlyargs}
-                self.assertEqual(told, {parameter.name for parameter in
+                noted = {argument.arg for argument in node.args.kwonlyargs}
+                self.assertEqual(noted, {parameter.name for parameter in
                                         inspect.signature(CALLS[node.name]).parameters.values()
                                         if parameter.kind is inspect.Parameter.KEYWORD_ONLY})
 

@@ -29,14 +29,14 @@ class Reference(unittest.TestCase):
             part = parts.setdefault(row["part"], moldlight.Part.read(path))
             direction = ",".join(row[axis] for axis in ("dx", "dy", "dz"))
             with self.subTest(part=row["part"], direction=direction):
-                told = support.report("classify", path, "--direction", direction, "--tau", row["tau_deg"],
+                noted = support.report("classify", path, "--direction", direction, "--tau", row["tau_deg"],
                                       "--tolerance", row["lateral_tolerance"])
                 found = part.classify([float(row[axis]) for axis in ("dx", "dy", "dz")],
                                       tau_deg=float(row["tau_deg"]), tolerance=float(row["lateral_tolerance"]))
-                self.assertEqual(support.untimed(found.to_dict()), support.untimed(told))
-                self.assertEqual(support.untimed(json.loads(found.to_json())), support.untimed(told))
+                self.assertEqual(support.untimed(found.to_dict()), support.untimed(noted))
+                self.assertEqual(support.untimed(json.loads(found.to_json())), support.untimed(noted))
                 for region, area in found.areas.items():
-                    self.assertEqual(area, told["areas"][region])
+                    self.assertEqual(area, noted["areas"][region])
                 self.assertAlmostEqual(found.areas["undercut"], float(row["undercut"]),
                                        delta=1e-6 * float(row["total"]))
 
@@ -103,10 +103,10 @@ class Reports(unittest.TestCase):
             support.program("mold", LID, "--unit", "mm", "--direction", "z", "--fill-undercut", "--shrink", "0.6",
                             "--out", program_folder, "--lines", folder + "/program.dxf", "--quiet")
             for name in (file.rsplit("/", 1)[1] for file in files):
-                with open(f"{folder}/out/{name}", "rb") as own, open(f"{program_folder}/{name}", "rb") as told:
-                    self.assertEqual(own.read(), told.read(), name)
-            with open(folder + "/line.dxf", "rb") as own, open(folder + "/program.dxf", "rb") as told:
-                self.assertEqual(own.read(), told.read())
+                with open(f"{folder}/out/{name}", "rb") as own, open(f"{program_folder}/{name}", "rb") as noted:
+                    self.assertEqual(own.read(), noted.read(), name)
+            with open(folder + "/line.dxf", "rb") as own, open(folder + "/program.dxf", "rb") as noted:
+                self.assertEqual(own.read(), noted.read())
 
     def test_mold_that_is_refused(self):
         found = moldlight.Part.read(LID, unit="mm").mold("z")
@@ -118,10 +118,10 @@ class Reports(unittest.TestCase):
         read = moldlight.Part.read(LID, unit="mm")
         made = moldlight.Part(read.vertices, read.faces, unit="mm")
         direction = (0.3, -0.4, 0.6)
-        told, found = (support.untimed(part.classify(direction).to_dict()) for part in (read, made))
+        noted, found = (support.untimed(part.classify(direction).to_dict()) for part in (read, made))
         self.assertEqual((found["part"].pop("file"), found["part"].pop("format")), ("", "arrays"))
-        del told["part"]["file"], told["part"]["format"]
-        self.assertEqual(found, told)
+        del noted["part"]["file"], noted["part"]["format"]
+        self.assertEqual(found, noted)
 
     def test_step_has_its_cad_faces(self):
         shared = support.shared_folder()
@@ -135,9 +135,9 @@ class Reports(unittest.TestCase):
         found = part.classify("z")
         self.check(found, "classify", step, "--direction", "z")
         numbers, areas = found.face_areas
-        told = found.to_dict()["faces"]
-        self.assertEqual(list(numbers), [face["face"] for face in told])
-        self.assertEqual(areas[:, 3].tolist(), [face["undercut"] for face in told])
+        noted = found.to_dict()["faces"]
+        self.assertEqual(list(numbers), [face["face"] for face in noted])
+        self.assertEqual(areas[:, 3].tolist(), [face["undercut"] for face in noted])
         self.assertEqual(len(part.face_of_facet), len(part.faces))
 
     def test_pictures(self):
@@ -152,8 +152,8 @@ class Reports(unittest.TestCase):
                                 path, "--quiet", *kind, *arguments)
                 own = found.picture(size=size, theme="dark", view="iso", palette="safe")
                 self.assertEqual((own.shape, own.dtype), ((300, 400, 4), np.uint8))
-                told = support.png_pixels(path)
-                differing = np.abs(own[..., :3].astype(int) - told[..., :3]).max(axis=2) > 2
+                noted = support.png_pixels(path)
+                differing = np.abs(own[..., :3].astype(int) - noted[..., :3]).max(axis=2) > 2
                 self.assertLess(differing.mean(), 1e-3, name)
             sweep = part.sweep(directions=20, top=1, thorough=True)
             self.assertEqual(sweep.picture(size="300x200").shape, (200, 300, 4))

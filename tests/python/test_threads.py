@@ -21,24 +21,24 @@ class Threads(unittest.TestCase):
     def test_four_threads_find_what_one_finds(self):
         directions = [(i % 7 - 3, i % 5 - 2, 1 + i % 3) for i in range(100)]
         alone = moldlight.Part.read(CLIP)
-        told = [support.untimed(alone.classify(direction).to_dict()) for direction in directions]
+        noted = [support.untimed(alone.classify(direction).to_dict()) for direction in directions]
         # A part that nothing was asked of yet: what it makes once, four threads ask for.
         shared = moldlight.Part.read(CLIP)
         with ThreadPoolExecutor(4) as threads:
             found = list(threads.map(lambda d: support.untimed(shared.classify(d).to_dict()), directions))
-        self.assertEqual(found, told)
+        self.assertEqual(found, noted)
 
     def test_maps_and_pictures_in_threads(self):
         part = moldlight.Part.read(CLIP)
         looks = {"readout": "samples", "samples": 5000, "resolution": 256}
-        told = support.untimed(part.classify("z", **looks).to_dict())
+        noted = support.untimed(part.classify("z", **looks).to_dict())
         picture = part.classify("z").picture(size=(120, 80))
         with ThreadPoolExecutor(4) as threads:
             found = [threads.submit(lambda: support.untimed(part.classify("z", **looks).to_dict()))
                      for _ in range(4)]
             drawn = [threads.submit(lambda: part.classify("z").picture(size=(120, 80))) for _ in range(4)]
         for each in found:
-            self.assertEqual(each.result(), told)
+            self.assertEqual(each.result(), noted)
         for each in drawn:
             self.assertEqual(each.result().tolist(), picture.tolist())
 
@@ -62,12 +62,12 @@ class Threads(unittest.TestCase):
     @unittest.skipUnless(hasattr(os, "fork"), "needs fork")
     def test_a_forked_child_can_ask_too(self):
         part = moldlight.Part.read(CLIP)
-        told = part.classify("z").areas
+        noted = part.classify("z").areas
         child = os.fork()
         if child == 0:
             code = 1
             try:
-                code = 0 if part.classify("z").areas == told else 2
+                code = 0 if part.classify("z").areas == noted else 2
             finally:
                 os._exit(code)
         deadline = time.monotonic() + 60
@@ -86,12 +86,12 @@ class Progress(unittest.TestCase):
         self.part = moldlight.Part.read(LID)
 
     def test_stages_are_told_in_the_callers_thread(self):
-        told = []
-        self.part.sweep(**LONG, progress=lambda stage, share: told.append(
-            (stage, share, threading.current_thread())) or len(told) < 5)
-        self.assertGreater(len(told), 3)
-        for stage, share, thread in told:
-            self.assertTrue(stage and 0 <= share <= 1 and thread is threading.main_thread(), told)
+        noted = []
+        self.part.sweep(**LONG, progress=lambda stage, share: noted.append(
+            (stage, share, threading.current_thread())) or len(noted) < 5)
+        self.assertGreater(len(noted), 3)
+        for stage, share, thread in noted:
+            self.assertTrue(stage and 0 <= share <= 1 and thread is threading.main_thread(), noted)
 
     def test_false_ends_the_work(self):
         began = time.monotonic()

@@ -90,7 +90,7 @@ bool BothMaps::is_explained(int x, int y, std::uint32_t gl_entry, std::uint32_t 
     if (entry != 0 && is_near_edge(entry - 1, x, y)) return true;
   }
   if (gl_entry == 0 || scan_entry == 0) return false;
-  // Two facets at the same depth, as far as their slopes let the snapped corners tell.
+  // Two facets at the same depth, as far as their slopes let the snapped corners show.
   const MapFrame& frame = scan_->frame;
   const double u = (x + 0.5) / query_.method.resolution - 0.5, v = (y + 0.5) / query_.method.resolution - 0.5;
   double heights[2] = {}, slope = 0.0;

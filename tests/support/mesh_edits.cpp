@@ -94,6 +94,12 @@ TriangleMesh rotated(TriangleMesh mesh, const glm::dquat& rotation) {
   return mesh;
 }
 
+TriangleMesh mirrored(TriangleMesh mesh) {
+  for (glm::dvec3& vertex : mesh.vertices) vertex.x = -vertex.x;
+  for (auto& facet : mesh.facets) std::swap(facet[1], facet[2]);
+  return mesh;
+}
+
 TriangleMesh rounded_to_float(TriangleMesh mesh) {
   for (glm::dvec3& vertex : mesh.vertices) vertex = glm::dvec3(glm::vec3(vertex));
   return mesh;

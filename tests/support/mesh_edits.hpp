@@ -14,6 +14,7 @@ namespace moldlight::test {
 [[nodiscard]] TriangleMesh translated(TriangleMesh mesh, const glm::dvec3& offset);
 [[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, double factor);  // about the origin; factor > 0
 [[nodiscard]] TriangleMesh rotated(TriangleMesh mesh, const glm::dquat& rotation);
+[[nodiscard]] TriangleMesh mirrored(TriangleMesh mesh);          // in x; facets still face outward
 [[nodiscard]] TriangleMesh rounded_to_float(TriangleMesh mesh);  // as a binary STL file holds it
 
 /// A rotation that depends on the seed only, uniform over all rotations.

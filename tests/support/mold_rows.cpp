@@ -82,7 +82,7 @@ SteelRow steel_row(const PartModel& model, const glm::dvec3& direction, const st
   const MoldHalves halves =
       make_halves(model, direction, {.height = assignment.height, .line = &line}, {}, Progress{});
   row.ms = watch.elapsed_ms();
-  const WrittenMold written = written_mold(halves);
+  const WrittenMold& written = halves.written;
   row.refusal = written.refusal;
   if (!row.refusal.empty()) return row;
   const SurfaceFigures& surface = halves.surface;

@@ -93,10 +93,10 @@ class Window(Command):
     tip = QT_TRANSLATE_NOOP("Moldlight", "The same part, direction and settings in moldlight's own window")
 
     def Activated(self):
-        with task.told():
+        with task.failures_said():
             known, _, _ = selection.chosen_body()
             if known is None:
-                task.tell(translate("Moldlight", "This body has no mold regions yet: call Mold regions first."))
+                task.say(translate("Moldlight", "This body has no mold regions yet: call Mold regions first."))
             else:
                 window.open_window(known)
 

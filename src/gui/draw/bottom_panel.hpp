@@ -22,7 +22,7 @@ class BottomHeader {
   bool button(const IconButtonSpec& spec);
   /// A bar from 0 to 1, `width` in layout units.
   void progress(double share, float width);
-  /// Draws the text and ends the line. `tip`: told of the text by the mouse, where it is not empty.
+  /// Draws the text and ends the line. `tip`: shown when the mouse is on the text, where it is not empty.
   void end(std::string_view text, ImU32 colour, std::string_view tip = {});
 
  private:

@@ -42,7 +42,7 @@ class Keyboard {
   /// mouse takes over.
   void begin_frame(ControlKey key, bool clicked);
 
-  /// To be told of each control that is drawn; true for the one that has the keyboard.
+  /// To be called for each control that is drawn; true for the one that has the keyboard.
   bool visit(ImGuiID control);
   /// Whether this key was pressed for whom asks first.
   bool takes(ControlKey key);

@@ -59,6 +59,14 @@ std::string grouped(std::string_view number) {
 
 std::string fitted(const SizedFont& font, std::string_view text, float width) {
   if (text_size(font, text).x <= width) return std::string(text);
+  for (std::size_t end = text.size(); end > 0;) {
+    const std::size_t sentence = text.rfind(". ", end - 1), part = text.rfind(" · ", end - 1);
+    const std::size_t none = std::string_view::npos;
+    if (sentence == none && part == none) break;
+    end = sentence == none || (part != none && part > sentence) ? part : sentence;
+    const std::string shorter = std::string(text.substr(0, end + (end == sentence ? 1 : 0))) + " …";
+    if (end > 0 && text_size(font, shorter).x <= width) return shorter;
+  }
   // Bytes of UTF-8 that continue a character may not be cut off from it.
   const auto boundary = [&](std::size_t at) {
     while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;

@@ -118,7 +118,8 @@ void draw_text_to(const Lettering& lettering, float right, float top, std::strin
 void heading(const Ui& ui, std::string_view text);
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);
-/// Shortened in its middle to fit a width in pixels.
+/// Shortened to fit a width in pixels: of sentences, and of what stands between dots, as many whole ones as
+/// there is room for; of anything else the middle is left out.
 [[nodiscard]] std::string fitted(const SizedFont& font, std::string_view text, float width);
 
 /// Flags of windows that are neither moved nor sized, and of those that are as large as what is in them.

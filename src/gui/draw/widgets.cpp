@@ -95,7 +95,7 @@ double value_at(double share, const SliderSpec& spec) {
                           : spec.min + share * (spec.max - spec.min);
 }
 
-/// A value so many steps on, and by one at least that is told apart.
+/// A value so many steps on, and by one at least that makes a difference.
 double stepped(double value, int steps, const SliderSpec& spec) {
   if (!spec.snap) {
     const double step = spec.step > 0.0 ? spec.step : 0.01 * (spec.max - spec.min);

@@ -28,7 +28,7 @@ struct Pressable {
 /// An item of this size in pixels on which nothing is drawn yet. Recorded input finds it by its id.
 Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size);
 
-/// To be told of each other control, with its place: whether it has the keyboard, which a ring shows.
+/// To be called for each other control, with its place: whether it has the keyboard, which a ring shows.
 bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box);
 
 /// A text that is typed. Empty it shows `hint`.
@@ -39,7 +39,7 @@ struct TextSpec {
 };
 bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSpec& spec = {});
 
-/// A row's name; that of a changed setting has a dot before it, which tells where a reset does something.
+/// A row's name; that of a changed setting has a dot before it, which shows where a reset does something.
 struct RowLabel {
   std::string_view text;
   bool modified = false;

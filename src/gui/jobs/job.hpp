@@ -47,7 +47,7 @@ class Job {
     give_up();
     run_ = std::make_unique<Run>(std::move(work), std::move(first), *this);
   }
-  /// Tells the work to end early; its outcome can be taken.
+  /// Asks the work to end early; its outcome can be taken.
   void cancel() {
     if (run_) run_->progress.cancel();
   }

@@ -15,7 +15,7 @@ MoldLine find_line(Study study, const Progress& progress) {
                  .settings = asked.mold,
                  .assignment = assignment,
                  .line = line,
-                 .verdict = parting_verdict(assignment, line, study.model().frame.diagonal),
+                 .verdict = parting_verdict(assignment, line, study.model()),
                  .loops = {},
                  .draft = {}};
   const UnitFrame& frame = study.model().frame;

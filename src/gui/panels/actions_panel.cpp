@@ -11,6 +11,7 @@
 
 #include "actions/actions_files.hpp"
 #include "actions/actions_report.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
@@ -38,7 +39,7 @@ constexpr std::array<ListColumn, 6> k_action_columns = {{
     {"details", "", 358.0F, false},
 }};
 
-/// Directions about the parting direction are told by their azimuth.
+/// Directions about the parting direction are given by their azimuth.
 std::string turn_text(double from_deg, double to_deg) {
   return with_minus(fmt::format("{:.1f} to {:.1f}°", from_deg, to_deg));
 }
@@ -101,7 +102,7 @@ void set_pin(ActionSettings& settings, const UndercutReport& patch,
   if (kind) settings.pins.push_back({.point = patch.point, .area = patch.undercut.area, .kind = *kind});
 }
 
-/// The cell that tells to what an undercut is pinned; a click opens the list of kinds.
+/// The cell that shows to what an undercut is pinned; a click opens the list of kinds.
 void draw_pin(const PanelContext& context, std::size_t undercut) {
   const Ui& ui = context.ui;
   const UndercutReport& patch = context.state.actions.plan->patches[undercut];
@@ -181,7 +182,7 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UndercutReport& patch = plan.patches[undercut];
   const std::string unit = length_unit(state.model->part);
-  std::string tip = fmt::format("{} {}", figure(patch.undercut.area), powered_unit(state.model->part, 2));
+  std::string tip = FigureStyle(*state.model).with_unit(FigureKind::area, patch.undercut.area);
   if (const SideAction* action = action_of(plan, undercut)) {
     tip += fmt::format(
         " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
@@ -203,7 +204,7 @@ void ActionsPanel::draw(const PanelContext& context) {
   const AppState& state = context.state;
   const auto& plan = state.actions.plan;
   const auto& figures = state.figures.shown;
-  // Until undercuts are counted their area tells: a bar that came and went would move the part under the
+  // Until undercuts are counted their area decides: a bar that came and went would move the part under the
   // hand.
   const bool shown = plan ? !plan->patches.empty()
                           : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
@@ -290,16 +291,17 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
     draw_cell(ui, row.box, k_action_columns[column], {font, colour}, text,
               end - start.x - ui.px(k_action_columns[column].at));
   };
-  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
+  const FigureStyle style(*state.model);
   cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
-  cell(1, ui.fonts.body, normal, grouped(areas.text(patch.undercut.area)));
-  cell(2, ui.fonts.body, normal, patch.depth > 0.0 ? grouped(lengths.text(patch.depth)) : "–");
+  cell(1, ui.fonts.body, normal, grouped(style.text(FigureKind::area, patch.undercut.area)));
+  cell(2, ui.fonts.body, normal,
+       patch.depth > 0.0 ? grouped(style.text(FigureKind::length, patch.depth)) : "–");
   const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
     draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
                 {start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.box.centre().y});
-    cell(4, ui.fonts.body, normal, grouped(lengths.text(action->travel)));
+    cell(4, ui.fonts.body, normal, grouped(style.text(FigureKind::length, action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     detail += others_text(plan, undercut, *action);
     if (left_over) detail += " · some is left";

@@ -22,7 +22,7 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_large_ball = 360.0F;  // layout units
-/// A direction within so many degrees of the mouse is told itself; farther ones by what lies around them.
+/// A direction within so many degrees of the mouse is shown itself; farther ones by what lies around them.
 constexpr double k_told_deg = 1.5;
 
 ImU32 map_colour(const SweepMap* map, const glm::dvec3& direction, float lit, const BareBall& bare) {
@@ -93,7 +93,7 @@ void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, con
 
 namespace {
 
-/// Of the proof of the best, or of all free directions where that one tells nothing.
+/// Of the proof of the best, or of all free directions where that one has none.
 const SweepProof* shown_proof(const SweepState& sweep) {
   if (!sweep.result) return nullptr;
   const SweepResult& result = *sweep.result;

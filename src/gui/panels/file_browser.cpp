@@ -54,11 +54,17 @@ void FileBrowser::enter(const fs::path& folder) {
   std::error_code error;
   folder_ = fs::weakly_canonical(folder, error);
   if (error) folder_ = folder;
-  entries_.clear();
   filter_.fill(0);
+  scan(folder_);
+}
+
+void FileBrowser::scan(const fs::path& folder) {
+  std::error_code error;
+  scanned_ = folder;
+  entries_.clear();
   problem_.clear();
   selected_ = -1;
-  fs::directory_iterator entry(folder_, fs::directory_options::skip_permission_denied, error);
+  fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
   if (error) problem_ = fmt::format("This folder cannot be read: {}.", error.message());
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
@@ -72,6 +78,27 @@ void FileBrowser::enter(const fs::path& folder) {
   });
 }
 
+FileBrowser::Sought FileBrowser::sought() const {
+  const std::string typed(filter_.data());
+  const std::size_t slash = typed.rfind('/');
+  if (slash == std::string::npos) return {folder_, typed};
+  const char* const home = std::getenv("HOME");
+  const bool at_home = typed.starts_with("~/") && home != nullptr;
+  const fs::path folder = at_home ? fs::path(home) / typed.substr(2, std::max<std::size_t>(slash, 2) - 2)
+                                  : fs::path(typed.substr(0, slash + 1));
+  return {folder_ / folder, typed.substr(slash + 1)};  // what begins at the root stays
+}
+
+int FileBrowser::entered(const std::vector<Line>& shown) const {
+  if (selected_ >= 0) return selected_ < static_cast<int>(shown.size()) ? selected_ : -1;
+  // Without a selection, what is typed may name a line, or leave one alone.
+  const std::string name = sought().name;
+  const auto named = std::ranges::find_if(
+      shown, [&](const Line& line) { return !name.empty() && line.path.filename() == name; });
+  if (named != shown.end()) return static_cast<int>(named - shown.begin());
+  return shown.size() == 1 ? 0 : -1;
+}
+
 void FileBrowser::draw_head(const PanelContext& context) {
   const Ui& ui = context.ui;
   heading(ui, context.state.dialogs.browser_compares ? "Compare with the new revision" : "Open a part");
@@ -81,10 +108,13 @@ void FileBrowser::draw_head(const PanelContext& context) {
   const float room = ImGui::GetContentRegionAvail().x;
   row_text(ui, {ui.fonts.body, ui.colours->muted}, room, fitted(ui.fonts.body, folder_.string(), room));
   if (filter_[0] == 0 && ui.memory->keyboard.takes(ControlKey::erase)) next_ = folder_.parent_path();
-  const TextSpec filter{.hint = "filter by name",
+  const TextSpec filter{.hint = "filter by name, or a path",
                         .width = ImGui::GetContentRegionAvail().x - ui.px(110),
                         .starts = std::exchange(starts_, false)};
-  if (text_field(ui, "##filter", filter_, filter)) selected_ = -1;
+  if (text_field(ui, "##filter", filter_, filter)) {
+    selected_ = -1;
+    if (const fs::path folder = sought().folder; folder != scanned_) scan(folder);
+  }
   if (chip(ui, "all files", all_files_, false)) all_files_ = !all_files_;
 }
 
@@ -97,11 +127,11 @@ std::vector<FileBrowser::Line> FileBrowser::lines(const AppState& state) const {
       lines.push_back({.path = path, .note = path.parent_path().string(), .folder = false, .recent = true});
     }
   }
-  const std::string filter = lower_letters(filter_.data());
+  const std::string name = sought().name, filter = lower_letters(name);
   for (const Entry& entry : entries_) {
-    if (!entry.folder && !all_files_ && !is_part_file_name(entry.name)) continue;
+    if (!entry.folder && !all_files_ && entry.name != name && !is_part_file_name(entry.name)) continue;
     if (lower_letters(entry.name).find(filter) == std::string::npos) continue;
-    lines.push_back({.path = folder_ / entry.name,
+    lines.push_back({.path = scanned_ / entry.name,
                      .note = entry.folder ? std::string() : size_text(entry.bytes),
                      .folder = entry.folder,
                      .recent = false});
@@ -120,10 +150,13 @@ void FileBrowser::draw_list(const PanelContext& context) {
   const int steps = keyboard.takes_steps(page, count);
   if (steps != 0 && count > 0) selected_ = std::clamp(selected_ + steps, 0, count - 1);
   std::optional<Line> chosen;
-  // Without a selection, what is typed may leave one line alone.
-  const int entered = selected_ < 0 && count == 1 ? 0 : selected_;
-  if (entered >= 0 && entered < count && keyboard.takes(ControlKey::press))
-    chosen = shown[static_cast<std::size_t>(entered)];
+  if (problem_.empty() && shown.empty() && filter_[0] != 0)
+    hint(ui, fmt::format("No part in {} has a name like that.", scanned_.string()));
+  const int taken = entered(shown);
+  if (taken >= 0 && (keyboard.takes(ControlKey::press) || std::exchange(opens_, false)))
+    chosen = shown[static_cast<std::size_t>(taken)];
+  opens_ = false;
+  if (taken < 0 && filter_[0] != 0 && keyboard.takes(ControlKey::press)) starts_ = true;  // to be mended
   for (int k = 0; k < count; ++k) {
     const Line& line = shown[static_cast<std::size_t>(k)];
     const bool first = k == 0 || shown[static_cast<std::size_t>(k - 1)].recent != line.recent;
@@ -165,6 +198,10 @@ void FileBrowser::draw(const PanelContext& context) {
     draw_head(context);
     draw_list(context);
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.browser = false;
+    if (entered(lines(context.state)) >= 0) {
+      ImGui::SameLine();
+      opens_ = button(ui, "Open", {.width = ui.px(96), .strong = true});
+    }
   }
   if (end_dialog(ui)) context.edits.dialogs.browser = false;
 }

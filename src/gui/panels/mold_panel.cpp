@@ -11,6 +11,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/view/mold_view.hpp"
+#include "parting/mold_figures.hpp"
 #include "parting/mold_report.hpp"
 
 namespace moldlight::gui {
@@ -21,28 +22,37 @@ constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F, k_mold_bar_width = 96.0
 constexpr float k_mold_share = 0.1F;  // of the window's height, that the table takes at most
 constexpr const char* k_mold_name = "Mold";
 
-constexpr std::array<ListColumn, 9> k_mold_columns = {{
-    {"#", "", 8.0F, false},
-    {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.", 36.0F,
-     false},
-    {"length", "In the part's unit.", 168.0F, true},
-    {"climb", "From its lowest point to its highest, along the direction.", 238.0F, true},
-    {"flat to", "How far it is from its best plane.", 308.0F, true},
-    {"steep", "Length of the runs that climb by more than 64°: steel on steel, which wants draft.", 378.0F,
-     true},
-    {"sharpest", "The least angle between neighbouring edges.", 448.0F, true},
-    {"on crease", "Share of its length that runs along edges of the part, where it does not show.", 524.0F,
-     true},
-    {"breaks", "How often a side action takes the place of the other half.", 582.0F, true},
-}};
+/// A number, the kind, and the figures that have a title.
+const std::vector<ListColumn>& mold_columns() {
+  static const std::vector<ListColumn> k_columns = [] {
+    constexpr float k_first = 168.0F, k_pitch = 70.0F;  // layout units
+    std::vector<ListColumn> columns = {
+        {"#", "", 8.0F, false},
+        {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.",
+         36.0F, false}};
+    float at = k_first;
+    for (const FigureRow<PartingLoop>& row : loop_figures()) {
+      if (row.title.empty()) continue;
+      columns.push_back({row.title, row.help, at, true});
+      at += k_pitch;
+    }
+    return columns;
+  }();
+  return k_columns;
+}
 
-/// "3.1e-12"; rounding is told, too.
-std::string gap_text(double gap) { return with_minus(fmt::format("{:.1g}", std::abs(gap))); }
-
-/// Three digits, or all of a whole number.
-std::string short_figure(double value) {
-  return with_minus(
-      grouped(std::abs(value) >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value)));
+/// "Core half 123 mm³ · Cavity half 120 mm³"; what is 0 is left out.
+std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
+                         bool of_surfaces) {
+  std::string line;
+  for (const FoundFigure& figure : figures) {
+    if (figure.title.empty() || figure.value.value_or(0.0) == 0.0) continue;
+    if (figure.key.starts_with("surfaces") != of_surfaces) continue;
+    const std::string unit = style.unit(figure.kind);
+    line += fmt::format("{}{} {}{}{}", line.empty() ? "" : " · ", figure.title, grouped(style.text(figure)),
+                        unit.empty() ? "" : " ", unit);
+  }
+  return with_minus(line);
 }
 
 /// The faces that a hand has given to a half: a click forgets them.
@@ -111,43 +121,18 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
   const PartModel& model = *state.model;
   const MoldHalves& halves = mold.solids->halves;
   if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
-  const std::string area = powered_unit(model.part, 2), volume = powered_unit(model.part, 3);
-  std::vector<HalvesLine> lines;
-  lines.push_back(
-      {fmt::format("Halves: core {} {}, cavity {} · closed, no undercut along their pull · "
-                   "volumes agree to {} of the block",
-                   short_figure(halves.core.volume), volume, short_figure(halves.cavity.volume),
-                   gap_text(halves.volume_gap))});
-  std::string surfaces =
-      fmt::format("Parting surface {} {}, shut-offs {}", short_figure(halves.surface.parting_area), area,
-                  short_figure(halves.surface.shut_off_area));
-  if (halves.surface.too_steep_area > 0.0)
-    surfaces += fmt::format(" · too steep {}, up to {:.0f}°", short_figure(halves.surface.too_steep_area),
-                            std::ceil(halves.surface.steepest_deg));
-  if (halves.contacts.empty()) {
-    surfaces += " · no steel on steel";
-  } else {
-    surfaces +=
-        fmt::format(" · steel on steel {} in {} place{}, up to {} {} high", short_figure(halves.contact_area),
-                    halves.contacts.size(), halves.contacts.size() == 1 ? "" : "s",
-                    short_figure(std::ranges::max(halves.contacts, {}, &ContactWall::height).height),
-                    length_unit(model.part));
-  }
-  lines.push_back({surfaces});
+  const FigureStyle style(model);
+  const std::vector<FoundFigure> figures = found_figures(halves_figures(), halves);
+  std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
+                                   {figures_line(style, figures, true)}};
   for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
-  if (halves.inserts.empty()) return lines;
-  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty()) {
+  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty())
     lines.push_back({"No files: " + unfilled, true});
-  } else {
-    std::string text =
-        fmt::format("Left to {} insert{}: {} {}", halves.inserts.size(),
-                    halves.inserts.size() == 1 ? "" : "s", short_figure(halves.insert_volume), volume);
-    if (mold.by_action) {
-      const auto moved = std::ranges::count_if(
-          *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
-      if (moved > 0) text += fmt::format(" · {} of them go with side actions", moved);
-    }
-    lines.push_back({text});
+  else if (mold.by_action) {
+    const auto moved = std::ranges::count_if(
+        *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
+    if (moved > 0)
+      lines.push_back({fmt::format("{} insert{} with side actions", moved, moved == 1 ? " goes" : "s go")});
   }
   return lines;
 }
@@ -211,7 +196,7 @@ void MoldPanel::draw_table(const PanelContext& context) {
   const AppState& state = context.state;
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_headings(ui, k_mold_columns);
+  draw_headings(ui, mold_columns());
   const RowList loops{.id = "loops",
                       .count = state.mold.line->line.loops.size(),
                       .row_height = k_mold_row,
@@ -258,26 +243,19 @@ void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
   const Row row =
       list_row(ui, {.id = id.c_str(), .height = k_mold_row, .chosen = here, .marked = cursor_.is_at(number)});
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
-  const FigureColumn lengths(10.0 * state.model->frame.diagonal);
-  const std::array<std::string, k_mold_columns.size()> texts = {
-      std::to_string(number + 1),
-      std::string(loop_name(loop.kind)),
-      grouped(lengths.text(loop.length)),
-      grouped(lengths.text(loop.climb())),
-      grouped(lengths.text(loop.flatness)),
-      grouped(lengths.text(loop.steep_length)),
-      fmt::format("{:.1f}°", loop.sharpest_deg),
-      fmt::format("{:.0f} %", 100.0 * loop.on_crease),
-      std::to_string(loop.breaks)};
+  const FigureStyle style(*state.model);
+  std::vector<std::string> texts = {std::to_string(number + 1), std::string(loop_name(loop.kind))};
+  for (const FoundFigure& figure : found_figures(loop_figures(), loop))
+    if (!figure.title.empty()) texts.push_back(grouped(style.text(figure)));
   for (std::size_t k = 0; k < texts.size(); ++k)
-    draw_cell(ui, row.box, k_mold_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
-  const std::string unit = length_unit(state.model->part);
+    draw_cell(ui, row.box, mold_columns()[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
-          with_minus(fmt::format(
-              "{} {} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
-              "{} {}\nClick to look at it.",
-              figure(loop.length), unit, figure(loop.low), figure(loop.high), loop.steepest_deg,
-              figure(std::abs(loop.area)), powered_unit(state.model->part, 2))));
+          with_minus(
+              fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
+                          "{}\nClick to look at it.",
+                          length(loop.length), length(loop.low), length(loop.high), loop.steepest_deg,
+                          style.with_unit(FigureKind::area, std::abs(loop.area)))));
   if (!row.clicked) return;
   context.edits.mold_choices.loop = here ? std::nullopt : std::optional(number);
   if (!here) context.edits.ask(&Commands::look_at_loop, number);

@@ -28,7 +28,7 @@ struct PartLengths {
   [[nodiscard]] std::string text(double length) const;
 };
 
-/// "1.0°", "40 %", "3 texel · 0.15 mm": a value with its unit as the window writes it; what is told by the
+/// "1.0°", "40 %", "3 texel · 0.15 mm": a value with its unit as the window writes it; what is given by the
 /// part's lengths only where they are known.
 struct ShownValue {
   double value;
@@ -62,10 +62,10 @@ template <typename S>
   return std::ranges::find(keys, option.key) != keys.end();
 }
 
-/// What a row may be told beside its option.
+/// What a row may be given beside its option.
 struct RowOptions {
-  std::function<void(const std::string& why)> refused = {};  // numbers are typed in place of being slid; told
-                                                             // of a value out of range
+  std::function<void(const std::string& why)> refused = {};  // numbers are typed in place of being slid;
+                                                             // given of a value out of range
   const PartLengths* lengths = nullptr;                      // lengths are written beside texels
   std::string unset = {};                                    // stands for a number that is not set
   std::function<std::string(double)> text = {};              // what a slider says of its value

@@ -47,7 +47,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size);
 void draw_part_panel(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
-/// How far the shadow maps are from exact regions, while they tell the regions; two lines of small text.
+/// How far the shadow maps are from exact regions, while the regions come from them; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
 void draw_chosen_face(const PanelContext& context);

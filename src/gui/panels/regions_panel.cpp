@@ -114,7 +114,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
 
-/// What the picture's regions are told by.
+/// Where the picture's regions come from.
 void draw_by(const PanelContext& context) {
   ImGui::Indent(context.ui.px(18));  // below the regions' names
   option_row(context.ui, option_named(look_options(), "regions"), context.edits.settings.look);

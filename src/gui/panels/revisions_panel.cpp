@@ -190,7 +190,7 @@ void RevisionsPanel::draw_header(const PanelContext& context, bool open) {
     colour = ui.colours->warning;
   } else if (revisions.result) {
     text = comparison_verdict(revisions.result->comparison);
-    if (revisions.stale) text = "Given up; what is told is of other settings. " + text;
+    if (revisions.stale) text = "Given up; the figures are of other settings. " + text;
   }
   header.end(text, colour, revisions.awaited ? std::string() : text);
 }

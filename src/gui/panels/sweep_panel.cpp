@@ -31,8 +31,6 @@ constexpr float k_sweep_bar_width = 132.0F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
 constexpr std::size_t k_before_figures = 2;
 constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
-/// Widths of figures by their kind, layout units.
-constexpr std::array<float, 8> k_widths = {58.0F, 50.0F, 38.0F, 44.0F, 42.0F, 60.0F, 40.0F, 130.0F};
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -97,10 +95,27 @@ std::string fitting_reason(const Ui& ui, const Candidate& candidate, float width
   return fitted(ui.fonts.small, candidate_kind_name(candidate.kind()), width);
 }
 
+/// Of a column, in layout units.
+float width_of(FigureKind kind) {
+  switch (kind) {
+    case FigureKind::actions:
+      return 130.0F;
+    case FigureKind::force:
+      return 60.0F;
+    case FigureKind::area:
+    case FigureKind::volume:
+      return 58.0F;
+    case FigureKind::error:
+    case FigureKind::gap:
+      return 50.0F;
+    default:
+      return 44.0F;
+  }
+}
+
 float figure_width(const Ui& ui, const DirectionFigure& figure) {
   // With room for the mark of the column that is sorted by.
-  return std::max(ui.px(k_widths[static_cast<std::size_t>(figure.kind)]),
-                  text_size(ui.fonts.small, figure.label).x + ui.px(8));
+  return std::max(ui.px(width_of(figure.kind)), text_size(ui.fonts.small, figure.label).x + ui.px(8));
 }
 
 /// Those that the table has room for.

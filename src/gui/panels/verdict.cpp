@@ -19,7 +19,7 @@ namespace {
 /// Less than this share of the present undercut is no reason to turn.
 constexpr double k_least_gain = 0.02;
 
-/// "best found: +Z, 555.6 mm²"; a direction that is no axis is told by its tooltip.
+/// "best found: +Z, 555.6 mm²"; a direction that is no axis stands in its tooltip.
 std::string best_text(const PartModel& model, const SweepCandidate& best) {
   std::string axis = short_direction_text(best.candidate.direction);
   axis = axis.size() == 2 ? axis + ", " : std::string();
@@ -27,7 +27,7 @@ std::string best_text(const PartModel& model, const SweepCandidate& best) {
 }
 
 std::string best_help(const PartModel& model, const SweepCandidate& best) {
-  const std::optional<Verdict> verdict = moldlight::verdict_of(model, best);
+  const std::optional<Verdict> verdict = verdict_of(model, best);
   return direction_text(best.candidate.direction, 3) + (verdict ? "\n" + verdict->sentence : "");
 }
 
@@ -96,21 +96,10 @@ std::string actions_summary(const AppState& state) {
   return text;
 }
 
-std::optional<Verdict> verdict_of(const AppState& state) {
-  const Figures& figures = state.figures;
-  if (!state.model || !figures.shown || !figures.undercuts) return std::nullopt;
-  if (is_settled(state.actions))
-    return moldlight::verdict_of(*state.model, *figures.shown, *state.actions.plan);
-  return moldlight::verdict_of({.model = *state.model,
-                                .regions = *figures.shown,
-                                .undercuts = *figures.undercuts,
-                                .actions = std::nullopt});
-}
-
 VerdictCard verdict_card(const AppState& state) {
   VerdictCard card;
   if (!state.model || !state.figures.shown) return card;
-  card.verdict = verdict_of(state);
+  card.verdict = state.verdict;
   if (card.verdict) {
     card.sentence = card.verdict->sentence;
   } else {

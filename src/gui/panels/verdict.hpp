@@ -5,7 +5,6 @@
 #include <string>
 
 #include "gui/panels/panels.hpp"
-#include "study/verdict.hpp"
 
 namespace moldlight::gui {
 
@@ -22,8 +21,6 @@ struct VerdictCard {
 };
 [[nodiscard]] VerdictCard verdict_card(const AppState& state);
 
-/// Of the figures and, where it is settled, the plan of side actions; none while undercuts are not counted.
-[[nodiscard]] std::optional<Verdict> verdict_of(const AppState& state);
 /// "1 slide, 2 lifters · 49.2 mm² left"; what comes of the plan of side actions.
 [[nodiscard]] std::string actions_summary(const AppState& state);
 

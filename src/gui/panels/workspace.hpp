@@ -67,20 +67,30 @@ class FileBrowser {
     bool folder = false;
     std::uintmax_t bytes = 0;
   };
+  /// What the field asks for: a name to filter by, in the folder that is shown or in that of a path.
+  struct Sought {
+    std::filesystem::path folder;
+    std::string name;
+  };
+  [[nodiscard]] Sought sought() const;
   void enter(const std::filesystem::path& folder);
+  void scan(const std::filesystem::path& folder);
+  /// The line that Return and the button stand for; -1: none.
+  [[nodiscard]] int entered(const std::vector<Line>& shown) const;
   void draw_head(const PanelContext& context);
   void draw_list(const PanelContext& context);
   /// Recent parts and the folder's entries, as far as the filter lets them through.
   [[nodiscard]] std::vector<Line> lines(const AppState& state) const;
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder_, scanned_;
   std::optional<std::filesystem::path> next_;  // the folder to go to
   std::vector<Entry> entries_;
   std::string problem_;
-  std::array<char, 128> filter_{};
+  std::array<char, 1024> filter_{};
   bool all_files_ = false;
   bool open_ = false, starts_ = false;
-  int selected_ = -1;  // line that the arrow keys have gone to; -1: none
+  bool opens_ = false;  // the button was pressed
+  int selected_ = -1;   // line that the arrow keys have gone to; -1: none
 };
 
 /// What `classify` writes, from the window.

@@ -12,14 +12,14 @@
 
 namespace moldlight::gui {
 
-/// What a newcomer is told to do, in this order.
+/// What a newcomer is asked to do, in this order.
 enum class Hint : std::uint8_t { arrow, verdict, sweep };
 
 struct UserState {
   WindowSettings window;
   std::vector<std::string> recent;  // absolute paths, the latest first
   SweepSettings sweep;              // options of the next sweep
-  std::set<Hint> hints_done;        // not to be told any more
+  std::set<Hint> hints_done;        // not to be shown any more
   std::string layout;               // as imgui.ini; empty for the shipped one
 
   /// Puts a path in front of the recent ones and forgets the oldest of more than twelve.

@@ -28,7 +28,7 @@ struct LinePick {
 /// The loop whose tube is there and not hidden, the nearest to the place; none where there is none.
 [[nodiscard]] std::optional<std::size_t> loop_under(const MoldLine& line, const Camera& camera,
                                                     const LinePick& pick);
-/// What is told of a loop at the cursor: "Loop 3: shut-off", and its figures.
+/// What is said of a loop at the cursor: "Loop 3: shut-off", and its figures.
 [[nodiscard]] std::array<std::string, 2> loop_lines(const AppState& state, std::size_t loop);
 
 /// The corners of the block of steel around the part, unit frame.

@@ -96,7 +96,7 @@ class Loop {
 /// The pulse of the undercut's colour when an undercut appears.
 class UndercutGlow {
  public:
-  /// To be told of every result.
+  /// To be called for every result.
   void see(bool has_undercut, double now_s, bool motion) {
     if (has_undercut && !had_undercut_ && motion) start_s_ = now_s;
     had_undercut_ = has_undercut;

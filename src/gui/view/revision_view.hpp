@@ -42,7 +42,7 @@ struct FrameTie {
 
 /// What is under the cursor there.
 [[nodiscard]] RevisionHover revision_hover(const AppState& state, bool second, const PickedPoint& point);
-/// What is told of it; nothing where nothing changed.
+/// What is said of it; nothing where nothing changed.
 [[nodiscard]] std::vector<std::string> revision_lines(const AppState& state);
 /// "new surface", "core, now undercut", "undercut grown", "side action gone".
 [[nodiscard]] std::string change_title(const Revisions& revisions, std::size_t change);

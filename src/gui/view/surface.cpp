@@ -15,7 +15,7 @@ namespace {
 
 /// Around a point, of which the shortest span is taken: an odd number, so that none is another one backwards.
 constexpr int k_span_ways = 61;
-constexpr double k_level = 1e-6;  // of a cross product; a shorter one tells no direction
+constexpr double k_level = 1e-6;  // of a cross product; a shorter one has no direction
 
 }  // namespace
 

@@ -46,7 +46,7 @@ class Viewport {
   /// Writes the arrows' names, and marks the tip that can be grabbed, behind the panels.
   void draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const;
 
-  /// True if the surface under the cursor is to be told: the mouse is on the scene and drags nothing.
+  /// True if the surface under the cursor is to be reported: the mouse is on the scene and drags nothing.
   [[nodiscard]] bool hovers() const { return hovers_; }
   [[nodiscard]] bool dragging() const { return gesture_ != Gesture::none || drag_; }
   void give_up_drag() { drag_.reset(); }

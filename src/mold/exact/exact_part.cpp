@@ -1,6 +1,8 @@
 #include "mold/exact/exact_part.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -18,17 +20,43 @@ constexpr double k_concave_height = 1e-10;
 }  // namespace
 
 ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-                     const Progress& progress)
-    : mesh_(mesh), geometry_(geometry), frame_(frame) {
+                     const Progress& progress, double effort)
+    : mesh_(mesh), geometry_(geometry), frame_(frame), effort_(effort) {
   progress.report("finding edges", 0.0);
   positions_.reserve(mesh.vertices.size());
   for (const glm::dvec3& vertex : mesh.vertices) {
     positions_.push_back((vertex - frame.center) / frame.diagonal);
   }
   find_edges();
+  find_equal_facets();
   progress.report("finding crossings", 0.0);
-  encounters_ = facet_encounters(mesh, positions_, geometry.normals, progress);
+  encounters_ = facet_encounters(mesh, positions_, geometry.normals, first_equal_,
+                                 encounter_budget(mesh.facets.size(), effort), progress);
   regular_ = regular_ && !any_crossings();
+}
+
+/// Bodies that coincide are in a file once for each of its many copies.
+void ExactPart::find_equal_facets() {
+  using Corners = std::array<VertexIndex, 3>;
+  const auto irregular = [&](std::uint32_t edge) {
+    return edge != k_no_edge && edges_[edge].kind == EdgeKind::irregular;
+  };
+  std::vector<std::pair<Corners, FacetIndex>> candidates;
+  for (FacetIndex facet = 0; facet < mesh_.facets.size(); ++facet) {
+    if (!std::ranges::all_of(side_edges_[facet], irregular)) continue;
+    Corners corners = mesh_.facets[facet];
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());  // clang 14 lacks ranges::rotate
+    candidates.emplace_back(corners, facet);
+  }
+  std::ranges::sort(candidates);
+  for (std::size_t k = 1; k < candidates.size(); ++k) {
+    if (candidates[k].first != candidates[k - 1].first) continue;
+    if (first_equal_.empty()) {
+      first_equal_.resize(mesh_.facets.size());
+      std::iota(first_equal_.begin(), first_equal_.end(), 0U);
+    }
+    first_equal_[candidates[k].second] = first_equal_[candidates[k - 1].second];
+  }
 }
 
 void ExactPart::find_edges() {

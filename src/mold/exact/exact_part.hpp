@@ -31,13 +31,15 @@ class ExactPart {
  public:
   static constexpr std::uint32_t k_no_edge = ~0U;
 
-  /// Takes some 200 bytes a facet. Throws Cancelled.
+  /// Takes some 200 bytes a facet, and at most 2 KiB. `effort` multiplies what all that is found of the part
+  /// may cost: beyond it facets are sampled. Throws Cancelled.
   ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-            const Progress& progress);
+            const Progress& progress, double effort = 1.0);
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const FacetGeometry& geometry() const { return geometry_; }
   [[nodiscard]] const UnitFrame& frame() const { return frame_; }
+  [[nodiscard]] double effort() const { return effort_; }
   [[nodiscard]] const std::vector<glm::dvec3>& positions() const { return positions_; }
   [[nodiscard]] const std::vector<ExactEdge>& edges() const { return edges_; }
   /// Edge of each side of a facet (side k runs from corner k to corner k + 1); k_no_edge for a facet with two
@@ -45,12 +47,24 @@ class ExactPart {
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& side_edges() const { return side_edges_; }
   /// Where other facets cross a facet.
   [[nodiscard]] std::span<const FacetCrossing> crossings(FacetIndex facet) const {
-    return encounters_.crossings.of(facet);
+    return encounters_.crossings.of(first_equal(facet));
   }
-  [[nodiscard]] bool any_crossings() const { return !encounters_.crossings.items.empty(); }
-  /// Null where too many facets stand in front of others.
-  [[nodiscard]] const FacetLists<FacetIndex>* in_front() const {
-    return encounters_.in_front ? &*encounters_.in_front : nullptr;
+  /// There are some, or they were too many to be found.
+  [[nodiscard]] bool any_crossings() const {
+    return !encounters_.complete || !encounters_.crossings.items.empty();
+  }
+  /// False where facets meet so many others that the regions of none of them can be exact.
+  [[nodiscard]] bool crossings_known() const { return encounters_.complete; }
+  /// False where too many facets stand in front of others.
+  [[nodiscard]] bool knows_in_front() const { return encounters_.in_front.has_value(); }
+  /// Only where that is known.
+  [[nodiscard]] std::span<const FacetIndex> in_front(FacetIndex facet) const {
+    return encounters_.in_front->of(first_equal(facet));
+  }
+  /// The first facet with the same corners in the same sense, mostly the facet itself: others of them hide
+  /// nothing that it does not.
+  [[nodiscard]] FacetIndex first_equal(FacetIndex facet) const {
+    return first_equal_.empty() ? facet : first_equal_[facet];
   }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }
@@ -59,13 +73,16 @@ class ExactPart {
 
  private:
   void find_edges();
+  void find_equal_facets();
 
   const TriangleMesh& mesh_;
   const FacetGeometry& geometry_;
   UnitFrame frame_;
+  double effort_;
   std::vector<glm::dvec3> positions_;
   std::vector<ExactEdge> edges_;
   std::vector<std::array<std::uint32_t, 3>> side_edges_;
+  std::vector<FacetIndex> first_equal_;  // empty where none are equal
   FacetEncounters encounters_;
   bool regular_ = true, closed_ = true;
 };

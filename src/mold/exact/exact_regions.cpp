@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -73,6 +74,7 @@ class FacetSplitter {
     FacetClass facet_class = FacetClass::near_vertical;
     double projected_core = 0.0, projected_cavity = 0.0;  // unit frame squared
     double projected_doubt = 0.0;                         // model units squared
+    double squared_doubt = 0.0;                           // unit frame to the fourth
   };
   /// Cuts the facet; the cells are those of cells() if they are kept.
   Outcome split(FacetIndex facet, bool keep_cells);
@@ -82,6 +84,7 @@ class FacetSplitter {
  private:
   void run(FacetIndex facet, const FacetTest& test, bool keep_cells);
   void gather(FacetIndex facet, const FacetTest& test);
+  void lay_lattice();
   void add_curtain(const ContourEdge& edge, Sense sense);
   void add_crossing(FacetIndex other, const glm::dvec3& normal);
   void close_sides_at(const std::array<double, 3>& heights);
@@ -144,6 +147,7 @@ FacetSplitter::Outcome FacetSplitter::split(FacetIndex facet, bool keep_cells) {
     run(facet, test, keep_cells);
   }
   outcome.areas = cells_.areas();
+  outcome.squared_doubt = cells_.squared_doubt();
   return outcome;
 }
 
@@ -160,7 +164,12 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
     };
     return region_of(test.plus && !blocked(1), test.minus && !blocked(-1));
   };
-  gather(facet, test);
+  const ProjectedPart::FacetWork work = projected_.work_on(facet);
+  if (work.sampled) {
+    lay_lattice();
+  } else {
+    gather(facet, test);
+  }
   if (segments_.empty()) {
     cells_.keep_whole(region_of_whole(facet, test, region_at),
                       projected_.part().geometry().areas[facet] / square_);
@@ -176,8 +185,13 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
     plane_segments_.push_back({plane_.in_plane(segment.start), plane_.in_plane(segment.end)});
   }
   cells_.cut({plane_.in_plane(corners_[0]), plane_.in_plane(corners_[1]), plane_.in_plane(corners_[2])},
-             plane_segments_, keep_cells,
-             [&](const glm::dvec2& place) { return region_at(plane_.in_space(place)); });
+             plane_segments_, {.most_cells = work.most_cells, .sampled = work.sampled, .seed = facet},
+             keep_cells, [&](const glm::dvec2& place) { return region_at(plane_.in_space(place)); });
+  // Where a facet is so thin beside the part that its cells have no area, one point stands for it.
+  const auto& areas = cells_.areas();
+  if (!(std::accumulate(areas.begin(), areas.end(), 0.0) > 0.0))
+    cells_.keep_whole(region_at((corners_[0] + corners_[1] + corners_[2]) / 3.0),
+                      projected_.part().geometry().areas[facet] / square_);
 }
 
 /// Where no curtain runs between a facet and its neighbour both are in one region.
@@ -214,12 +228,27 @@ Region FacetSplitter::region_of_whole(FacetIndex facet, const FacetTest& test, c
   return static_cast<Region>(region - 1);
 }
 
+/// Lines along two of the sides: cells about as large as each other, each of which a point stands for.
+void FacetSplitter::lay_lattice() {
+  segments_.clear();
+  closed_sides_ = k_all_sides;
+  const std::size_t lines = projected_.lattice_lines();
+  for (std::size_t k = 1; k < lines; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(lines);
+    const auto along = [&](std::size_t a, std::size_t b) {
+      return glm::mix(corners_[a], corners_[b], share);
+    };
+    segments_.push_back({along(0, 1), along(2, 1)});
+    segments_.push_back({along(0, 2), along(1, 2)});
+  }
+}
+
 void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   segments_.clear();
   const ExactPart& part = projected_.part();
   closed_sides_ = k_all_sides;
   if (part.geometry().areas[facet] <= 0.0) return;
-  // A ray that runs along its own facet tells of no other one.
+  // A ray that runs along its own facet says nothing of others.
   if (projected_.extent(facet).facing != 0 || shift_ != glm::dvec3(0.0)) closed_sides_ = 0;
   const double lowest = std::min({corners_[0].z, corners_[1].z, corners_[2].z}) - k_plane_margin;
   const double highest = std::max({corners_[0].z, corners_[1].z, corners_[2].z}) + k_plane_margin;
@@ -244,9 +273,9 @@ void FacetSplitter::gather(FacetIndex facet, const FacetTest& test) {
   if (!test.beside || shift_ == glm::dvec3(0.0)) return;
   const glm::dvec3 normal = projected_.turned(part.geometry().normals[facet]);
   const double height = glm::dot(normal, shift_);
-  if (part.in_front() != nullptr && height >= k_least_in_front + k_near &&
+  if (part.knows_in_front() && height >= k_least_in_front + k_near &&
       glm::length(shift_) <= k_most_in_front) {
-    for (const FacetIndex other : part.in_front()->of(facet)) add_crossing(other, normal);
+    for (const FacetIndex other : part.in_front(facet)) add_crossing(other, normal);
     return;
   }
   for (const ProjectionGrid& facets : projected_.facet_grids()) {
@@ -367,6 +396,7 @@ ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcom
   ExactAreas result;
   const double square = part.frame().diagonal * part.frame().diagonal;
   result.facet_fractions.resize(outcomes.size());
+  double squared_doubt = 0.0;
   for (std::size_t facet = 0; facet < outcomes.size(); ++facet) {
     const FacetSplitter::Outcome& outcome = outcomes[facet];
     const double area = part.geometry().areas[facet];
@@ -382,7 +412,11 @@ ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcom
     result.projected_core += outcome.projected_core * square;
     result.projected_cavity += outcome.projected_cavity * square;
     result.projected_doubt += outcome.projected_doubt;
+    if (outcome.squared_doubt > 0.0) ++result.sampled_facets;
+    squared_doubt += outcome.squared_doubt;
   }
+  result.sampling_error = std::sqrt(squared_doubt) * square;
+  result.projected_doubt += 2.0 * result.sampling_error;  // of either side
   return result;
 }
 

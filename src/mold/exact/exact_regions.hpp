@@ -36,6 +36,10 @@ struct ExactAreas {
   double projected_core = 0.0, projected_cavity = 0.0;
   double projected_doubt =
       0.0;  // at most so much is missing from each: projected area of what is all but edge-on
+  /// Facets that so much crosses that they were not cut along all of it but sampled: a point for each cell.
+  /// The error is twice the standard deviation of each region's area.
+  std::size_t sampled_facets = 0;
+  double sampling_error = 0.0;
 };
 
 struct ExactSplit {

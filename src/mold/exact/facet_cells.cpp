@@ -32,6 +32,7 @@ void FacetCells::begin(const std::array<glm::dvec2, 3>& corners) {
   for (std::uint32_t k = 0; k < 3; ++k) edges_.push_back({k, (k + 1) % 3, k_none, k});
   next_line_ = 3;
   areas_ = {};
+  squared_doubt_ = 0.0;
   kept_.clear();
   kept_uses_.clear();
   cells_.clear();
@@ -40,6 +41,7 @@ void FacetCells::begin(const std::array<glm::dvec2, 3>& corners) {
 
 void FacetCells::keep_whole(Region region, double area) {
   areas_ = {};
+  squared_doubt_ = 0.0;
   areas_[static_cast<std::size_t>(region)] = area;
   cells_.assign(1, {.region = region, .begin = 0, .end = 0});
 }
@@ -176,7 +178,7 @@ bool FacetCells::split(const std::vector<Use>& outline, const Line& line, std::v
   }
   if (found[0] != 1 || found[1] != 1) return false;
 
-  // New points first, so that the leaves of a cut use can be told apart below.
+  // New points first, so that the leaves of a cut use can be distinguished below.
   std::array<std::uint32_t, 2> ends{};
   for (std::size_t turn = 0; turn < 2; ++turn) {
     const Place& place = places[turn];
@@ -231,6 +233,27 @@ FacetCells::Shape FacetCells::shape_of(const std::vector<Use>& outline) const {
   // A sliver's moment is all rounding.
   shape.centroid = origin + (shape.area > k_shortest * k_shortest ? moment / shape.area : mean);
   return shape;
+}
+
+glm::dvec2 FacetCells::random_point(const std::vector<Use>& outline) {
+  const auto next = [&] {  // in [0, 1): splitmix64 (Steele et al. 2014)
+    std::uint64_t z = random_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  };
+  double left = next() * shape_of(outline).area;
+  const glm::dvec2& origin = points_[start_of(outline.front())];
+  for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+    const glm::dvec2 a = points_[start_of(outline[k])] - origin,
+                     b = points_[start_of(outline[k + 1])] - origin;
+    const double area = 0.5 * (a.x * b.y - a.y * b.x);
+    left -= area;
+    if (left > 0.0 && k + 2 < outline.size()) continue;
+    const double root = std::sqrt(next()), share = next();
+    return origin + root * ((1.0 - share) * a + share * b);
+  }
+  return origin;
 }
 
 void FacetCells::keep(const std::vector<Use>& outline, Region region) {

@@ -2,6 +2,7 @@
 // its two cells is cut for the other, so that neighbours name the same vertices.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,21 +18,31 @@ struct CutSegment {
   glm::dvec2 start, end;
 };
 
+/// How far a triangle is cut.
+struct CutLimit {
+  std::size_t most_cells = ~std::size_t{0};  // past these, what is left is not cut
+  bool sampled = false;    // the segments are a lattice, and no cell is of one region for certain
+  std::uint32_t seed = 0;  // of the points that stand for cells of which that is not certain
+};
+
 /// Keeps its room from facet to facet. Lengths are those of the unit frame, in the facet's plane.
 class FacetCells {
  public:
-  /// Cuts the triangle along the segments, which it uses up; a cut runs through its whole cell. `label` tells
-  /// the region of the cell around a point. With `keep_cells`, cells are kept, those of one region that a cut
-  /// made joined again; else only areas are summed.
+  /// Cuts the triangle along the segments, which it uses up; a cut runs through its whole cell. `label` says
+  /// the region of the cell around a point. With `keep_cells`,
+  /// cells are kept, those of one region that a cut made joined again; else only areas are summed.
   template <typename Label>
-  void cut(const std::array<glm::dvec2, 3>& corners, std::vector<CutSegment>& segments, bool keep_cells,
-           const Label& label);
+  void cut(const std::array<glm::dvec2, 3>& corners, std::vector<CutSegment>& segments, const CutLimit& limit,
+           bool keep_cells, const Label& label);
 
   /// In place of cut() for a triangle that nothing cuts.
   void keep_whole(Region region, double area);
 
   /// Of the regions, after cut().
   [[nodiscard]] const std::array<double, k_region_count>& areas() const { return areas_; }
+  /// Of the cells that were not cut although segments run through them, the squares of the areas summed up:
+  /// one point stands for each.
+  [[nodiscard]] double squared_doubt() const { return squared_doubt_; }
 
   // The cells kept, after cut(): polygons over points; 0, 1, 2 are the triangle's corners. Only points that
   // some cell has for a corner are named.
@@ -67,9 +78,12 @@ class FacetCells {
   static constexpr int k_mixed = -1;
 
   template <typename Label>
-  int process(std::vector<Use>& outline, std::vector<CutSegment>& segments, const Label& label);
+  int process(std::vector<Use>& outline, std::vector<CutSegment>& segments, std::size_t most_cells,
+              const Label& label);
   template <typename Label>
-  int finish(const std::vector<Use>& outline, const Label& label);
+  int finish(const std::vector<Use>& outline, bool certain, const Label& label);
+  /// Any point of it is as likely.
+  [[nodiscard]] glm::dvec2 random_point(const std::vector<Use>& outline);
   void begin(const std::array<glm::dvec2, 3>& corners);
   [[nodiscard]] std::uint32_t start_of(const Use& use) const {
     return use.reversed ? edges_[use.edge].to : edges_[use.edge].from;
@@ -100,6 +114,9 @@ class FacetCells {
   std::vector<Edge> edges_;
   std::array<double, k_region_count> areas_{};
   bool keep_cells_ = false;
+  double squared_doubt_ = 0.0;
+  bool sampled_ = false;
+  std::uint64_t random_ = 0;
   std::uint32_t next_line_ = 3;
   std::vector<Kept> kept_;
   std::vector<Use> kept_uses_;
@@ -111,18 +128,22 @@ class FacetCells {
 
 template <typename Label>
 void FacetCells::cut(const std::array<glm::dvec2, 3>& corners, std::vector<CutSegment>& segments,
-                     bool keep_cells, const Label& label) {
+                     const CutLimit& limit, bool keep_cells, const Label& label) {
   keep_cells_ = keep_cells;
+  sampled_ = limit.sampled;
+  random_ = limit.seed;
   begin(corners);
   std::vector<Use> outline = {{0, false}, {1, false}, {2, false}};
-  process(outline, segments, label);
+  process(outline, segments, limit.most_cells, label);
   if (keep_cells_) make_outlines();
 }
 
 template <typename Label>
-int FacetCells::process(std::vector<Use>& outline, std::vector<CutSegment>& segments, const Label& label) {
+int FacetCells::process(std::vector<Use>& outline, std::vector<CutSegment>& segments, std::size_t most_cells,
+                        const Label& label) {
   bool halve = true;
   while (!segments.empty()) {
+    if (most_cells <= 1) return finish(outline, false, label);
     const Line line = choose_line(outline, segments, halve);
     if (line.normal == glm::dvec2(0.0)) break;
     std::vector<CutSegment> left_segments, right_segments;
@@ -135,10 +156,14 @@ int FacetCells::process(std::vector<Use>& outline, std::vector<CutSegment>& segm
       halve = false;
       continue;
     }
+    // Each side may have cells as it has segments.
+    const std::size_t left_share = left_segments.size() + 1, shares = left_share + right_segments.size() + 1;
+    const std::size_t left_most =
+        std::clamp<std::size_t>(most_cells * left_share / shares, 1, most_cells - 1);
     segments = {};
     const std::size_t kept_before = kept_.size(), uses_before = kept_uses_.size();
-    const int left_region = process(left, left_segments, label);
-    const int right_region = process(right, right_segments, label);
+    const int left_region = process(left, left_segments, left_most, label);
+    const int right_region = process(right, right_segments, most_cells - left_most, label);
     if (left_region != right_region || left_region == k_mixed) return k_mixed;
     if (keep_cells_) {
       kept_.resize(kept_before);
@@ -147,13 +172,14 @@ int FacetCells::process(std::vector<Use>& outline, std::vector<CutSegment>& segm
     }
     return left_region;
   }
-  return finish(outline, label);
+  return finish(outline, !sampled_, label);
 }
 
 template <typename Label>
-int FacetCells::finish(const std::vector<Use>& outline, const Label& label) {
+int FacetCells::finish(const std::vector<Use>& outline, bool certain, const Label& label) {
   const Shape shape = shape_of(outline);
-  const Region region = label(shape.centroid);
+  const Region region = label(certain ? shape.centroid : random_point(outline));
+  if (!certain) squared_doubt_ += shape.area * shape.area;
   areas_[static_cast<std::size_t>(region)] += shape.area;
   if (keep_cells_) keep(outline, region);
   return static_cast<int>(region);

@@ -28,6 +28,9 @@ constexpr std::size_t k_leaves_a_task = 64;
 /// Where more facets are in front of others (thousands round one edge), they are not noted down.
 constexpr std::size_t k_most_in_front_a_facet = 32, k_always_in_front = 1'000'000;
 constexpr std::size_t k_counted_at_once = 256;
+/// A tessellation has some tens of pairs a facet; loose facets as large as the part have as many as facets.
+constexpr std::size_t k_pairs_a_facet = 500, k_always_pairs = 5'000'000;
+constexpr std::size_t k_crossings_a_facet = 16, k_always_crossings = 500'000;
 
 struct Box {
   glm::vec3 low, high;
@@ -47,10 +50,11 @@ bool overlap(const Box& a, const Box& b) {
 /// A balanced tree: node k has the children 2 k + 1 and 2 k + 2; its facets are split at the median.
 class BoxTree {
  public:
-  BoxTree(const TriangleMesh& mesh, std::span<const glm::dvec3> positions) {
+  BoxTree(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
+          std::span<const FacetIndex> first_equal) {
     for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
       const auto& corners = mesh.facets[facet];
-      order_.push_back(facet);
+      if (first_equal.empty() || first_equal[facet] == facet) order_.push_back(facet);
       boxes_.push_back(box_of(positions[corners[0]], positions[corners[1]], positions[corners[2]]));
     }
     std::size_t nodes = 1;
@@ -252,9 +256,18 @@ bool triangle_crossing(const CrossingQuery& query, FacetCrossing& crossing) {
   return clipped(query, ends, crossing);
 }
 
+EncounterBudget encounter_budget(std::size_t facets, double effort) {
+  const auto of = [&](std::size_t always, std::size_t a_facet) {
+    return static_cast<std::size_t>(effort * static_cast<double>(always + a_facet * facets));
+  };
+  return {.pairs = of(k_always_pairs, k_pairs_a_facet),
+          .crossings = of(k_always_crossings, k_crossings_a_facet)};
+}
+
 FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
-                                 std::span<const glm::dvec3> normals, const Progress& progress) {
-  const BoxTree tree(mesh, positions);
+                                 std::span<const glm::dvec3> normals, std::span<const FacetIndex> first_equal,
+                                 const EncounterBudget& budget, const Progress& progress) {
+  const BoxTree tree(mesh, positions, first_equal);
   const auto corners_of = [&](FacetIndex facet) {
     const auto& corners = mesh.facets[facet];
     return std::array<glm::dvec3, 3>{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
@@ -263,6 +276,7 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
     std::vector<Found<FacetCrossing>> crossings;
     std::vector<Found<FacetIndex>> in_front;
     std::size_t uncounted = 0;  // of those in front
+    std::size_t uncounted_pairs = 0, counted_crossings = 0;
   };
   const auto add_crossings = [&](FacetIndex facet, FacetIndex other, const Heights& here_over,
                                  const Heights& there_over, std::vector<Found<FacetCrossing>>& found) {
@@ -288,8 +302,16 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
     if (++found.uncounted < k_counted_at_once) return;
     counted += std::exchange(found.uncounted, 0);
   };
+  // Whether there is too much is known by how much there is in all, so that no thread's haste shows.
+  std::atomic<std::size_t> pairs = 0, crossings = 0;
+  const auto count_work = [&](Lists& found) {
+    pairs += std::exchange(found.uncounted_pairs, 0);
+    crossings += found.crossings.size() - std::exchange(found.counted_crossings, found.crossings.size());
+  };
+  const auto too_much = [&] { return pairs > budget.pairs || crossings > budget.crossings; };
   const auto add_pair = [&](FacetIndex facet, FacetIndex other, Lists& found) {
-    if (normals[other] == glm::dvec3(0.0)) return;
+    if (++found.uncounted_pairs >= k_counted_at_once) count_work(found);
+    if (normals[other] == glm::dvec3(0.0) || too_much()) return;
     const Heights here_over =
         heights_over(corners_of(facet), positions[mesh.facets[other][0]], normals[other]);
     const Heights there_over =
@@ -299,20 +321,26 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
     if (tree.overlap(facet, other)) add_crossings(facet, other, here_over, there_over, found.crossings);
   };
   tbb::enumerable_thread_specific<Lists> found;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
-                    [&](const auto& range) {
-                      Lists& mine = found.local();
-                      for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
-                        const FacetIndex facet = tree.order()[k];
-                        if (normals[facet] == glm::dvec3(0.0)) continue;
-                        tree.for_each_near(facet, k_most_in_front,
-                                           [&](FacetIndex other) { add_pair(facet, other, mine); });
-                      }
-                    });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
+      [&](const auto& range) {
+        Lists& mine = found.local();
+        for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled() && !too_much(); ++k) {
+          const FacetIndex facet = tree.order()[k];
+          if (normals[facet] == glm::dvec3(0.0)) continue;
+          tree.for_each_near(facet, k_most_in_front, [&](FacetIndex other) { add_pair(facet, other, mine); });
+        }
+        count_work(mine);
+      });
   progress.report("finding crossings", 1.0);
+  if (too_much())
+    return {.crossings = {{}, std::vector<std::uint32_t>(mesh.facets.size() + 1, 0)},
+            .complete = false,
+            .in_front = {}};
   // By how many there are in all, whichever thread found them.
   for (const Lists& some : found) counted += some.uncounted;
-  FacetEncounters encounters{by_facet(found, &Lists::crossings, mesh.facets.size(), progress), {}};
+  FacetEncounters encounters{.crossings = by_facet(found, &Lists::crossings, mesh.facets.size(), progress),
+                             .in_front = {}};
   if (counted <= most_in_front)
     encounters.in_front = by_facet(found, &Lists::in_front, mesh.facets.size(), progress);
   return encounters;

@@ -37,6 +37,11 @@ constexpr double k_places = 0x1p40;
 constexpr float k_single_rounding =
     1e-6F;  // more than that of a coordinate, and than what counts as touching
 constexpr std::size_t k_projection_grain = 4096;
+/// The budget: entries of grids that are looked at for all facets, and the cells that they may be cut into.
+constexpr std::uint64_t k_always_work = 1'000'000, k_work_a_facet = 300;
+constexpr std::uint32_t k_most_work = 1U << 30U, k_least_cells = 64, k_most_cells = 1U << 22U;
+constexpr double k_always_cells = 100'000.0, k_cells_a_facet = 20.0;
+constexpr double k_least_lattice = 3.0, k_most_lattice = 16.0;
 
 std::uint8_t side_of(double sine) {
   if (sine > k_edge_on) return facing::k_up;
@@ -96,6 +101,64 @@ ProjectedPart::ProjectedPart(const ExactPart& part, const glm::dvec3& direction,
       [&] { fill_facet_grid(facing::k_up); }, [&] { fill_facet_grid(facing::k_down); });
   leave_out_hidden_edges(progress);
   fill_contour_grid();
+  plan_work(progress);
+}
+
+std::uint64_t ProjectedPart::work_budget() const {
+  return static_cast<std::uint64_t>(part_->effort() *
+                                    static_cast<double>(k_always_work + k_work_a_facet * extents_.size()));
+}
+
+/// Most of all parts need a few hundred looks a facet. Where all of them need more than the budget, those
+/// that need most are sampled; how many are is known by the part and the direction alone.
+void ProjectedPart::plan_work(const Progress& progress) {
+  const std::size_t facets = extents_.size();
+  std::vector<std::uint32_t> work(facets);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets, k_projection_grain), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
+      const auto& [a, b, c] = part_->mesh().facets[k];
+      const std::array<glm::dvec2, 3> corners = {glm::dvec2(points_[a]), glm::dvec2(points_[b]),
+                                                 glm::dvec2(points_[c])};
+      std::size_t looks =
+          contour_grid_.count_items(corners) + part_->crossings(static_cast<FacetIndex>(k)).size();
+      if (!part_->knows_in_front()) {
+        for (const ProjectionGrid& grid : facet_grids_) looks += grid.count_items(corners);
+      }
+      work[k] = static_cast<std::uint32_t>(std::min<std::size_t>(looks, k_most_work));
+    }
+  });
+  progress.report("finding contour edges", 1.0);
+  std::uint64_t sum = 0;
+  for (const std::uint32_t looks : work) sum += looks;
+  const std::uint64_t budget = work_budget();
+  if (sum <= budget && part_->crossings_known()) return;
+  proportionate_ = false;
+  std::vector<std::uint32_t> sorted = work;
+  std::ranges::sort(sorted);
+  std::uint64_t within = 0;
+  std::size_t kept = 0;
+  if (part_->crossings_known()) {
+    while (kept < facets && within + sorted[kept] <= budget) within += sorted[kept++];
+    // Equal ones are treated alike.
+    while (kept > 0 && kept < facets && sorted[kept - 1] == sorted[kept]) within -= sorted[--kept];
+    most_work_ = kept == 0 ? 0 : sorted[kept - 1];
+  }
+  const double cells = part_->effort() * (k_always_cells + k_cells_a_facet * static_cast<double>(facets));
+  cells_a_work_ = cells / std::max(1.0, static_cast<double>(within));
+  const double samples = cells / static_cast<double>(std::max<std::size_t>(facets - kept, 1));
+  lattice_lines_ = static_cast<std::size_t>(
+      std::clamp(std::sqrt(samples), k_least_lattice, k_most_lattice * std::sqrt(part_->effort())));
+  work_ = std::move(work);
+}
+
+ProjectedPart::FacetWork ProjectedPart::work_on(FacetIndex facet) const {
+  if (proportionate_) return {.sampled = false, .most_cells = k_most_cells};
+  if (!part_->crossings_known() || work_[facet] > most_work_)
+    return {.sampled = true, .most_cells = k_most_cells};
+  return {.sampled = false,
+          .most_cells =
+              k_least_cells + static_cast<std::uint32_t>(
+                                  std::min(cells_a_work_ * work_[facet], static_cast<double>(k_most_cells)))};
 }
 
 void ProjectedPart::fill_contour_grid() {
@@ -112,7 +175,7 @@ void ProjectedPart::fill_contour_grid() {
 void ProjectedPart::fill_facet_grid(std::uint8_t facing) {
   std::vector<std::uint32_t> facets;
   for (std::uint32_t k = 0; k < extents_.size(); ++k) {
-    if (extents_[k].facing == facing) facets.push_back(k);
+    if (extents_[k].facing == facing && part_->first_equal(k) == k) facets.push_back(k);
   }
   const TriangleMesh& mesh = part_->mesh();
   const double cells = k_facet_cells * static_cast<double>(facets.size());
@@ -222,6 +285,13 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
     std::array<bool, 2> senses;  // for surface below, above
     Stretch stretch;
   };
+  // To look at every edge that crosses another takes too long where all are as long as the part.
+  std::uint64_t looks = 0;
+  for (const ContourEdge& edge : contour_) {
+    const std::array<glm::dvec2, 2> ends = {glm::dvec2(edge.start), glm::dvec2(edge.start + edge.along)};
+    looks += contour_grid_.count_items(ends);
+  }
+  edges_proportionate_ = looks <= work_budget();
   std::vector<std::vector<Found>> found((contour_.size() + k_edges_a_task - 1) / k_edges_a_task);
   tbb::enumerable_thread_specific<EdgeSearch> searches(
       EdgeSearch{std::vector<std::uint32_t>(contour_.size(), ~0U), {}});
@@ -346,13 +416,14 @@ void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visib
     if (over && height >= -k_plane_margin) cuts[0].push_back(at);
     if (under && height <= k_plane_margin) cuts[1].push_back(at);
   };
-  if (!extent.pierces && (asked[0] || asked[1])) contour_grid_.for_each_item(footprint, add_cut);
+  if (!extent.pierces && edges_proportionate_ && (asked[0] || asked[1]))
+    contour_grid_.for_each_item(footprint, add_cut);
   const double shortest = k_clip_slack * edge.per_length;
   for (const std::size_t side : {0U, 1U}) {
     std::vector<double>& places = cuts[side];
     visible[side].clear();
     if (!asked[side]) continue;
-    if (extent.pierces || places.size() > k_most_cuts) {
+    if (extent.pierces || !edges_proportionate_ || places.size() > k_most_cuts) {
       visible[side].push_back({0.0, 1.0});
       continue;
     }
@@ -377,10 +448,11 @@ void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visib
 bool ProjectedPart::blocked(const Ray& ray, FacetIndex& last) const {
   const std::uint8_t facings = blockers(ray.sense, ray.beside);
   const glm::vec3 at(ray.point);
+  const FacetIndex own = ray.own == k_no_facet ? k_no_facet : part_->first_equal(ray.own);
   const auto hides = [&](FacetIndex facet) {
     const Extent& extent = extents_[facet];
     return (ray.sense > 0 ? extent.high.z >= at.z : extent.low.z <= at.z) && at.x >= extent.low.x &&
-           at.x <= extent.high.x && at.y >= extent.low.y && at.y <= extent.high.y && facet != ray.own &&
+           at.x <= extent.high.x && at.y >= extent.low.y && at.y <= extent.high.y && facet != own &&
            blocks(facet, ray);
   };
   if (last != k_no_facet && (extents_[last].facing & facings) != 0 && hides(last)) return true;

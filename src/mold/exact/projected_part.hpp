@@ -66,6 +66,14 @@ class ProjectedPart {
   };
   [[nodiscard]] const ContourExtent& contour_extent(std::size_t edge) const { return contour_extents_[edge]; }
   [[nodiscard]] const ProjectionGrid& contour_grid() const { return contour_grid_; }
+  /// How a facet is cut, so that the work on all of them stays in proportion to their number.
+  struct FacetWork {
+    bool sampled = false;          // along a lattice, not along what crosses it: that is too much to look at
+    std::uint32_t most_cells = 0;  // beyond these it is not cut
+  };
+  [[nodiscard]] FacetWork work_on(FacetIndex facet) const;
+  /// Lines of a lattice, each way.
+  [[nodiscard]] std::size_t lattice_lines() const { return lattice_lines_; }
   /// Facets that face up, and down.
   [[nodiscard]] const std::array<ProjectionGrid, 2>& facet_grids() const { return facet_grids_; }
 
@@ -110,6 +118,8 @@ class ProjectedPart {
     std::vector<std::uint32_t> met;         // the edge that each contour edge was last met by
     std::array<FacetIndex, 2> hidden_by{};  // the facets that hid the edge before
   };
+  void plan_work(const Progress& progress);
+  [[nodiscard]] std::uint64_t work_budget() const;
   void find_visible(std::uint32_t edge, EdgeSearch& search, Visible& visible) const;
 
   const ExactPart* part_;
@@ -121,6 +131,12 @@ class ProjectedPart {
   ProjectionGrid::Box box_;
   ProjectionGrid contour_grid_;
   std::array<ProjectionGrid, 2> facet_grids_;
+  bool proportionate_ = true;        // no facet is sampled for its work
+  std::vector<std::uint32_t> work_;  // of facets: what gathering segments looks at; empty if proportionate
+  std::uint32_t most_work_ = 0;      // of a facet that is not sampled
+  double cells_a_work_ = 0.0;
+  std::size_t lattice_lines_ = 0;
+  bool edges_proportionate_ = true;
 };
 
 }  // namespace moldlight

@@ -40,6 +40,20 @@ void ProjectionGrid::shape(const Box& box, std::size_t count, const glm::dvec2& 
   per_cell_ = {static_cast<double>(columns_) / size.x, static_cast<double>(rows_) / size.y};
 }
 
+std::size_t ProjectionGrid::count_items(std::span<const glm::dvec2> corners) const {
+  std::size_t sum = 0;
+  for_each_span(corners, [&](std::size_t first, std::size_t last) {
+    sum += items_between(first, last).size();
+    if (nested_of_cell_.empty()) return;
+    for (std::size_t cell = first; cell <= last; ++cell) {
+      if (nested_of_cell_[cell] == k_none) continue;
+      sum += nested_[nested_of_cell_[cell]].count_items(corners);
+      sum -= items_between(cell, cell).size();
+    }
+  });
+  return sum;
+}
+
 std::span<const std::uint32_t> ProjectionGrid::items_at(const glm::dvec2& point) const {
   if (point.x < box_.low.x || point.y < box_.low.y || point.x > box_.high.x || point.y > box_.high.y)
     return {};

@@ -31,6 +31,9 @@ class ProjectionGrid {
   template <typename Visit>
   void for_each_item(std::span<const glm::dvec2> corners, const Visit& visit) const;
 
+  /// How often for_each_item() would call.
+  [[nodiscard]] std::size_t count_items(std::span<const glm::dvec2> corners) const;
+
   /// Items of the cell around a point; none outside the grid.
   [[nodiscard]] std::span<const std::uint32_t> items_at(const glm::dvec2& point) const;
 
@@ -40,6 +43,8 @@ class ProjectionGrid {
   static constexpr std::size_t k_most_growth = 8;  // of the number of entries, by such a grid
   static constexpr std::size_t k_least_cells = 4;  // of such a grid
   static constexpr int k_most_levels = 4;          // of grids in grids
+  /// Entries, beyond which cells are larger than asked for: loose facets as large as the part are in all.
+  static constexpr std::size_t k_entries_an_item = 64, k_always_entries = 4'000'000;
 
   void reset(const Box& box, double cells);
   /// As many cells as suit so many items of such an extent: narrow ones for items that lie along one line.
@@ -168,7 +173,21 @@ void ProjectionGrid::for_each_item(std::span<const glm::dvec2> corners, const Vi
 template <typename Corners>
 void ProjectionGrid::fill(const Box& box, double cells, std::span<const std::uint32_t> items,
                           const Corners& corners) {
+  const glm::dvec2 extent = items.empty() ? glm::dvec2(0.0) : mean_extent(items, corners);
+  const auto entries = [&] {
+    const glm::dvec2 reach = 1.0 + extent * per_cell_;
+    std::size_t sum = 0;
+    if (reach.x * reach.y < static_cast<double>(k_entries_an_item)) return sum;  // far from too many
+    glm::dvec2 at[3];
+    for (const std::uint32_t item : items) {
+      const std::size_t used = corners(item, at);
+      for_each_span({at, used}, [&](std::size_t first, std::size_t last) { sum += last + 1 - first; });
+    }
+    return sum;
+  };
   reset(box, cells);
+  const std::size_t most = k_entries_an_item * items.size() + k_always_entries;
+  while (columns_ * rows_ > 1 && entries() > most) reset(box, cells *= 0.25);
   fill_level(items, corners, 1);
 }
 

@@ -48,7 +48,8 @@ std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress&
   std::vector<glm::dvec3> positions;
   for (const glm::dvec3& vertex : mesh.vertices)
     positions.push_back((vertex - frame.center) / frame.diagonal);
-  const FacetEncounters met = facet_encounters(mesh, positions, facet_geometry(mesh).normals, progress);
+  const FacetEncounters met =
+      facet_encounters(mesh, positions, facet_geometry(mesh).normals, {}, k_any_encounters, progress);
   std::vector<FacetIndex> crossed;
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (!met.crossings.of(facet).empty()) crossed.push_back(facet);

@@ -58,10 +58,11 @@ std::vector<OutlinePoint> outline_points(const Sheets& sheets, const OutlinePlan
   return points;
 }
 
-HeightWishes wishes_at(const std::vector<OutlinePoint>& outline, const SurfaceWish& wish) {
+HeightWishes wishes_at(const std::vector<OutlinePoint>& outline, const SurfaceWish& wish,
+                       const Progress& progress) {
   HeightWishes wishes{.height = wish.height,
                       .slope = wish.slope,
-                      .line = line_ranges(outline, wish.line, k_line_reach),
+                      .line = line_ranges(outline, wish.line, k_line_reach, progress),
                       .hand = wall_ranges(outline, wish.walls, k_wall_reach * wish.tolerance),
                       .part = part_ranges(outline)};
   if (wish.line.empty() && wish.walls.empty()) return wishes;
@@ -80,8 +81,9 @@ HeightWishes wishes_at(const std::vector<OutlinePoint>& outline, const SurfaceWi
 
 /// Where the surface may be level again beside points of the outline between which wishes differ, so that it
 /// climbs no longer way than it has to.
-std::vector<SegmentCut> ramp_ends(Sheets& sheets, const OutlinePlane& plane, const SurfaceWish& wish) {
-  const HeightWishes wishes = wishes_at(outline_points(sheets, plane), wish);
+std::vector<SegmentCut> ramp_ends(Sheets& sheets, const OutlinePlane& plane, const SurfaceWish& wish,
+                                  const Progress& progress) {
+  const HeightWishes wishes = wishes_at(outline_points(sheets, plane), wish, progress);
   const auto height_at = [&](std::uint32_t point) {
     double z = wishes.height;
     for (const auto* ranges : {&wishes.line, &wishes.hand, &wishes.part}) {
@@ -220,21 +222,26 @@ std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
 
 }  // namespace
 
-std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish, ForcedSlope& forced) {
+std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish, ForcedSlope& forced,
+                                             const Progress& progress) {
+  const auto go_on = [&] { progress.report(k_halves_stage, 0.0); };
   OutlinePlane plane(wish.low, wish.high);
   const OutlinePlane empty = plane;
   if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
-  if (const std::vector<SegmentCut> ramps = ramp_ends(sheets, plane, wish); !ramps.empty()) {
+  if (const std::vector<SegmentCut> ramps = ramp_ends(sheets, plane, wish, progress); !ramps.empty()) {
     cut_segments(sheets, ramps);
     sheets.weld_columns(wish.tolerance);
     plane = empty;
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
   }
+  go_on();
   const std::vector<Cone> cones = register_cones(wish);
   add_circles(plane.mesh, cones);
   refine_outside(sheets, wish.tolerance, plane);
+  go_on();
   const std::vector<OutlinePoint> outline = outline_points(sheets, plane);
-  const MeetingHeights found = meeting_heights(plane.mesh, wishes_at(outline, wish), k_narrow);
+  const MeetingHeights found = meeting_heights(plane.mesh, wishes_at(outline, wish, progress), k_narrow);
+  go_on();
   forced = found.forced;
   std::vector<double> z = found.z;
   for (std::size_t point = 0; point < z.size(); ++point) {
@@ -242,6 +249,7 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   }
   add_sheet(sheets, plane, z, wish.tolerance);
   for (int round = 0; round < k_most_surface_rounds; ++round) {
+    go_on();
     const std::vector<SegmentCut> crossings = find_crossings(sheets, wish.tolerance);
     if (crossings.empty()) break;
     cut_segments(sheets, crossings);

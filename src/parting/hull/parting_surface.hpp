@@ -33,8 +33,8 @@ struct SurfaceWish {
 /// Adds the sheet `parting` between the block's rectangle and the outline of the sheet `upper`, which stand
 /// in columns. Its heights keep between what is below and what is above at the outline where the slope
 /// allows, and give walls to the halves that are to form them where that does, too. Edges that would cross
-/// others over a segment get a vertex there.
+/// others over a segment get a vertex there. Throws Cancelled.
 [[nodiscard]] std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish,
-                                                           ForcedSlope& forced);
+                                                           ForcedSlope& forced, const Progress& progress);
 
 }  // namespace moldlight

@@ -172,7 +172,7 @@ std::vector<HeightRange> wall_ranges(std::span<const OutlinePoint> points, std::
 }
 
 std::vector<HeightRange> line_ranges(std::span<const OutlinePoint> points, std::span<const LinePiece> line,
-                                     double reach) {
+                                     double reach, const Progress& progress) {
   std::vector<HeightRange> ranges(points.size());
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -180,6 +180,7 @@ std::vector<HeightRange> line_ranges(std::span<const OutlinePoint> points, std::
   }
   std::ranges::sort(order, {}, [&](std::size_t k) { return std::pair(points[k].at.x, k); });
   for (const auto& [from, to] : line) {
+    progress.report(k_halves_stage, 0.0);
     const glm::dvec2 a(from), b(to);
     const double squared = glm::dot(b - a, b - a);
     auto next = std::ranges::lower_bound(order, std::min(a.x, b.x) - reach, {},

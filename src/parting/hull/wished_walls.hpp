@@ -5,15 +5,20 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/progress.hpp"
 #include "parting/hull/meeting_heights.hpp"
 #include "parting/hull/sheets.hpp"
 
 namespace moldlight {
+
+/// What the progress of all that makes the halves is called.
+inline constexpr std::string_view k_halves_stage = "making the halves";
 
 /// Upright surface that one half is to form.
 struct WishedWall {
@@ -38,9 +43,10 @@ struct OutlinePoint {
 [[nodiscard]] std::vector<HeightRange> wall_ranges(std::span<const OutlinePoint> points,
                                                    std::span<const WishedWall> walls, double reach);
 /// The heights of the line where it passes a point within `reach` in the plane, as far as the part leaves
-/// them.
+/// them. Throws Cancelled.
 [[nodiscard]] std::vector<HeightRange> line_ranges(std::span<const OutlinePoint> points,
-                                                   std::span<const LinePiece> line, double reach);
+                                                   std::span<const LinePiece> line, double reach,
+                                                   const Progress& progress);
 
 /// Area of the walls that the other half forms between the sheets `lower` and `upper`, and where the most of
 /// it is. With a sheet `parting`; walls farther than `reach` from the outline count as formed.

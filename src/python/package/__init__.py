@@ -11,7 +11,7 @@ which by either, and which is an undercut?
     split = found.split_mesh()                            # vertices, faces, regions, borders
 
 Every call has the settings of the command of that name as keywords; help(moldlight.Part.classify) lists
-them, moldlight.settings("classify") tells them to a program. Results have the figures of the program's JSON
+them, moldlight.settings("classify") lists them for a program. Results have the figures of the program's JSON
 report, to the last digit; to_json() is that report. What fails raises moldlight.Error or a subclass of it.
 Python's lock is released while work runs, so threads compute side by side.
 """
@@ -22,7 +22,7 @@ from ._core import __version__
 
 __all__ = sorted(name for name in vars(_core) if not name.startswith("_"))
 
-# What is told of the classes is the package's.
+# What is said of the classes is the package's.
 for _name in __all__:
     if isinstance(getattr(_core, _name), type):
         getattr(_core, _name).__module__ = __name__

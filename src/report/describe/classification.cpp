@@ -20,20 +20,15 @@ Section checked_draft_section(const ReportContext& context, const Study& study) 
   return draft_section(context, {with_draft.find<DraftCheck>(context.progress), asked});
 }
 
-}  // namespace
-
-Report classify_report(const ReportContext& context, Study& study) {
+/// The part to look at, its undercuts one by one, and its other side.
+void add_pages(const ReportContext& context, Study& study, Report& report) {
   const PartModel& model = *context.model;
   const Classification& result = study.find<SplitRegions>(context.progress).result;
-  const Undercuts found =
-      find_undercuts(model, *result.split, exact_query(model, result.query()), context.progress);
-  Report report = begin_report(context, "Parting direction", result.direction);
-  take_verdict(study.verdict(context.progress), report);
-
+  const Undercuts found = find_undercuts(model, *result.split, exact_query(model, result.query()),
+                                         context.progress, study.questions().actions.least_travel_mm);
   Illustrator pictures(context, result);
   report.still = {pictures.whole(), {}, "The part in the colours of its regions", view_caption()};
   report.view = region_view(context, result, pictures.to_viewer());
-  report.sections.push_back(regions_section(context, result, ""));
   if (!found.patches.empty()) {
     std::vector<const Undercut*> undercuts;
     for (const Undercut& undercut : found.patches) undercuts.push_back(&undercut);
@@ -41,10 +36,23 @@ Report classify_report(const ReportContext& context, Study& study) {
     section.blocks.emplace_back(undercut_table(context, pictures, undercuts, {}));
     report.sections.push_back(std::move(section));
   }
-  report.sections.push_back(checked_draft_section(context, study));
   Pictures behind;
   behind.pictures.push_back({pictures.from_behind(), {}, "The part from the other side", {}});
   report.sections.push_back({"From the other side", {std::move(behind)}});
+}
+
+}  // namespace
+
+Report classify_report(const ReportContext& context, Study& study) {
+  const PartModel& model = *context.model;
+  const Classification& result = context.drawn() ? study.find<SplitRegions>(context.progress).result
+                                                 : study.find<Classification>(context.progress);
+  Report report = begin_report(context, "Parting direction", result.direction);
+  take_verdict(study.verdict(context.progress), report);
+  report.sections.push_back(regions_section(context, result, ""));
+  if (context.drawn()) add_pages(context, study, report);
+  if (context.drawn() || study.questions().required_draft_deg > 0.0)
+    report.sections.push_back(checked_draft_section(context, study));
   report.sections.push_back(part_section(context, result.warnings));
   report.sections.push_back(repeat_section(context, classify_json(model, result)["settings"]));
   return report;

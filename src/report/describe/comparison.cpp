@@ -8,7 +8,7 @@
 #include "actions/actions_report.hpp"
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
-#include "compare/compare_texts.hpp"
+#include "mold/direction_words.hpp"
 #include "report/describe/comparison_view.hpp"
 #include "report/describe/parts.hpp"
 
@@ -27,8 +27,7 @@ class Describer {
         length_unit_(length_unit(comparison.a.model->part)),
         area_unit_(powered_unit(comparison.a.model->part, 2)),
         volume_unit_(powered_unit(comparison.a.model->part, 3)),
-        areas_(std::max(comparison.a.result.total_area, comparison.b.result.total_area)),
-        lengths_(100.0 * comparison.a.model->frame.diagonal) {}
+        style_(*comparison.a.model) {}
 
   [[nodiscard]] Section criteria(const CriteriaShown& asked) const;
   [[nodiscard]] Section places() const;
@@ -42,19 +41,19 @@ class Describer {
     return comparison_.a.model->health.closed && comparison_.b.model->health.closed;
   }
   [[nodiscard]] Value area(double value, std::string key) const {
-    return number(areas_.text(value), std::move(key), value);
+    return number(style_.text(FigureKind::area, value), std::move(key), value);
   }
   [[nodiscard]] Value change(double value, std::string key) const {
-    return number(with_minus(change_text(areas_, value)), std::move(key), value);
+    return number(with_minus(style_.change(FigureKind::area, value)), std::move(key), value);
   }
-  [[nodiscard]] Value point(const glm::dvec3& at) const { return {with_minus(point_text(lengths_, at))}; }
+  [[nodiscard]] Value point(const glm::dvec3& at) const { return {with_minus(style_.point(at))}; }
   [[nodiscard]] Table region_table() const;
   [[nodiscard]] Table changed_regions() const;
 
   const ReportContext& context_;
   const Comparison& comparison_;
   std::string length_unit_, area_unit_, volume_unit_;
-  FigureColumn areas_, lengths_;
+  FigureStyle style_;
 };
 
 std::string rest_text(std::size_t count) {
@@ -106,7 +105,7 @@ Section Describer::places() const {
   Table table{
       {{"place"}, {"gone " + area_unit_}, {"new " + area_unit_}}, {}, rest_text(surface.places.size())};
   if (closed()) table.columns.push_back({"volume " + volume_unit_});
-  table.columns.insert(table.columns.end(), {{"centre " + length_unit_}, {"across " + length_unit_}});
+  table.columns.insert(table.columns.end(), {{"centre " + length_unit_, true}, {"across " + length_unit_}});
   for (std::size_t k = 0; k < std::min(surface.places.size(), k_most_rows); ++k) {
     const ChangedPlace& place = surface.places[k];
     const std::string key = fmt::format("/places/{}/", k);
@@ -114,7 +113,8 @@ Section Describer::places() const {
              area(place.gone.area, key + "gone/area"),
              area(place.fresh.area, key + "new/area")}};
     if (closed()) row.cells.push_back(change(place.volume, key + "volume"));
-    row.cells.insert(row.cells.end(), {point(place.centre), {lengths_.text(place.bounds.diagonal())}});
+    row.cells.insert(row.cells.end(),
+                     {point(place.centre), {style_.text(FigureKind::length, place.bounds.diagonal())}});
     table.rows.push_back(std::move(row));
   }
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
@@ -146,7 +146,7 @@ Table Describer::changed_regions() const {
   const auto& regions = comparison_.surface.regions;
   Table table{{{"surface that is in both", true},
                {"area " + area_unit_},
-               {"centre " + length_unit_},
+               {"centre " + length_unit_, true},
                {"across " + length_unit_}},
               {},
               rest_text(regions.size())};
@@ -155,7 +155,7 @@ Table Describer::changed_regions() const {
     table.rows.push_back({{{fmt::format("{}, now {}", region_name(region.from), region_name(region.to))},
                            area(region.area, fmt::format("/regions/changed/{}/area", k)),
                            point(region.centre),
-                           {lengths_.text(region.bounds.diagonal())}},
+                           {style_.text(FigureKind::length, region.bounds.diagonal())}},
                           region_mark(region.to, context_.palette)});
   }
   return table;
@@ -175,7 +175,7 @@ Section Describer::undercuts() const {
                {"B " + area_unit_},
                {"A deep " + length_unit_},
                {"B deep " + length_unit_},
-               {"centre " + length_unit_}},
+               {"centre " + length_unit_, true}},
               {}};
   ReportContext of_former = context_;
   of_former.model = comparison_.a.model;
@@ -193,7 +193,8 @@ Section Describer::undercuts() const {
     };
     const auto depth = [&](const UndercutReport* side, const char* name) {
       if (side == nullptr || !std::isfinite(side->depth)) return Value{"–"};
-      return number(lengths_.text(side->depth), fmt::format("/undercuts/{}/{}/depth", k, name), side->depth);
+      return number(style_.text(FigureKind::length, side->depth),
+                    fmt::format("/undercuts/{}/{}/depth", k, name), side->depth);
     };
     Row row{{{std::string(change_name(one.kind))},
              size(was, "a"),
@@ -231,9 +232,9 @@ Section Describer::actions() const {
       }
       const SideAction& action = plan.actions[*place];
       row.cells.push_back({fmt::format("{} {}, {}", facts(action.kind).singular, *place + 1,
-                                       with_minus(short_direction_text(action.direction)))});
-      row.cells.push_back(
-          number(lengths_.text(action.travel), fmt::format("/actions/{}/{}/travel", k, name), action.travel));
+                                       with_minus(direction_words(action.direction)))});
+      row.cells.push_back(number(style_.text(FigureKind::length, action.travel),
+                                 fmt::format("/actions/{}/{}/travel", k, name), action.travel));
     };
     add(*comparison_.a.plan, one.former, "a");
     add(*comparison_.b.plan, one.fresh, "b");
@@ -253,8 +254,8 @@ Section Describer::parts() const {
   const PartModel &a = *comparison_.a.model, &b = *comparison_.b.model;
   table.rows.push_back({{{"File"}, {part_name(a.part)}, {part_name(b.part)}}});
   table.rows.push_back({{{"Parting direction"},
-                         {with_minus(short_direction_text(comparison_.a.result.direction))},
-                         {with_minus(short_direction_text(comparison_.b.result.direction))}}});
+                         {with_minus(direction_words(comparison_.a.result.direction))},
+                         {with_minus(direction_words(comparison_.b.result.direction))}}});
   const auto box = [](const PartModel& model) {
     return Value{figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal)};
   };
@@ -277,6 +278,20 @@ Section Describer::parts() const {
   return section;
 }
 
+void add_pictures(const ReportContext& context, const Comparison& comparison, Report& report) {
+  StillSettings still;
+  still.size = k_both_px;
+  still.legend = false;
+  still.backdrop = Backdrop::none;
+  still.look.palette = context.palette;
+  still.seen_from = lit_seen_from(comparison);
+  report.still = {comparison_picture(*context.gl, comparison, still, context.progress),
+                  {},
+                  "A on the left with what is gone, B on the right with what is new",
+                  "A is on the left, B on the right. " + view_caption()};
+  report.view = comparison_view(context, comparison, *still.seen_from * glm::dvec3(0, 0, 1));
+}
+
 }  // namespace
 
 Report compare_report(const ReportContext& context, const Comparison& comparison,
@@ -285,23 +300,12 @@ Report compare_report(const ReportContext& context, const Comparison& comparison
   Report report = begin_report(context, "Comparison", comparison.a.result.direction);
   report.part =
       fmt::format("{} → {}", part_name(comparison.a.model->part), part_name(comparison.b.model->part));
-  report.sentence = comparison_verdict(comparison);
+  report.sentence = with_minus(comparison_verdict(comparison));
   const std::vector<std::string> failed = met_criteria(asked.criteria, asked.figures);
   report.tone = !failed.empty() ? Tone::bad : comparison.surface.any() ? Tone::attention : Tone::good;
-  for (const std::string& sentence : failed)
-    report.lead += (report.lead.empty() ? "Fails: " : "; ") + with_minus(sentence);
-  if (failed.empty() && !asked.criteria.empty()) report.lead = "No criterion fails.";
-  StillSettings still;
-  still.size = k_both_px;
-  still.legend = false;
-  still.backdrop = Backdrop::none;
-  still.look.palette = context.palette;
-  still.seen_from = lit_seen_from(comparison);
-  report.still = {comparison_picture(context.gl, comparison, still, context.progress),
-                  {},
-                  "A on the left with what is gone, B on the right with what is new",
-                  "A is on the left, B on the right. " + view_caption()};
-  report.view = comparison_view(context, comparison, *still.seen_from * glm::dvec3(0, 0, 1));
+  for (const std::string& sentence : failed) report.lead.push_back("Fails: " + with_minus(sentence) + ".");
+  if (failed.empty() && !asked.criteria.empty()) report.lead.emplace_back("No criterion fails.");
+  if (context.drawn()) add_pictures(context, comparison, report);
   if (!asked.criteria.empty()) report.sections.push_back(describer.criteria(asked));
   report.sections.push_back(describer.places());
   report.sections.push_back(describer.regions());

@@ -17,17 +17,14 @@ namespace moldlight::report {
 
 /// What a report is made with.
 struct ReportContext {
-  const gl::Context& gl;  // current
   std::shared_ptr<const PartModel> model;
-  Palette palette = Palette::paper;
-  std::string version, command;  // to repeat it: the program's, and its command line
   const Progress& progress;
-};
+  const gl::Context* gl = nullptr;  // current; none for a text, which has no pictures
+  Palette palette = Palette::paper;
+  std::string version = {}, command = {};  // to repeat it: the program's, and its command line
 
-/// What a classification has beside its regions.
-struct DraftShown {
-  const DraftCheck& check;
-  bool asked = false;  // for the least draft that it has: else the histogram alone counts
+  /// For pages, with all sections.
+  [[nodiscard]] bool drawn() const { return gl != nullptr; }
 };
 
 // Of the study's answers, which are found where they are not known. All throw Cancelled.

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "classify/view_choice.hpp"
-#include "compare/compare_texts.hpp"
 #include "render/camera.hpp"
 #include "report/describe/parts.hpp"
 
@@ -31,26 +30,30 @@ StillSettings still_settings(const ReportContext& context, const glm::ivec2& siz
 }  // namespace
 
 Illustrator::Illustrator(const ReportContext& context, const Classification& result)
-    : context_(&context),
-      result_(&result),
-      painter_(context.gl, context.model),
-      seen_from_(painter_.seen_best({&result, 1})) {}
+    : context_(&context), result_(&result) {
+  if (!context.drawn()) return;
+  painter_.emplace(*context.gl, context.model);
+  seen_from_ = painter_->seen_best({&result, 1});
+}
 
 glm::dvec3 Illustrator::to_viewer() const { return seen_from_ * glm::dvec3(0, 0, 1); }
 
 Image Illustrator::whole(std::span<const StillBody> bodies) {
+  if (!painter_) return {};
   StillSettings still = still_settings(*context_, k_whole_px);
   still.seen_from = seen_from_;
-  return painter_.draw(*result_, still, context_->progress, bodies);
+  return painter_->draw(*result_, still, context_->progress, bodies);
 }
 
 Image Illustrator::from_behind() {
+  if (!painter_) return {};
   StillSettings still = still_settings(*context_, k_behind_px);
   still.seen_from = looking_along(to_viewer(), result_->direction);
-  return painter_.draw(*result_, still, context_->progress);
+  return painter_->draw(*result_, still, context_->progress);
 }
 
 Image Illustrator::undercut(const Undercut& undercut) {
+  if (!painter_) return {};
   const SplitMesh& split = *result_->split;
   const UnitFrame& frame = context_->model->frame;
   // Where this one alone is an undercut, it is what the view is chosen for.
@@ -74,29 +77,32 @@ Image Illustrator::undercut(const Undercut& undercut) {
       point[axis] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 * room : box.min[axis] - 0.5 * room;
     still.focus.emplace_back(point);
   }
-  return painter_.draw(*result_, still, context_->progress);
+  return painter_->draw(*result_, still, context_->progress);
 }
 
 Table undercut_table(const ReportContext& context, Illustrator& pictures,
                      std::span<const Undercut* const> undercuts, const UndercutAside& aside) {
   const PartModel& model = *context.model;
-  const std::string unit = length_unit(model.part);
-  const FigureColumn areas(model.geometry.total_area), lengths(100.0 * model.frame.diagonal);
+  const FigureStyle style(model);
+  const auto length_heading = [&](std::string_view title) {
+    return style.heading(title, FigureKind::length);
+  };
+  const auto length = [&](double value) { return style.text(FigureKind::length, value); };
   Table table;
   table.columns = {{"#"},
-                   {"area " + powered_unit(model.part, 2)},
-                   {"across " + unit},
-                   {"along " + unit},
-                   {"centre " + unit}};
+                   {style.heading("area", FigureKind::area)},
+                   {length_heading("across")},
+                   {length_heading("along")},
+                   {length_heading("centre"), true}};
   table.columns.insert(table.columns.end(), aside.columns.begin(), aside.columns.end());
   for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_pictured_rows); ++k) {
     const Undercut& undercut = *undercuts[k];
     Row row;
     row.cells = {{fmt::format("{}", k + 1)},
-                 {areas.text(undercut.area)},
-                 {figure(undercut.size_across)},
-                 {figure(undercut.size_along)},
-                 {with_minus(point_text(lengths, undercut.centre))}};
+                 {style.text(FigureKind::area, undercut.area)},
+                 {length(undercut.size_across)},
+                 {length(undercut.size_along)},
+                 {with_minus(style.point(undercut.centre))}};
     if (aside.cells) {
       for (Value& cell : aside.cells(k)) row.cells.push_back(std::move(cell));
     }

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "classify/map_comparison.hpp"
 #include "classify/option.hpp"
+#include "mold/direction_words.hpp"
 #include "parting/draft/draft_report.hpp"
 
 namespace moldlight::report {
@@ -35,7 +37,7 @@ std::string spoken(std::string key) {
 
 Table walls_table(const ReportContext& context, const DraftCheck& check) {
   const PartModel& model = *context.model;
-  const FigureColumn areas(model.geometry.total_area);
+  const FigureStyle style(model);
   Table table{{{"wall", true},
                {"area " + powered_unit(model.part, 2)},
                {"least draft"},
@@ -46,7 +48,7 @@ Table walls_table(const ReportContext& context, const DraftCheck& check) {
     const WallDraft& wall = check.walls[k];
     const Region region = wall.side == MoldSide::core ? Region::core : Region::cavity;
     table.rows.push_back({{{std::string(side_name(wall.side))},
-                           {areas.text(wall.area)},
+                           {style.text(FigureKind::area, wall.area)},
                            {with_minus(fmt::format("{:.2f}°", wall.least_deg))},
                            {figure(wall.height)},
                            {suggestion(model, wall)}},
@@ -57,14 +59,72 @@ Table walls_table(const ReportContext& context, const DraftCheck& check) {
   return table;
 }
 
+/// Why the undercut is not known to rounding; empty where it is.
+std::string uncertainty_reason(const UndercutUncertainty& uncertainty) {
+  if (uncertainty.sampled_facets > 0)
+    return fmt::format("{} facets were sampled: that leaves ± {}.", uncertainty.sampled_facets,
+                       error_text(uncertainty.readout));
+  if (uncertainty.readout > 0.0)
+    return fmt::format("The readout is off the exact regions by {}.", error_text(uncertainty.readout));
+  return uncertainty.mesh > uncertainty.rounding ? "The ± comes from what is wrong with the mesh." : "";
+}
+
+/// What shadow maps show where the exact regions are otherwise: a row for every pair that surface has.
+void add_maps(const FigureStyle& style, const MapComparison& maps, Section& section) {
+  const double total = maps.total();
+  section.blocks.emplace_back(
+      Text{fmt::format("{}; measured by {} samples, ± {} % of the area.", comparison_text(maps), maps.samples,
+                       error_text(100.0 * share(maps.error, total)))});
+  Table table{{{"exact", true}, {"by maps", true}, {style.heading("area", FigureKind::area)}, {"share"}}, {}};
+  for (const Region exact : k_regions) {
+    for (const Region shown : k_regions) {
+      const double area = maps.areas[static_cast<std::size_t>(exact)][shown];
+      if (area <= 0.0) continue;
+      table.rows.push_back(
+          {{{std::string(region_name(exact))},
+            {std::string(region_name(shown))},
+            number(style.text(FigureKind::area, area),
+                   fmt::format("/compare_maps/areas/{}/{}", region_name(exact), region_name(shown)), area),
+            {share_text(area, total)}}});
+    }
+  }
+  section.blocks.emplace_back(std::move(table));
+}
+
 }  // namespace
 
 Value number(std::string text, std::string key, double value) {
   return {std::move(text), std::move(key), value};
 }
 
+Value cell(const FigureStyle& style, const FoundFigure& figure, const std::string& place) {
+  const std::string text = with_minus(style.text(figure));
+  if (!figure.value || figure.key.empty()) return {text};
+  return number(text, fmt::format("{}/{}", place, figure.key), *figure.value);
+}
+
+FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures,
+                   const std::string& place) {
+  FigureGrid grid;
+  for (const FoundFigure& figure : figures) {
+    if (figure.title.empty() || !figure.value) continue;
+    grid.figures.push_back({std::string(figure.title),
+                            cell(style, figure, place),
+                            style.unit(figure.kind),
+                            {},
+                            std::string(figure.help)});
+  }
+  return grid;
+}
+
+void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const std::string& place,
+               Row& row) {
+  for (const FoundFigure& figure : figures)
+    if (!figure.title.empty()) row.cells.push_back(cell(style, figure, place));
+}
+
 Mark region_mark(Region region, Palette palette) {
-  return {region_colour(region, palette), region == Region::undercut};
+  return {region_colour(region, palette), region == Region::undercut, facts(region).terminal_colour};
 }
 
 std::string counted(std::size_t count, std::string_view thing) {
@@ -76,29 +136,29 @@ void take_verdict(const Verdict& verdict, Report& report) {
   report.tone = verdict.good() || verdict.state == VerdictState::side_actions ? Tone::good
                 : verdict.state == VerdictState::not_releasable               ? Tone::bad
                                                                               : Tone::attention;
-  report.lead.clear();
-  for (const std::string& reason : verdict.reasons)
-    report.lead += (report.lead.empty() ? "" : " ") + with_minus(reason);
+  for (const std::string& reason : verdict.reasons) report.lead.push_back(with_minus(reason));
 }
 
 Report begin_report(const ReportContext& context, std::string kind, const glm::dvec3& direction) {
   Report report;
   report.kind = std::move(kind);
   report.part = part_name(context.model->part);
-  report.subject = "along " + with_minus(short_direction_text(direction));
+  report.subject = "along " + with_minus(direction_words(direction));
   return report;
 }
 
 Section regions_section(const ReportContext& context, const Classification& result,
                         const std::optional<std::string>& keys) {
-  const std::string area_unit = powered_unit(context.model->part, 2);
-  const FigureColumn areas(result.total_area);
+  const FigureStyle style(*context.model);
+  const std::string area_unit = style.unit(FigureKind::area);
+  const auto area_text = [&](double area) { return style.text(FigureKind::area, area); };
   const auto value = [&](std::string text, const std::string& key, double found) {
     return number(std::move(text), keys ? *keys + key : "", found);
   };
   Section section{"Who forms what", {}};
   ShareBar bar;
-  Table table{{{"region", true}, {"area " + area_unit}, {"±"}, {"share"}, {"meaning", true}}, {}};
+  Table table{
+      {{"region", true}, {"area " + area_unit}, {"±"}, {"share"}, {"meaning", true, ColumnRoom::pages}}, {}};
   for (const Region region : k_regions) {
     const std::string name(region_name(region)), title(facts(region).title);
     const Mark mark = region_mark(region, context.palette);
@@ -106,7 +166,7 @@ Section regions_section(const ReportContext& context, const Classification& resu
     bar.shares.push_back({mark, part_of, title});
     table.rows.push_back(
         {{{title},
-          value(areas.text(result.areas[region]), "/areas/" + name, result.areas[region]),
+          value(area_text(result.areas[region]), "/areas/" + name, result.areas[region]),
           region == Region::undercut ? value(error_text(error), "/undercut_uncertainty", error) : Value{},
           value(share_text(result.areas[region], result.total_area), "/fractions/" + name, part_of),
           {std::string(facts(region).meaning)}},
@@ -115,7 +175,7 @@ Section regions_section(const ReportContext& context, const Classification& resu
   section.blocks = {std::move(bar), std::move(table)};
   const ShadowIdentity& identity = result.identity;
   const auto area = [&](std::string name, double found, const std::string& key, std::string note) {
-    return Figure{std::move(name), value(areas.text(found), key, found), area_unit, {}, std::move(note)};
+    return Figure{std::move(name), value(area_text(found), key, found), area_unit, {}, std::move(note)};
   };
   FigureGrid grid;
   grid.figures = {
@@ -125,6 +185,12 @@ Section regions_section(const ReportContext& context, const Classification& resu
       area("Projected undercut", result.projected_undercut, "/projected_undercut", "hidden from both sides"),
       area("Near-vertical", result.near_vertical_area, "/areas/near_vertical",
            fmt::format("draft below {}°", figure(result.settings.tau_deg))),
+      {"Lateral tolerance",
+       number(style.text(FigureKind::length, result.lateral_tolerance),
+              keys && keys->empty() ? "/lateral_tolerance" : "", result.lateral_tolerance),
+       style.unit(FigureKind::length),
+       {},
+       "nothing narrower counts"},
       {"Two checks",
        {identity.agrees() ? "agree" : "disagree"},
        {},
@@ -132,6 +198,9 @@ Section regions_section(const ReportContext& context, const Classification& resu
        fmt::format("the shadow from both sides differs by {} {}, limit {}",
                    error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
   section.blocks.emplace_back(std::move(grid));
+  if (const std::string why = uncertainty_reason(result.uncertainty); !why.empty())
+    section.blocks.emplace_back(Text{why, TextLook::quiet});
+  if (result.maps) add_maps(style, *result.maps, section);
   return section;
 }
 
@@ -154,6 +223,7 @@ Section part_section(const ReportContext& context, const std::vector<std::string
       {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
       {"Read as", {model.part.format}, {}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
   section.blocks.emplace_back(std::move(grid));
+  if (!context.drawn()) return section;  // a terminal has seen them
   for (const std::string& warning : warnings) section.blocks.emplace_back(Text{warning, TextLook::notice});
   return section;
 }
@@ -162,7 +232,7 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   const PartModel& model = *context.model;
   const DraftCheck& check = draft.check;
   const std::string area_unit = powered_unit(model.part, 2);
-  const FigureColumn areas(model.geometry.total_area);
+  const FigureStyle style(model);
   DraftBars bars;
   bars.core = region_mark(Region::core, context.palette);
   bars.cavity = region_mark(Region::cavity, context.palette);
@@ -175,23 +245,31 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
     if (!shown && bin.from_deg > 0.0) beyond += bin.area[0] + bin.area[1];
   }
   Section section{"Draft", {}};
-  section.blocks.emplace_back(
-      Text{fmt::format("Area by draft angle of what core and cavity form, each seen from the half that forms "
-                       "it; {} {} more have over {}°.",
-                       areas.text(beyond), area_unit, figure(k_most_draft_deg)),
-           TextLook::quiet});
+  if (context.drawn())
+    section.blocks.emplace_back(Text{
+        fmt::format("Area by draft angle of what core and cavity form, each seen from the half that forms "
+                    "it; {} {} more have over {}°.",
+                    style.text(FigureKind::area, beyond), area_unit, figure(k_most_draft_deg)),
+        TextLook::quiet});
   section.blocks.emplace_back(std::move(bars));
   if (!draft.asked) return section;
   FigureGrid grid;
   for (const std::size_t half : {0U, 1U}) {
     grid.figures.push_back(
         {fmt::format("{} below {}°", half == 0 ? "Core" : "Cavity", figure(check.required_deg)),
-         number(areas.text(check.below[half]),
+         number(style.text(FigureKind::area, check.below[half]),
                 fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
          area_unit,
          {},
          counted(check.faces_below[half], "face")});
   }
+  if (check.reverse.facet)
+    grid.figures.push_back(
+        {"Reverse draft",
+         number(style.text(FigureKind::area, check.reverse.area), "/draft/reverse/area", check.reverse.area),
+         area_unit,
+         {},
+         fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
   section.blocks.emplace_back(std::move(grid));
   Table walls = walls_table(context, check);
   if (!walls.rows.empty()) section.blocks.emplace_back(std::move(walls));
@@ -199,7 +277,7 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
 }
 
 Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings) {
-  Section section{"To repeat it", {}};
+  Section section{"To repeat it", {}, true};
   section.blocks.emplace_back(Text{context.command, TextLook::command});
   Facts facts;
   facts.facts.emplace_back("moldlight", context.version);
@@ -217,7 +295,7 @@ std::string view_caption() {
 ModelView region_view(const ReportContext& context, const Classification& result,
                       const glm::dvec3& to_viewer) {
   const PartModel& model = *context.model;
-  const FigureColumn areas(result.total_area);
+  const FigureStyle style(model);
   ModelView view;
   view.centre = model.frame.center;
   view.diagonal = model.frame.diagonal;
@@ -227,8 +305,8 @@ ModelView region_view(const ReportContext& context, const Classification& result
   for (const Region region : k_regions) {
     ViewGroup group;
     group.name = facts(region).title;
-    group.aside = fmt::format("{}  ·  {} {}", share_text(result.areas[region], result.total_area),
-                              areas.text(result.areas[region]), powered_unit(model.part, 2));
+    group.aside = fmt::format("{}  ·  {}", share_text(result.areas[region], result.total_area),
+                              style.with_unit(FigureKind::area, result.areas[region]));
     group.colour = region_colour(region, context.palette);
     group.hatched = group.stays_opaque = region == Region::undercut;
     const double way = region == Region::core ? 1.0 : region == Region::cavity ? -1.0 : 0.0;

@@ -5,7 +5,9 @@
 #include <functional>
 #include <span>
 
+#include "actions/side_action.hpp"
 #include "actions/undercut.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
 #include "report/describe/describe.hpp"
 
@@ -13,11 +15,30 @@ namespace moldlight::report {
 
 /// A value that the JSON report has under `key`.
 [[nodiscard]] Value number(std::string text, std::string key, double value);
+/// A row's figure, which the JSON report has under `place` and its key.
+[[nodiscard]] Value cell(const FigureStyle& style, const FoundFigure& figure, const std::string& place);
+/// Those that have a title.
+[[nodiscard]] FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures,
+                                 const std::string& place);
+/// A column for each that has a title, and a row's cells.
+template <typename Of>
+void add_columns(const FigureStyle& style, std::span<const FigureRow<Of>> rows, Table& table) {
+  for (const FigureRow<Of>& row : rows)
+    if (!row.title.empty()) table.columns.push_back({style.heading(row.title, row.kind)});
+}
+void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const std::string& place,
+               Row& row);
 
 [[nodiscard]] Mark region_mark(Region region, Palette palette);
 
 /// "1 undercut", "3 undercuts".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
+
+/// What a classification has beside its regions.
+struct DraftShown {
+  const DraftCheck& check;
+  bool asked = false;  // for the least draft that it has: else the histogram alone counts
+};
 
 /// Sentence and tone of the report, with what else the verdict says below.
 void take_verdict(const Verdict& verdict, Report& report);
@@ -36,7 +57,8 @@ void take_verdict(const Verdict& verdict, Report& report);
 /// Settings as a JSON report has them, version and command line.
 [[nodiscard]] Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings);
 
-/// Draws still pictures of a classified part, without backdrop, for light pages and dark ones.
+/// Draws still pictures of a classified part, without backdrop, for light pages and dark ones; empty ones
+/// for a text.
 class Illustrator {
  public:
   Illustrator(const ReportContext& context, const Classification& result);
@@ -47,14 +69,14 @@ class Illustrator {
   [[nodiscard]] Image from_behind();
   /// An undercut, from where most of it is seen.
   [[nodiscard]] Image undercut(const Undercut& undercut);
-  /// Towards the viewer of whole(), unit.
+  /// Towards the viewer of whole(), unit; of what is drawn.
   [[nodiscard]] glm::dvec3 to_viewer() const;
 
  private:
   const ReportContext* context_;
   const Classification* result_;
-  StillPainter painter_;
-  glm::dquat seen_from_;
+  std::optional<StillPainter> painter_;  // none for a text
+  glm::dquat seen_from_ = {};
 };
 
 /// What an undercut's row has beside its figures.
@@ -66,6 +88,10 @@ struct UndercutAside {
 /// A table of undercuts, the largest with a picture each.
 [[nodiscard]] Table undercut_table(const ReportContext& context, Illustrator& pictures,
                                    std::span<const Undercut* const> undercuts, const UndercutAside& aside);
+
+/// A row an action. `keys`: where the JSON report has the actions; none where it has not.
+[[nodiscard]] Table actions_table(const PartModel& model, const ActionPlan& plan,
+                                  const std::optional<std::string>& keys);
 
 /// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
 /// apart.

@@ -4,7 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/action_body.hpp"
+#include "actions/action_figures.hpp"
 #include "actions/actions_files.hpp"
+#include "actions/best_changes.hpp"
+#include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -19,54 +22,56 @@ std::string title(const ActionPlan& plan, std::size_t action) {
 }
 
 std::string numbers_text(const std::vector<std::size_t>& numbers) {
+  constexpr std::size_t k_most = 12;
   std::string text;
-  for (const std::size_t number : numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", number + 1);
-  return text;
+  for (std::size_t k = 0; k < std::min(numbers.size(), k_most); ++k)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k] + 1);
+  return numbers.size() > k_most ? fmt::format("{}, … {} in all", text, numbers.size()) : text;
 }
 
 Section plan_section(const ActionsReport& found) {
-  const auto& [model, result, settings, plan, changes] = found;
-  const std::string unit = length_unit(model.part), area_unit = powered_unit(model.part, 2);
-  const FigureColumn areas(result.total_area), lengths(10.0 * model.frame.diagonal);
+  const ActionPlan& plan = found.plan;
+  const FigureStyle style(found.model);
   Section section{"Side actions", {}};
-  Table table{{{"action", true},
-               {"direction"},
-               {"travel " + unit},
-               {"stroke " + unit},
-               {"free to turn"},
-               {"area " + area_unit},
-               {"undercuts", true}},
-              {}};
-  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
-    const SideAction& action = plan.actions[k];
-    const std::string key = fmt::format("/actions/{}/", k);
-    table.rows.push_back(
-        {{{title(plan, k)},
-          {with_minus(direction_text(action.direction, 3))},
-          number(lengths.text(action.travel), key + "travel", action.travel),
-          action.stroke ? number(lengths.text(*action.stroke), key + "stroke", *action.stroke) : Value{},
-          {with_minus(freedom_text(action, unit))},
-          number(areas.text(action.area), key + "area", action.area),
-          {numbers_text(action.patches)}},
-         Mark{action_colour(k)}});
+  if (plan.patches.empty()) {
+    section.blocks.emplace_back(Text{"None."});
+    return section;
   }
-  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
-  for (const std::string& notice : {meetings_text(plan), crowded_text(plan, unit)}) {
+  if (!plan.actions.empty()) section.blocks.emplace_back(actions_table(found.model, plan, "/actions"));
+  for (const std::string& notice : {meetings_text(plan), crowded_text(plan, length_unit(found.model.part))}) {
     if (!notice.empty()) section.blocks.emplace_back(Text{notice, TextLook::notice});
   }
-  if (!plan.unreleased.empty()) {
-    section.blocks.emplace_back(Text{
-        fmt::format("Nothing that was tried releases {} {} in {}: {}.", areas.text(plan.unreleased_area),
-                    area_unit, counted(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
-        TextLook::notice});
-  }
-  std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
-                                   : "A cheaper set may exist: the search for the least was given up.";
-  if (plan.dropped > 0)
-    small += fmt::format(" {} within the lateral tolerance {} left out, {} {}.",
-                         plan.dropped == 1 ? "One patch" : fmt::format("{} patches", plan.dropped),
-                         plan.dropped == 1 ? "is" : "are", figure(plan.dropped_area), area_unit);
+  if (!plan.unreleased.empty())
+    section.blocks.emplace_back(
+        Text{fmt::format("Nothing that was tried releases {} in {}: {}.",
+                         style.with_unit(FigureKind::area, plan.unreleased_area),
+                         counted(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
+             TextLook::notice});
+  if (plan.actions.empty()) return section;
+  const std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
+                                         : "A cheaper set may exist: the search for the least was given up.";
   section.blocks.emplace_back(Text{small, TextLook::quiet});
+  return section;
+}
+
+/// What would have to be changed of the part instead.
+Section changes_section(const ActionsReport& found) {
+  Section section{"Without side actions", {}};
+  section.blocks.emplace_back(Text{"What reaches over an undercut would have to be changed."});
+  for (const SavingChange& change : best_changes(found.plan, found.settings.prices)) {
+    std::string saved;
+    for (const std::size_t action : change.actions)
+      saved += (saved.empty() ? "" : ", ") + title(found.plan, action);
+    section.blocks.emplace_back(
+        Text{fmt::format("Changing undercut{} {} saves {}.", change.patches.size() == 1 ? "" : "s",
+                         numbers_text(change.patches), saved)});
+  }
+  Table table{{{"#"}, {"change of the part", true}}, {}};
+  for (std::size_t k = 0; k < found.changes.size(); ++k)
+    table.rows.push_back({{{fmt::format("{}", k + 1)},
+                           {with_minus(change_text(found.changes[k], length_unit(found.model.part),
+                                                   powered_unit(found.model.part, 2)))}}});
+  section.blocks.emplace_back(std::move(table));
   return section;
 }
 
@@ -74,12 +79,15 @@ Section undercuts_section(const ReportContext& context, Illustrator& pictures, c
   std::vector<const Undercut*> undercuts;
   for (const UndercutReport& patch : plan.patches) undercuts.push_back(&patch.undercut);
   UndercutAside aside;
-  aside.columns = {{"depth " + length_unit(context.model->part)}, {"released by", true}};
-  aside.cells = [&plan](std::size_t k) -> std::vector<Value> {
+  const FigureStyle style(*context.model);
+  aside.columns = {{style.heading("depth", FigureKind::length)}, {"released by", true}};
+  aside.cells = [&plan, style](std::size_t k) -> std::vector<Value> {
     const UndercutReport& patch = plan.patches[k];
     const SideAction* action = action_of(plan, k);
     const bool deep = std::isfinite(patch.depth);
-    return {deep ? number(figure(patch.depth), fmt::format("/patches/{}/depth", k), patch.depth) : Value{"–"},
+    return {deep ? number(style.text(FigureKind::length, patch.depth), fmt::format("/patches/{}/depth", k),
+                          patch.depth)
+                 : Value{"–"},
             {action != nullptr ? title(plan, static_cast<std::size_t>(action - plan.actions.data()))
                                : unreleased_text(plan, k)}};
   };
@@ -96,7 +104,7 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
   view.opens = "Pull the side actions";
   view.opened = plan.actions.empty() ? 0.0 : 1.0;
   for (ViewGroup& group : view.groups) group.shift = glm::dvec3(0.0);
-  // Of the undercut only what was left out is not told with what forms it.
+  // Of the undercut only what was left out does not stand with what forms it.
   ViewGroup& left_out = view.groups[static_cast<std::size_t>(Region::undercut)];
   left_out.name.clear();
   left_out.aside.clear();
@@ -137,18 +145,45 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
 
 }  // namespace
 
+Table actions_table(const PartModel& model, const ActionPlan& plan, const std::optional<std::string>& keys) {
+  const FigureStyle style(model);
+  Table table{{{"action", true}, {"direction"}}, {}};
+  add_columns(style, action_figures(), table);
+  table.columns.insert(table.columns.end(), {{"free to turn"}, {"undercuts", true}});
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const SideAction& action = plan.actions[k];
+    const std::string& feature = action.feature;
+    Row row{{{title(plan, k) + (feature.empty() ? "" : ", " + feature)},
+             {with_minus(direction_words(action.direction))}},
+            Mark{action_colour(k)}};
+    std::vector<FoundFigure> figures = found_figures(action_figures(), action);
+    if (!keys)
+      for (FoundFigure& figure : figures) figure.key = {};
+    add_cells(style, figures, keys ? fmt::format("{}/{}", *keys, k) : "", row);
+    row.cells.push_back({with_minus(freedom_text(action, length_unit(model.part)))});
+    row.cells.push_back({numbers_text(action.patches)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Report actions_report(const ReportContext& context, Study& study) {
   const ActionsReport found = moldlight::actions_report(study, context.progress);
   const ActionPlan& plan = found.plan;
   Report report = begin_report(context, "Side actions", found.result.direction);
   take_verdict(study.verdict(context.progress), report);
   Illustrator pictures(context, found.result);
-  const std::vector<StillBody> bodies = pulled_bodies(found);
-  report.still = {pictures.whole(bodies), {}, "The part with its side actions, pulled out", view_caption()};
-  report.view = actions_view(context, found, pictures.to_viewer());
+  if (context.drawn()) {
+    const std::vector<StillBody> bodies = pulled_bodies(found);
+    report.still = {pictures.whole(bodies), {}, "The part with its side actions, pulled out", view_caption()};
+    report.view = actions_view(context, found, pictures.to_viewer());
+  }
   report.sections.push_back(plan_section(found));
   if (!plan.patches.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
-  report.sections.push_back(regions_section(context, found.result, std::nullopt));
+  if (!found.changes.empty()) report.sections.push_back(changes_section(found));
+  Section regions = regions_section(context, found.result, std::nullopt);
+  regions.pages_only = true;
+  report.sections.push_back(std::move(regions));
   report.sections.push_back(part_section(context, found.result.warnings));
   report.sections.push_back(repeat_section(context, actions_json(found)["settings"]));
   return report;

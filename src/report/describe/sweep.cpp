@@ -1,9 +1,11 @@
 // The report of a sweep.
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
@@ -40,15 +42,18 @@ std::string key_of(const DirectionFigure& figure, std::size_t candidate) {
 
 Table candidates_table(const PartModel& model, const SweepResult& result) {
   const std::vector<const DirectionFigure*> columns = figure_columns(result);
-  Table table{{{"#"}, {"tie", true}, {"direction"}}, {}};
+  std::vector<const DirectionFigure*> brief = columns;
+  keep_brief(brief);
+  Table table{{{"#"}, {"tie", true}, {"direction", true}}, {}};
   for (const DirectionFigure* column : columns)
-    table.columns.push_back({figure_heading(*column, model.part), column->kind == FigureKind::actions});
-  table.columns.push_back({"why", true});
+    table.columns.push_back({figure_heading(*column, model), column->kind == FigureKind::actions,
+                             std::ranges::count(brief, column) > 0 ? ColumnRoom::any : ColumnRoom::wide});
+  for (const char* heading : {"Pareto", "vector", "why"})
+    table.columns.push_back({heading, true, ColumnRoom::wide});
   for (std::size_t k = 0; k < result.candidates.size(); ++k) {
     const SweepCandidate& candidate = result.candidates[k];
-    Row row{{{fmt::format("{}", candidate.rank)},
-             {candidate.tie},
-             {with_minus(direction_text(candidate.classification.direction, 4))}}};
+    const glm::dvec3& direction = candidate.classification.direction;
+    Row row{{{fmt::format("{}", candidate.rank)}, {candidate.tie}, {with_minus(direction_words(direction))}}};
     for (const DirectionFigure* column : columns) {
       const std::string text =
           with_minus(figure_text(*column, model, candidate) + figure_aside(*column, candidate));
@@ -56,6 +61,8 @@ Table candidates_table(const PartModel& model, const SweepResult& result) {
       const std::string key = column->kind == FigureKind::actions ? "" : key_of(*column, k);
       row.cells.push_back(value && !key.empty() ? number(text, key, *value) : Value{text});
     }
+    row.cells.push_back({candidate.pareto ? "*" : ""});
+    row.cells.push_back({with_minus(direction_text(direction))});
     row.cells.push_back({reasons_text(candidate.candidate)});
     table.rows.push_back(std::move(row));
   }
@@ -65,7 +72,7 @@ Table candidates_table(const PartModel& model, const SweepResult& result) {
 Section proof_section(const PartModel& model, const SweepProof& proof, const std::string& key,
                       std::string title) {
   const std::string area_unit = powered_unit(model.part, 2);
-  Section section{std::move(title), {}};
+  Section section{std::move(title), {}, true};
   section.blocks.emplace_back(
       Text{fmt::format("{} {} an undercut of at least {} {}, {}.",
                        proof.open.empty() ? "Every parting direction"
@@ -102,8 +109,6 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
 /// What of the best direction is shown beside its figures.
 void show_best(const ReportContext& context, const SweepCandidate& best, Report& report) {
   const PartModel& model = *context.model;
-  const Classification split =
-      classify_exact(model, best.classification.query(), Progress(&context.progress), true);
   report.subject = "best " + report.subject;
   if (const std::optional<Verdict> verdict = verdict_of(model, best)) {
     take_verdict(*verdict, report);
@@ -111,6 +116,9 @@ void show_best(const ReportContext& context, const SweepCandidate& best, Report&
     report.tone = Tone::attention;
     report.sentence = "The sweep ended before the undercuts of the best direction were counted.";
   }
+  if (!context.drawn()) return;
+  const Classification split =
+      classify_exact(model, best.classification.query(), Progress(&context.progress), true);
   Illustrator pictures(context, split);
   report.still = {pictures.whole(), {}, "The part with its best parting direction", view_caption()};
   report.view = region_view(context, split, pictures.to_viewer());
@@ -124,22 +132,21 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
   Report report =
       begin_report(context, "Parting directions",
                    any ? result.candidates.front().classification.direction : glm::dvec3(0, 0, 1));
-  Picture map = direction_map(context, result);
+  Pictures maps;
+  if (context.drawn()) maps.pictures.push_back(direction_map(context, result));
   if (any) {
     show_best(context, result.candidates.front(), report);
   } else {
     report.subject.clear();
     report.tone = Tone::bad;
-    report.sentence = "No direction was measured to the end";
-    report.still = map;
+    report.sentence = "No direction was measured to the end.";
+    if (context.drawn()) report.still = maps.pictures.front();
   }
-  report.lead += fmt::format("{}{} scored{}", report.lead.empty() ? "" : " ",
-                             counted(result.evaluated.size(), "direction"),
-                             result.complete ? "." : "; the sweep is not complete.");
+  report.lead.push_back(fmt::format("{} scored by {}, {} dropped as surely worse{}",
+                                    counted(result.evaluated.size(), "direction"), result.engine,
+                                    result.skipped, result.complete ? "." : "; the sweep is not complete."));
   Section directions{"Parting directions", {}};
   for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});
-  Pictures maps;
-  maps.pictures.push_back(std::move(map));
   directions.blocks.emplace_back(std::move(maps));
   if (any) directions.blocks.emplace_back(candidates_table(model, result));
   report.sections.push_back(std::move(directions));
@@ -151,6 +158,7 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
   if (any) {
     Section best = regions_section(context, result.candidates.front().classification, "/candidates/0");
     best.title = "Who forms what along the best";
+    best.pages_only = true;
     report.sections.push_back(std::move(best));
   }
   report.sections.push_back(

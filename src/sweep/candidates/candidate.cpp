@@ -57,10 +57,10 @@ std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, doubl
     if (same != end) {
       if (!same->canonical) same->canonical = candidate.canonical;
       for (CandidateSource& source : candidate.sources) {
-        const bool told = std::ranges::any_of(same->sources, [&](const CandidateSource& other) {
+        const bool noted = std::ranges::any_of(same->sources, [&](const CandidateSource& other) {
           return other.kind == source.kind && other.reason == source.reason;
         });
-        if (!told) same->sources.push_back(std::move(source));
+        if (!noted) same->sources.push_back(std::move(source));
       }
       continue;
     }

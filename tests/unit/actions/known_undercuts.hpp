@@ -123,6 +123,50 @@ inline TriangleMesh box_with_hook(double length, double ahead, double beside) {
 
 inline TriangleMesh box_with_hook(double length) { return box_with_hook(length, 36.0 - length, 12.0); }
 
+/// Thickness of the walls and the floor of the box below.
+inline constexpr double k_vented_wall = 5.0;
+
+/// A box open above with a window in each of its four walls, across from each other.
+inline TriangleMesh box_with_vents(const glm::dvec2& size = {60, 90}) {
+  const glm::dvec3 low(0, 0, 0), high(size, 40), in_low(low + k_vented_wall);
+  const glm::dvec3 in_high(size - k_vented_wall, 40);
+  SolidBuilder solid;
+  solid.box(low, high, {0, 1, 2, 3, 5});
+  solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
+  solid.box(in_low, in_high, {0, 1, 2, 3, 5}, true);
+  for (const int face : {0, 1, 2, 3}) {
+    const int across = face / 2, along = 1 - across;
+    glm::dvec3 window_low(0, 0, 15), window_high(0, 0, 23);
+    window_low[along] = 0.5 * size[along] - 8.0;
+    window_high[along] = 0.5 * size[along] + 8.0;
+    window_low[across] = face % 2 == 0 ? low[across] : in_high[across];
+    window_high[across] = window_low[across] + k_vented_wall;
+    solid.box(window_low, window_high, {2 * across, 2 * across + 1}, true);
+    solid.face(box_face(low, high, face), {box_face(window_low, window_high, face)});
+    test::Loop inner = box_face(in_low, in_high, face);
+    std::ranges::reverse(inner);
+    solid.face(inner, {box_face(window_low, window_high, face % 2 == 0 ? face + 1 : face - 1)});
+  }
+  return solid.mesh();
+}
+
+/// A tube's end with two flanges: along its axis the space between them is undercut all round.
+inline TriangleMesh spool(int sides, double turn_deg) {
+  const auto ring = [&](double radius) { return regular_polygon(sides, radius, turn_deg); };
+  const auto reversed = [](const Loop2& loop) { return Loop2(loop.rbegin(), loop.rend()); };
+  const Loop2 flange = ring(20.0), drum = ring(8.0), bore = ring(4.0);
+  SolidBuilder solid;
+  solid.face(at_height(reversed(flange), 0.0), {at_height(bore, 0.0)});
+  solid.walls(at_height(flange, 0.0), at_height(flange, 3.0));
+  solid.face(at_height(flange, 3.0), {at_height(drum, 3.0)});
+  solid.walls(at_height(drum, 3.0), at_height(drum, 17.0));
+  solid.face(at_height(reversed(flange), 17.0), {at_height(drum, 17.0)});
+  solid.walls(at_height(flange, 17.0), at_height(flange, 20.0));
+  solid.face(at_height(flange, 20.0), {at_height(bore, 20.0)});
+  solid.walls(at_height(reversed(bore), 0.0), at_height(reversed(bore), 20.0));
+  return solid.mesh();
+}
+
 /// Two pockets in one side of a long block.
 inline TriangleMesh block_with_pockets(double apart) {
   const glm::dvec3 low(0, 0, 0), high(40, 40 + apart, 20);

@@ -25,7 +25,8 @@ using test::SolidBuilder;
 
 constexpr double k_pi = std::numbers::pi;
 
-ActionPlan turned_plan(const TriangleMesh& mesh, const glm::dvec3& direction, double strip_strain_pct = 0.0) {
+ActionPlan turned_plan(const TriangleMesh& mesh, const glm::dvec3& direction,
+                       double strip_strain_pct = 100.0) {
   Part part;
   part.mesh = mesh;
   part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
@@ -34,6 +35,7 @@ ActionPlan turned_plan(const TriangleMesh& mesh, const glm::dvec3& direction, do
   query.direction = direction;
   ActionSettings settings;
   settings.strip_strain_pct = strip_strain_pct;
+  settings.least_travel_mm = 0.0;
   return find_actions(*model, classify_exact(*model, query, Progress(), true), settings, Progress());
 }
 

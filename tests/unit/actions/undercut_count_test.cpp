@@ -1,6 +1,7 @@
 // What counts as an undercut: one that nowhere is deeper than the lateral tolerance does not.
 #include <numbers>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "unit/actions/known_undercuts.hpp"
@@ -29,15 +30,23 @@ TriangleMesh pillar_with_groove(double depth) {
   return solid.mesh();
 }
 
-std::size_t count_of(const Planned& planned) {
+std::size_t count_of(const Planned& planned, double least_travel_mm = k_least_travel_mm) {
   std::vector<FacetIndex> facets;
   for (FacetIndex facet = 0; facet < planned.result.facet_fractions.size(); ++facet) {
     if (planned.result.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0)
       facets.push_back(facet);
   }
-  return count_undercuts(*planned.model, exact_query(*planned.model, planned.result.query()), facets,
-                         Progress())
+  const ExactQuery query = exact_query(*planned.model, planned.result.query());
+  return count_undercuts(*planned.model,
+                         {.query = query, .facets = facets, .least_travel_mm = least_travel_mm}, Progress())
       .count;
+}
+
+/// The tolerance alone decides.
+ActionSettings any_travel() {
+  ActionSettings settings;
+  settings.least_travel_mm = 0.0;
+  return settings;
 }
 
 /// Of the boxes and pillars below, in their own unit.
@@ -45,24 +54,28 @@ double tolerance_of(const TriangleMesh& mesh) { return plan_of(mesh).result.late
 
 TEST(UndercutCount, LeavesOutAHookThatIsShorterThanTheTolerance) {
   const double tolerance = tolerance_of(box_with_hook(1.0));
-  const Planned shorter = plan_of(box_with_hook(0.9 * tolerance));
+  const Planned shorter = plan_of(box_with_hook(0.9 * tolerance), any_travel());
   EXPECT_GT(shorter.result.areas[Region::undercut], 3.0 * tolerance) << "there is undercut";
-  EXPECT_EQ(count_of(shorter), 0U);
+  EXPECT_EQ(count_of(shorter, 0.0), 0U);
   EXPECT_TRUE(shorter.plan.patches.empty());
-  EXPECT_EQ(shorter.plan.dropped, 2U) << "what it hides, and its own underside";
-  const Planned longer = plan_of(box_with_hook(1.2 * tolerance));
-  EXPECT_EQ(count_of(longer), 1U);
+  ASSERT_EQ(shorter.plan.specks.size(), 2U) << "what it hides, and its own underside";
+  EXPECT_NE(shorter.plan.specks[0].reason, SpeckReason::small);
+  EXPECT_NEAR(shorter.plan.specks[1].area, 0.9 * tolerance * k_hook_width, 1e-3);
+  EXPECT_EQ(shorter.plan.specks[1].reason, SpeckReason::narrow);
+  EXPECT_NEAR(shorter.plan.specks[1].place.z, 14.0, 1e-9);
+  const Planned longer = plan_of(box_with_hook(1.2 * tolerance), any_travel());
+  EXPECT_EQ(count_of(longer, 0.0), 1U);
   EXPECT_EQ(longer.plan.patches.size(), 1U);
 }
 
 /// Every point of it is near where it is free, if each in another direction.
 TEST(UndercutCount, LeavesOutARingThatIsShallowerThanTheTolerance) {
   const double tolerance = tolerance_of(pillar_with_groove(1.0));
-  const Planned shallow = plan_of(pillar_with_groove(0.9 * tolerance));
+  const Planned shallow = plan_of(pillar_with_groove(0.9 * tolerance), any_travel());
   EXPECT_GT(shallow.result.areas[Region::undercut], 0.0);
-  EXPECT_EQ(count_of(shallow), 0U);
-  const Planned deep = plan_of(pillar_with_groove(1.2 * tolerance));
-  EXPECT_EQ(count_of(deep), 1U);
+  EXPECT_EQ(count_of(shallow, 0.0), 0U);
+  const Planned deep = plan_of(pillar_with_groove(1.2 * tolerance), any_travel());
+  EXPECT_EQ(count_of(deep, 0.0), 1U);
 }
 
 TEST(UndercutCount, IsThatOfTheListWhateverIsAskedOfTheActions) {
@@ -72,6 +85,46 @@ TEST(UndercutCount, IsThatOfTheListWhateverIsAskedOfTheActions) {
     const Planned pockets = plan_of(block_with_pockets(60.0), settings);
     EXPECT_EQ(pockets.plan.patches.size(), 2U);
     EXPECT_EQ(count_of(pockets), 2U);
+  }
+}
+
+TEST(UndercutCount, LeavesOutWhatALessThanTheLeastTravelClears) {
+  constexpr double k_hook = 0.4;
+  const TriangleMesh mesh = box_with_hook(k_hook);
+  for (const double least : {0.5 * k_hook, 2.0 * k_hook}) {
+    ActionSettings settings;
+    settings.least_travel_mm = least;
+    const Planned planned = plan_of(mesh, settings);
+    const std::size_t number = least > k_hook ? 0 : 1;
+    EXPECT_EQ(planned.plan.patches.size(), number);
+    EXPECT_EQ(count_of(planned, least), number);
+    EXPECT_EQ(planned.plan.actions.size(), number);
+    EXPECT_EQ(planned.plan.specks.size(), 1 - number);
+    EXPECT_TRUE(planned.plan.unreleased.empty());
+  }
+}
+
+/// A dimple beside two pockets that are a thousand times as large.
+TEST(UndercutCount, LeavesOutAThousandthOfTheWhole) {
+  for (const double width : {0.4, 1.2}) {
+    const glm::dvec3 low(0, 0, 0), high(40, 100, 20);
+    const glm::dvec3 pocket_low(20, 10, 5), pocket_high(40, 50, 15);
+    const glm::dvec3 low_of_dimple(40.0 - width, 80, 10), high_of_dimple(40, 80.0 + width, 10.0 + width);
+    SolidBuilder solid;
+    solid.box(low, high, {1});
+    solid.box(pocket_low, pocket_high, {1}, true);
+    solid.box(low_of_dimple, high_of_dimple, {1}, true);
+    solid.face(box_face(low, high, 1),
+               {box_face(pocket_low, pocket_high, 1), box_face(low_of_dimple, high_of_dimple, 1)});
+    const Planned planned = plan_of(solid.mesh());
+    const bool counts = 5.0 * width * width > 1e-3 * planned.result.areas[Region::undercut];
+    EXPECT_EQ(counts, width > 1.0) << "one of either";
+    EXPECT_EQ(planned.plan.patches.size(), counts ? 2U : 1U);
+    EXPECT_EQ(count_of(planned), planned.plan.patches.size());
+    ASSERT_EQ(planned.plan.specks.size(), counts ? 0U : 1U);
+    if (counts) continue;
+    EXPECT_EQ(planned.plan.specks[0].reason, SpeckReason::small);
+    EXPECT_LT(glm::distance(planned.plan.specks[0].place, low_of_dimple), 2.0 * width);
   }
 }
 

@@ -96,9 +96,14 @@ TriangleMesh block_with_leaning_pockets(double between_deg) {
   return solid.mesh();
 }
 
-TEST(LeaningPockets, ShareASlideIfTheirOwnDirectionsAreNearEachOther) {
-  EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(20.0)).plan), "1 slide");
-  EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(40.0)).plan), "2 slides");
+/// Straight out of the side, as long as their draft allows for it.
+TEST(LeaningPockets, ShareASlideThatReleasesBoth) {
+  for (const double between_deg : {20.0, 40.0}) {
+    const Planned planned = plan_of(block_with_leaning_pockets(between_deg));
+    ASSERT_EQ(actions_text(planned.plan), "1 slide") << between_deg;
+    EXPECT_NEAR(planned.plan.actions[0].direction.x, 1.0, 1e-9) << between_deg;
+  }
+  EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(60.0)).plan), "2 slides");
 }
 
 }  // namespace

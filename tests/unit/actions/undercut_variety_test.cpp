@@ -32,6 +32,7 @@ Setting random_setting(test::Random& random) {
 Planned plan_in(const Setting& setting, const TriangleMesh& mesh) {
   ActionSettings settings;
   settings.clearance_mm = 0.0;
+  settings.least_travel_mm *= setting.scale;
   settings.lifter_room_mm *= setting.scale;
   settings.bundle_across_mm *= setting.scale;
   settings.bundle_along_mm *= setting.scale;

@@ -12,7 +12,7 @@ namespace {
 
 using Job = LatestJob<int, int>;
 
-/// Every piece of work waits until it is let go on; an outcome is told to `done`.
+/// Every piece of work waits until it is let go on; an outcome is reported to `done`.
 struct Gate {
   std::counting_semaphore<> started{0}, go{0}, done{0};
 };

@@ -6,11 +6,11 @@ namespace moldlight {
 namespace {
 
 TEST(Progress, IsCancelledWithItsParentAndTellsNobody) {
-  int told = 0;
-  Progress parent([&](std::string_view, double) { ++told; });
+  int noted = 0;
+  Progress parent([&](std::string_view, double) { ++noted; });
   const Progress child(&parent), grandchild(&child);
   grandchild.report("working", 0.5);
-  EXPECT_EQ(told, 0);
+  EXPECT_EQ(noted, 0);
   EXPECT_FALSE(grandchild.cancelled());
   parent.cancel();
   // Loops of several threads ask, and do not report.

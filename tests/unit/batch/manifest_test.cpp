@@ -1,4 +1,4 @@
-// Plans: what is frozen reads back, keys name content, version and settings, damage is told.
+// Plans: what is frozen reads back, keys name content, version and settings, damage is reported.
 #include <filesystem>
 #include <set>
 

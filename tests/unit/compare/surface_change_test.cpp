@@ -1,4 +1,4 @@
-// Revisions of a part by formulas: only what changed is told, with its area.
+// Revisions of a part by formulas: only what changed is reported, with its area.
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 

@@ -11,7 +11,7 @@
 
 namespace moldlight::gl {
 
-/// Contexts of all backends that work here, none of them current; tells what is missing and why.
+/// Contexts of all backends that work here, none of them current; shows what is missing and why.
 inline std::vector<std::unique_ptr<Context>> available_contexts() {
   const HeadlessLibraries libraries;
   std::vector<std::unique_ptr<Context>> contexts;

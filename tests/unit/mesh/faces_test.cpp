@@ -73,12 +73,12 @@ TEST(SmoothFaces, TheFilesOwnGoFirst) {
   const auto faces = [&] { return part_faces(part, facet_geometry(part.mesh), build_adjacency(part.mesh)); };
   EXPECT_EQ(faces().count(), 6U) << "polygons are no faces";
   part.has_cad_faces = true;
-  const Faces told = faces();
-  ASSERT_EQ(told.count(), 4U);
-  EXPECT_EQ(told.facets(0).size(), 4U);
-  EXPECT_TRUE(told.facets(1).empty());
-  EXPECT_EQ(told.facets(2).size(), 7U);
-  EXPECT_EQ(told.facets(3)[0], 11U) << "what a repair has added";
+  const Faces noted = faces();
+  ASSERT_EQ(noted.count(), 4U);
+  EXPECT_EQ(noted.facets(0).size(), 4U);
+  EXPECT_TRUE(noted.facets(1).empty());
+  EXPECT_EQ(noted.facets(2).size(), 7U);
+  EXPECT_EQ(noted.facets(3)[0], 11U) << "what a repair has added";
 }
 
 }  // namespace

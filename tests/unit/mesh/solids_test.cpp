@@ -1,4 +1,4 @@
-// Bodies that enclose something, told from open ones in the same mesh.
+// Bodies that enclose something, distinguished from open ones in the same mesh.
 #include "mesh/solids.hpp"
 
 #include <algorithm>

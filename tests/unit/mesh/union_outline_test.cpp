@@ -94,7 +94,7 @@ TEST(UnionOutline, LeavesAHoleOut) {
 TEST(UnionOutline, OfTrianglesThrownAtRandomHoldsWhatTheyCover) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-0.5, 0.5), reach(-0.2, 0.2);
-  int told = 0;
+  int noted = 0;
   for (int round = 0; round < 40; ++round) {
     Flat flat;
     for (std::uint32_t k = 0; k < 25; ++k) {
@@ -105,7 +105,7 @@ TEST(UnionOutline, OfTrianglesThrownAtRandomHoldsWhatTheyCover) {
     }
     const auto loops = union_outline(flat.points, flat.triangles);
     if (!loops) continue;
-    ++told;
+    ++noted;
     int wrong = 0;
     for (int k = 0; k < 2000; ++k) {
       const glm::dvec2 at(place(random), place(random));
@@ -113,7 +113,7 @@ TEST(UnionOutline, OfTrianglesThrownAtRandomHoldsWhatTheyCover) {
     }
     EXPECT_LE(wrong, 1) << "round " << round;
   }
-  EXPECT_EQ(told, 40);
+  EXPECT_EQ(noted, 40);
 }
 
 TEST(UnionOutline, IsNotToldForMoreSidesThanAllowed) {

@@ -55,7 +55,7 @@ inline void expect_sane(const TriangleMesh& mesh, const test::ShapeSettings& set
     EXPECT_EQ(split.areas.areas.values, areas.areas.values) << of;
     test::expect_sound_split(model, split, of);
     test::expect_whole_borders(split.mesh, of);
-    if (settings.lateral_tolerance == 0.0) continue;  // rays along walls tell nothing
+    if (settings.lateral_tolerance == 0.0) continue;  // rays along walls show nothing
     const test::RayVerdicts verdicts = test::ray_verdicts(model, split.mesh, direction, settings, 100, 1);
     EXPECT_TRUE(verdicts.wrong.empty())
         << of << ": " << verdicts.wrong.size() << " of " << verdicts.pieces << ", " << verdicts.wrong.front();

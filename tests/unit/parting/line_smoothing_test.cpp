@@ -89,7 +89,8 @@ TEST(LineSmoothing, StraightensTheLineOnWavySurface) {
   double left = 0.0;
   for (const PartingLoop& loop : found.line.loops) left += loop.up_and_down;
   EXPECT_GT(found.line.smoothed_climb, left) << "more than half of it";
-  EXPECT_NE(parting_verdict(found.assignment, found.line, 20.0).find("smoothing took"), std::string::npos);
+  EXPECT_NE(parting_verdict(found.assignment, found.line, *found.model).find("Smoothing made"),
+            std::string::npos);
 }
 
 TEST(LineSmoothing, LeavesTheLineOnCreases) {
@@ -101,7 +102,8 @@ TEST(LineSmoothing, LeavesTheLineOnCreases) {
         EXPECT_EQ(loop.points[k], found.assignment.mesh.vertices[loop.vertices[k]]);
     }
     EXPECT_EQ(found.line.smoothed_length, 0.0);
-    EXPECT_EQ(parting_verdict(found.assignment, found.line, 5.0).find("smoothing"), std::string::npos);
+    EXPECT_EQ(parting_verdict(found.assignment, found.line, *found.model).find("Smoothing"),
+              std::string::npos);
   }
 }
 

@@ -191,7 +191,7 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
   square(Sheet::upper, 2.0, true, twice);
   ASSERT_FALSE(twice.stand_in_columns(1e-7).has_value());
   ForcedSlope forced;
-  const auto over = add_parting_surface(twice, wish, forced);
+  const auto over = add_parting_surface(twice, wish, forced, Progress{});
   ASSERT_TRUE(over.has_value());
   EXPECT_NE(over->what.find("over itself"), std::string::npos) << over->what;
   EXPECT_TRUE(on_rim(over->place));

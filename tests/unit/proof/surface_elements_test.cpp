@@ -27,14 +27,14 @@ TEST(SurfacePieces, TileThePart) {
   ASSERT_EQ(surface.first.size(), part.mesh.facets.size() + 1);
   EXPECT_EQ(surface.first.back(), surface.pieces.size());
   for (FacetIndex facet = 0; facet < part.mesh.facets.size(); ++facet) {
-    double told = 0.0, found = 0.0;
+    double noted = 0.0, found = 0.0;
     for (std::uint32_t k = surface.first[facet]; k < surface.first[facet + 1]; ++k) {
       EXPECT_EQ(surface.pieces[k].facet, facet);
       EXPECT_LE(surface.pieces[k].length, 0.05);
-      told += surface.pieces[k].area;
+      noted += surface.pieces[k].area;
       found += scale * area(surface.pieces[k]);
     }
-    EXPECT_NEAR(told, part.geometry.areas[facet], 1e-9 * part.geometry.total_area);
+    EXPECT_NEAR(noted, part.geometry.areas[facet], 1e-9 * part.geometry.total_area);
     EXPECT_NEAR(found, part.geometry.areas[facet], 1e-9 * part.geometry.total_area);
   }
 }

@@ -16,7 +16,8 @@ inline Image small_picture() {
 /// With the same text everywhere.
 inline Report report_of(const std::string& text) {
   Report report;
-  report.kind = report.part = report.subject = report.sentence = report.lead = text;
+  report.kind = report.part = report.subject = report.sentence = text;
+  report.lead = {text};
   const Picture picture{small_picture(), small_picture(), text, text};
   report.still = picture;
   ModelView view;

@@ -1,11 +1,17 @@
 // The verdict: each of its states, what its sentence leads with, and that doubt is never a tick.
 #include "study/verdict.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mesh/weld.hpp"
 #include "study/study.hpp"
+#include "study/study_reports.hpp"
 #include "support/mesh_edits.hpp"
+#include "support/random.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
 
@@ -78,6 +84,24 @@ TEST(VerdictOf, BodiesThatCrossLeaveItOpenWhereTheCrossingIsAllOfTheUndercut) {
   EXPECT_EQ(verdict.state, VerdictState::unknown);
   EXPECT_NE(verdict.sentence.find("surfaces cross each other, near ("), std::string::npos)
       << verdict.sentence;
+}
+
+TEST(VerdictOf, SampledFacetsAreStatedWithTheirErrorInVerdictAndJson) {
+  test::Random random(7);
+  std::vector<glm::dvec3> corners;
+  for (int corner = 0; corner < 3 * 500; ++corner) corners.push_back(random.in_cube(10.0));
+  Study study(model_of(weld_corners(corners)), {});
+  const Verdict verdict = study.verdict(Progress());
+  EXPECT_EQ(verdict.state, VerdictState::unknown);
+  const Classification& regions = study.find<Classification>(Progress());
+  ASSERT_GT(regions.uncertainty.sampled_facets, 0U);
+  EXPECT_TRUE(std::ranges::any_of(verdict.reasons, [&](const std::string& reason) {
+    return reason.find(std::to_string(regions.uncertainty.sampled_facets) + " facets are sampled") == 0 &&
+           reason.find("±") != std::string::npos && reason.find("--effort") != std::string::npos;
+  }));
+  const nlohmann::ordered_json json = classify_json(study, Progress());
+  EXPECT_EQ(json["sampled_facets"], regions.uncertainty.sampled_facets);
+  EXPECT_GT(json["uncertainty_parts"]["readout"].get<double>(), 0.0);
 }
 
 TEST(VerdictOf, IsTheSameInJson) {

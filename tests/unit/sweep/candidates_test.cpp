@@ -226,7 +226,7 @@ TEST(FindCandidates, EndsBetweenSourcesWhenCancelled) {
   EXPECT_THROW(static_cast<void>(find_candidates(*model, {}, progress)), Cancelled);
   EXPECT_EQ(reports, 3);
   EXPECT_THROW(static_cast<void>(find_candidates(*model, {}, Progress(&progress))), Cancelled);
-  EXPECT_EQ(reports, 3) << "it tells nobody";
+  EXPECT_EQ(reports, 3) << "it informs nobody";
 }
 
 }  // namespace

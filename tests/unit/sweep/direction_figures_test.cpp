@@ -54,13 +54,13 @@ TEST_F(OfABox, FiguresAreWrittenByTheirKind) {
   DirectionFacts measured = facts();
   measured.measured = true;
   measured.patches = 3;
-  EXPECT_EQ(text("undercut", measured), "60.000");
+  EXPECT_EQ(text("undercut", measured), "60");
   EXPECT_EQ(text("undercut_share", measured), "10.00");
-  EXPECT_EQ(text("draw_depth", measured), "5.000");
+  EXPECT_EQ(text("draw_depth", measured), "5");
   EXPECT_EQ(text("patches", measured), "3");
-  EXPECT_EQ(text("undraughted_area", measured), "42.000");
-  EXPECT_EQ(text("reverse_draft", measured), "7.000");
-  EXPECT_EQ(figure_heading(direction_figure("draw_depth"), model_->part), "depth unit");
+  EXPECT_EQ(text("undraughted_area", measured), "42");
+  EXPECT_EQ(text("reverse_draft", measured), "7");
+  EXPECT_EQ(figure_heading(direction_figure("draw_depth"), *model_), "depth unit");
   EXPECT_EQ(text("clamp_force", measured), "-");
   settings_.pressure = 2.5;
   EXPECT_EQ(text("clamp_force", measured), "250");
@@ -88,9 +88,9 @@ TEST_F(OfABox, TiltsTellTheLeastTolerantSide) {
 }
 
 TEST_F(OfABox, WhatAScoreDoesNotTellIsNotKnown) {
-  EXPECT_EQ(text("undercut", facts()), "≈ 60.000");
+  EXPECT_EQ(text("undercut", facts()), "≈ 60");
   EXPECT_EQ(text("patches", facts()), "-");
-  EXPECT_EQ(text("undraughted_area", facts()), "≈ 400.000") << "the walls";
+  EXPECT_EQ(text("undraughted_area", facts()), "≈ 400") << "the walls";
   EXPECT_EQ(text("reverse_draft", facts()), "-") << "known of what is measured";
 }
 
@@ -117,8 +117,8 @@ TEST_F(OfABox, SideActionsAreToldInWordsOnceTheyAreFound) {
   known.actions = &found;
   EXPECT_EQ(text("side_actions", known), "2 slides, 1 lifter");
   EXPECT_EQ(text("patches", known), "4") << "as the list of side actions counts them";
-  EXPECT_EQ(text("travel", known), "12.500");
-  EXPECT_EQ(text("unreleased_area", known), "0.250");
+  EXPECT_EQ(text("travel", known), "12.5");
+  EXPECT_EQ(text("unreleased_area", known), "0.25");
 }
 
 /// Beside them a narrow table has no room for shares, uncertainties and counts.

@@ -64,12 +64,23 @@ TEST(MoldRank, AddsToTheWeightWhatSideActionsFormAndDraftAndLine) {
   one.formed = 0.4;
   other.weight = 2.0;
   other.counts[static_cast<std::size_t>(ActionKind::slide)] = 2;
-  EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 1.0);
+  EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 1.0 + 40.0 * 0.15) << "it lies on its side";
   EXPECT_DOUBLE_EQ(mold_effort(other), 2.0 + 1.0);
   EXPECT_EQ(rank_reasons(one, other),
             (std::vector<std::string>{"its side actions form 40 % of the surface more",
                                       "its parting line climbs 300 % of the diagonal more",
                                       "but needs 1 slide less"}));
+}
+
+TEST(MoldRank, LiftersWithoutRoomWeighAsARestThatNothingReleases) {
+  MoldCost some = cost({}), much = cost({}), left = cost({{unreleased, 0.02}});
+  some.without_room = 0.005;
+  much.without_room = 0.3;
+  EXPECT_DOUBLE_EQ(mold_effort(some), 2.0);
+  EXPECT_DOUBLE_EQ(mold_effort(much), 4.0);
+  EXPECT_DOUBLE_EQ(mold_effort(left), 4.0);
+  EXPECT_EQ(rank_reasons(much, {}),
+            (std::vector<std::string>{"lifters without room to move form 30 % of the surface more"}));
 }
 
 MoldCost of_weight(double weight, bool canonical, double left = 0.0) {

@@ -176,7 +176,7 @@ SweepResult sweep_of(const TriangleMesh& mesh, SweepSettings settings = {}) {
 }
 
 /// All of it, for what a failure says.
-std::string told(const SweepResult& result) {
+std::string noted(const SweepResult& result) {
   std::string text = result.recommended ? result.recommended->why : "nothing recommended";
   for (const SweepCandidate& each : result.candidates) {
     text += fmt::format("\n{}: {}, {}", direction_words(each.candidate.direction),
@@ -212,7 +212,7 @@ TEST(RecommendedDirection, IsTheOneThatAMoldMakerTakes) {
     const auto model = test::model_of(part.mesh);
     const SweepResult result = sweep_of(part.mesh);
     ASSERT_TRUE(result.recommended) << part.name;
-    EXPECT_EQ(nearest_axis(result.recommended->direction).name, "z") << part.name << told(result);
+    EXPECT_EQ(nearest_axis(result.recommended->direction).name, "z") << part.name << noted(result);
     EXPECT_EQ(result.recommended->name, direction_words(result.recommended->direction)) << part.name;
     EXPECT_FALSE(result.recommended->provisional);
     EXPECT_TRUE(result.candidates.front().candidate.canonical) << part.name;
@@ -258,7 +258,7 @@ TEST(RecommendedDirection, NothingIsListedBesideACanonicalOneThatCostsNoMore) {
         ASSERT_TRUE(listed.actions) << part.name;
         EXPECT_TRUE(other.actions->weight > listed.actions->weight ||
                     other.actions->totals.unreleased_area > listed.actions->totals.unreleased_area)
-            << part.name << told(result);
+            << part.name << noted(result);
       }
     }
   }
@@ -271,18 +271,18 @@ TEST(RecommendedDirection, WorthDecidesWhatIsListedBesideAnAxis) {
     settings.worth_pct = worth_pct;
     const SweepResult result = sweep_of(mount(), settings);
     const SweepCandidate& best = result.candidates.front();
-    ASSERT_TRUE(best.beside) << "one of less undercut was found: " << told(result);
+    ASSERT_TRUE(best.beside) << "one of less undercut was found: " << noted(result);
     EXPECT_LT(best.beside->undercut, best.classification.areas[Region::undercut]);
     EXPECT_LE(best.beside->angle_deg, 10.0);
     for (const SweepCandidate& each : result.candidates) {
       const double angle_deg = line_angle_deg(each.candidate.direction, best.candidate.direction);
       if (each.rank == 1 || angle_deg > 10.0) continue;
-      ASSERT_TRUE(each.actions) << told(result);
+      ASSERT_TRUE(each.actions) << noted(result);
       EXPECT_GE(each.actions->weight, best.actions->weight) << "the best is the best";
-      EXPECT_GT(angle_deg, 3.0) << told(result);
+      EXPECT_GT(angle_deg, 3.0) << noted(result);
       EXPECT_GT(best.classification.areas[Region::undercut] - each.classification.areas[Region::undercut],
                 0.01 * worth_pct * best.classification.total_area)
-          << told(result);
+          << noted(result);
       ASSERT_TRUE(each.beside);
       EXPECT_EQ(each.beside->name, "z");
     }

@@ -51,10 +51,10 @@ TEST(ScoringPool, HandsOutBatchesAndKeepsOrderAndLimits) {
     std::atomic<std::size_t> largest = 0;
     ScoringPool pool([&] { return std::make_unique<BatchingScorer>(c.batch_size, largest); }, c.jobs);
     const std::vector<ScoringTask> tasks = numbered_tasks(23);
-    std::size_t told = 0;
+    std::size_t noted = 0;
     const auto scores = pool.score(
-        tasks, [] { return false; }, [&](std::size_t, const DirectionScore&) { ++told; });
-    EXPECT_EQ(told, tasks.size());
+        tasks, [] { return false; }, [&](std::size_t, const DirectionScore&) { ++noted; });
+    EXPECT_EQ(noted, tasks.size());
     EXPECT_EQ(largest, c.largest);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       ASSERT_TRUE(scores[i]);
@@ -67,10 +67,10 @@ TEST(ScoringPool, HandsOutBatchesAndKeepsOrderAndLimits) {
 TEST(ScoringPool, StopsBetweenBatches) {
   std::atomic<std::size_t> largest = 0;
   ScoringPool pool([&] { return std::make_unique<BatchingScorer>(4, largest); }, 1);
-  int told = 0;
+  int noted = 0;
   const auto scores = pool.score(
-      numbered_tasks(20), [&] { return told >= 8; }, [&](std::size_t, const DirectionScore&) { ++told; });
-  EXPECT_EQ(told, 8);
+      numbered_tasks(20), [&] { return noted >= 8; }, [&](std::size_t, const DirectionScore&) { ++noted; });
+  EXPECT_EQ(noted, 8);
   EXPECT_TRUE(scores[7]);
   EXPECT_FALSE(scores[8]);
 }

@@ -88,7 +88,7 @@ class RegionsPanel(task.Panel):
     def apply(self, change):
         """Makes a change and shows what follows; a change that is refused is taken back."""
         kept = {name: getattr(self.regions, name) for name in ("Reference", "Direction", "Reversed", "Tau")}
-        with task.told() as failures:
+        with task.failures_said() as failures:
             change()
         if failures or not self.ask(self.regions):
             for name, value in kept.items():
@@ -131,5 +131,5 @@ class RegionsPanel(task.Panel):
         task.select(self.regions, f"Face{row + 1}")
 
     def open_window(self):
-        with task.told():
+        with task.failures_said():
             window.open_window(self.regions)

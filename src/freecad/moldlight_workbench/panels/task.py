@@ -17,13 +17,13 @@ ROWS_SHOWN = 8
 PANEL_WIDTH = 440
 
 
-def tell(text):
+def say(text):
     """One message to the user."""
     QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "moldlight", text)
 
 
 @contextmanager
-def told():
+def failures_said():
     """What is refused, or fails in the module, becomes one message; what was cancelled none. The value is a list that
     holds the failure."""
     failures = []
@@ -31,7 +31,7 @@ def told():
         yield failures
     except Refusal as refusal:
         failures.append(refusal)
-        tell(str(refusal))
+        say(str(refusal))
     except Exception as failure:
         import moldlight
 
@@ -39,15 +39,15 @@ def told():
             raise
         failures.append(failure)
         if not isinstance(failure, moldlight.Cancelled):
-            tell(str(failure))
+            say(str(failure))
 
 
 def show(make):
     """Opens the panel that `make` returns, unless another one is open."""
     if FreeCADGui.Control.activeDialog():
-        tell(translate("Moldlight", "Another task is open; close it first."))
+        say(translate("Moldlight", "Another task is open; close it first."))
         return
-    with told():
+    with failures_said():
         panel = make()
         if panel is not None:
             # What is selected hides the colours.
@@ -136,7 +136,7 @@ class Panel:
 def compute(title, *results):
     """Computes what the results need, with progress, before the recompute that only takes it over. False if it was
     refused, failed or cancelled."""
-    with told() as failures:
+    with failures_said() as failures:
         with progress.shown(title) as listener:
             for result in results:
                 result.Proxy.prepare(result, listener)

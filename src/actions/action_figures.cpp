@@ -1,0 +1,56 @@
+#include "actions/action_figures.hpp"
+
+namespace moldlight {
+
+namespace {
+
+using Kind = FigureKind;
+using Found = std::optional<double>;
+
+bool is_thread(const SideAction& action) { return action.kind == ActionKind::unscrew && action.about; }
+
+constexpr FigureRow<SideAction> k_action_figures[] = {
+    {"travel", "travel", Kind::length, [](const SideAction& a) -> Found { return a.travel; },
+     "How far the action moves, a slide's with the clearance."},
+    {"stroke", "stroke", Kind::length, [](const SideAction& a) -> Found { return a.stroke; },
+     "How far the ejector moves for it."},
+    {"area", "area", Kind::area, [](const SideAction& a) -> Found { return a.area; },
+     "Undercut area that it releases."},
+    {"pitch",
+     {},
+     Kind::length,
+     [](const SideAction& a) { return is_thread(a) ? Found(a.about->pitch) : std::nullopt; }},
+    {"turns",
+     {},
+     Kind::number,
+     [](const SideAction& a) { return is_thread(a) ? Found(a.about->turns) : std::nullopt; }},
+    {"strain",
+     {},
+     Kind::share,
+     [](const SideAction& a) {
+       return a.kind == ActionKind::strip && a.about ? Found(a.about->strain) : std::nullopt;
+     }},
+    {"clear_to", {}, Kind::length, [](const SideAction& a) -> Found { return a.clear_to; }},
+    {"room_needed",
+     {},
+     Kind::length,
+     [](const SideAction& a) { return a.kind == ActionKind::lifter ? Found(a.room_needed) : std::nullopt; }},
+};
+
+constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
+    {"area", "area", Kind::area, [](const UndercutReport& u) -> Found { return u.undercut.area; }},
+    {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
+    {"size_across", "across", Kind::length,
+     [](const UndercutReport& u) -> Found { return u.undercut.size_across; }},
+    {"size_along", "along", Kind::length,
+     [](const UndercutReport& u) -> Found { return u.undercut.size_along; }},
+    {"depth", "depth", Kind::length, [](const UndercutReport& u) -> Found { return u.depth; },
+     "How far across the parting direction until nothing is in its way along it."},
+};
+
+}  // namespace
+
+std::span<const FigureRow<SideAction>> action_figures() { return k_action_figures; }
+std::span<const FigureRow<UndercutReport>> undercut_figures() { return k_undercut_figures; }
+
+}  // namespace moldlight

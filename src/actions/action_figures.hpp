@@ -1,0 +1,13 @@
+// The figures of an action and of an undercut, a row each.
+#pragma once
+
+#include "actions/side_action.hpp"
+#include "classify/figure_table.hpp"
+
+namespace moldlight {
+
+/// Keys are relative to "/actions/k" and "/patches/k".
+[[nodiscard]] std::span<const FigureRow<SideAction>> action_figures();
+[[nodiscard]] std::span<const FigureRow<UndercutReport>> undercut_figures();
+
+}  // namespace moldlight

@@ -1,0 +1,178 @@
+#include "cli/help.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace moldlight::cli {
+
+namespace {
+
+constexpr std::size_t k_help_width = 104;
+
+/// In the order in which the help has them.
+constexpr std::array<std::string_view, 10> k_groups = {
+    "Part",   "Direction", "Search", "Tolerances and rules", "Side actions",
+    "Result", "Pictures",  "Gates",  "Expert: shadow maps",  "Program"};
+
+struct FlagGroup {
+  std::string_view group;
+  std::vector<std::string_view> flags;
+};
+
+/// Every flag that is in no other row is a rule of its command.
+const std::vector<FlagGroup>& flag_groups() {
+  static const std::vector<FlagGroup> k_rows = {
+      {"Part",
+       {"unit", "body", "repair", "weld-tolerance", "linear-deflection", "angular-deflection", "max-facets",
+        "align"}},
+      {"Direction", {"direction", "directions-file", "candidates"}},
+      {"Search",
+       {"directions", "refine", "apart", "thorough", "scoring-samples", "scoring-resolution", "tilt-growth",
+        "prove", "all-free", "proof", "proof-limit", "objective", "rank", "worth", "time-limit"}},
+      {"Side actions",
+       {"actions", "slide-angle", "incline", "lifter-angle", "lifter-room", "lifter-section", "clearance",
+        "strip-strain", "bundle-across", "bundle-along", "side-direction", "pins", "least-travel",
+        "pin-diameter", "prices"}},
+      {"Result",
+       {"json", "html", "pdf", "paper", "facets", "faces", "mesh", "split-dir", "borders", "draft", "csv",
+        "bodies", "lines", "out", "3mf", "wide", "sqlite", "merge", "top"}},
+      {"Pictures", {"image", "image-dir", "size", "view", "theme", "palette"}},
+      {"Gates", {"baseline", "fail-on", "fail-if-undercut", "fail-unless-proved"}},
+      {"Expert: shadow maps",
+       {"kernel", "kernel-shape", "edge-thickness", "resolution", "readout", "samples", "backend",
+        "compare-maps", "regions", "mark-difference", "engine"}},
+      {"Program", {"help", "quiet", "verbose", "version", "jobs"}}};
+  return k_rows;
+}
+
+std::string group_of(const CLI::Option& option) {
+  if (option.get_lnames().empty()) return "Program";
+  for (const FlagGroup& row : flag_groups())
+    if (std::ranges::count(row.flags, option.get_lnames().front()) > 0) return std::string(row.group);
+  return "Tolerances and rules";
+}
+
+/// Letters to change, add, leave out or swap with their neighbour.
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t k = 0; k <= b.size(); ++k) {
+      if (i == 0 || k == 0) {
+        least[i][k] = i + k;
+        continue;
+      }
+      const std::size_t changed = least[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      least[i][k] = std::min({changed, least[i - 1][k] + 1, least[i][k - 1] + 1});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        least[i][k] = std::min(least[i][k], least[i - 2][k - 2] + 1);
+    }
+  }
+  return least[a.size()][b.size()];
+}
+
+void arrange(CLI::App& command, const std::string& name) {
+  for (CLI::Option* option : command.get_options())
+    if (!option->get_positional()) option->group(group_of(*option));
+  std::string footer;
+  for (const CommandExample& example : command_examples())
+    if (example.command == name)
+      footer +=
+          fmt::format("{}\n  {}:\n    {}", footer.empty() ? "Examples:" : "", example.what_for, example.line);
+  if (!footer.empty()) command.footer("\n" + footer);
+  for (CLI::App* part : command.get_subcommands(nullptr)) arrange(*part, name + " " + part->get_name());
+}
+
+}  // namespace
+
+const std::vector<CommandExample>& command_examples() {
+  static const std::vector<CommandExample> k_examples = {
+      {"info", "Is the file sound, and which bodies does it have", "moldlight info clip.step"},
+      {"classify", "The regions of a clip that opens along z, as a page to send",
+       "moldlight classify clip.step -d z --html clip.html"},
+      {"classify", "Every wall with less than 1.5° of draft, as a table",
+       "moldlight classify clip.step -d z --required-draft 1.5 --draft walls.csv"},
+      {"sweep", "Which way should the mold open", "moldlight sweep clip.step"},
+      {"actions", "The slides and lifters that the clip needs, with a picture",
+       "moldlight actions clip.step -d z --image clip.png"},
+      {"mold", "The parting line for CAD, and the two halves as files",
+       "moldlight mold clip.step -d z --lines clip.dxf -o mold --fill-undercut"},
+      {"compare", "What a revision changes; exit code 3 if the undercut grows by more than 1 %",
+       "moldlight compare clip_a.step clip_b.step -d z --fail-on \"undercut > +1%\""},
+      {"view", "The window with a part", "moldlight view clip.step"},
+      {"batch plan", "All parts of a folder along their best direction",
+       "moldlight batch plan parts -o results -- classify -d best"},
+      {"batch run", "Work on it until all is done", "moldlight batch run results -j 4"},
+      {"batch merge", "One table of it for a spreadsheet", "moldlight batch merge results --csv results.csv"},
+      {"manual", "Completion of commands and flags in bash", "source <(moldlight manual --form bash)"}};
+  return k_examples;
+}
+
+void arrange_help(CLI::App& program) {
+  for (CLI::Option* option : program.get_options()) option->group("Program");
+  for (CLI::App* command : program.get_subcommands(nullptr)) arrange(*command, command->get_name());
+}
+
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& known) {
+  constexpr std::size_t k_most_apart = 2;
+  std::string nearest;
+  std::size_t least = k_most_apart + 1;
+  for (const std::string& word : known) {
+    const std::size_t apart = letters_apart(typed, word);
+    if (apart >= least || 2 * apart >= typed.size()) continue;
+    least = apart;
+    nearest = word;
+  }
+  return nearest.empty() ? "; " : fmt::format("; did you mean {}? ", nearest);
+}
+
+std::vector<std::string> flags_of(const CLI::App& command) {
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+  return flags;
+}
+
+std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
+                                     CLI::AppFormatMode mode) const {
+  if (mode == CLI::AppFormatMode::Sub) return make_expanded(command);
+  std::string text =
+      make_description(command) + make_usage(command, std::move(name)) + make_positionals(command);
+  for (const std::string_view group : k_groups) {
+    const std::vector<const CLI::Option*> options = command->get_options(
+        [&](const CLI::Option* option) { return !option->get_positional() && option->get_group() == group; });
+    if (!options.empty()) text += make_group(std::string(group), false, options);
+  }
+  text += make_subcommands(command, mode);
+  const std::string footer = make_footer(command);
+  return text + (footer.empty() ? "\n" : footer);
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  const std::string text = option->get_description();
+  const std::size_t width = k_help_width - get_column_width();
+  std::string wrapped;
+  std::size_t column = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (column > 0 && column + 1 + end - begin > width) {
+      wrapped += '\n';
+      column = 0;
+    } else if (column > 0) {
+      wrapped += ' ';
+      ++column;
+    }
+    wrapped += text.substr(begin, end - begin);
+    column += end - begin;
+    begin = end + 1;
+  }
+  return wrapped;
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  return option->get_option_text().empty() ? "" : " " + option->get_option_text();
+}
+
+}  // namespace moldlight::cli

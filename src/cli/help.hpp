@@ -1,0 +1,40 @@
+// What the program says of its own command line: help in groups with an example a command, and what a
+// mistyped word may have meant.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace moldlight::cli {
+
+/// Breaks the lines of descriptions, and puts the groups of flags in order.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(34); }
+  [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
+  /// What stands for the value, and nothing else beside the name.
+  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
+  [[nodiscard]] std::string make_help(const CLI::App* command, std::string name,
+                                      CLI::AppFormatMode mode) const override;
+};
+
+/// Puts every flag of every command into its group, and an example below each command's help.
+void arrange_help(CLI::App& program);
+
+/// Command lines to start from, as the manual page has them: what for, and what to type.
+struct CommandExample {
+  std::string_view command, what_for, line;
+};
+[[nodiscard]] const std::vector<CommandExample>& command_examples();
+
+/// "; did you mean sweep? ", between an error and its advice: the word that is at most two letters off; "; "
+/// where none is.
+[[nodiscard]] std::string did_you_mean(std::string_view typed, const std::vector<std::string>& known);
+
+/// The command's flags, with their dashes.
+[[nodiscard]] std::vector<std::string> flags_of(const CLI::App& command);
+
+}  // namespace moldlight::cli

@@ -1,0 +1,72 @@
+// Which way out a slide takes.
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "unit/actions/known_undercuts.hpp"
+
+namespace moldlight {
+namespace {
+
+/// Each window could be pulled through the box and the window across from it, too.
+TEST(SlideWay, OfVentsInFourWallsIsOutwards) {
+  for (const glm::dvec2& size : {glm::dvec2(60, 90), glm::dvec2(30, 30)}) {
+    const Planned planned = plan_of(box_with_vents(size));
+    SCOPED_TRACE(size.x);
+    ASSERT_EQ(actions_text(planned.plan), "4 slides");
+    for (const SideAction& action : planned.plan.actions) {
+      ASSERT_EQ(action.patches.size(), 1U);
+      const Undercut& window = planned.plan.patches[action.patches[0]].undercut;
+      const glm::dvec2 outward(window.centre - planned.model->frame.center);
+      EXPECT_NEAR(glm::dot(glm::dvec2(action.direction), glm::normalize(outward)), 1.0, 1e-9);
+      EXPECT_NEAR(action.travel, k_vented_wall + 3.0, 1e-3);
+      EXPECT_TRUE(action.meets.empty());
+    }
+  }
+}
+
+/// A hole in the one wall of a long plate leaves by the wall's side, not over the plate.
+TEST(SlideWay, OfAHoleInAWallIsTheShorterOne) {
+  for (const bool at_far_end : {false, true}) {
+    const glm::dvec3 hole_low(0, 15, 12), hole_high(5, 25, 22);
+    SolidBuilder solid;
+    const Loop2 side = {{0, 0}, {100, 0}, {100, 5}, {5, 5}, {5, 30}, {0, 30}};
+    test::Loop near, far;
+    for (const glm::dvec2& corner : side) near.emplace_back(corner.x, 0.0, corner.y);
+    for (auto corner = side.rbegin(); corner != side.rend(); ++corner)
+      far.emplace_back(corner->x, 40.0, corner->y);
+    solid.face(near);
+    solid.face(far);
+    solid.box({0, 0, 0}, {100, 40, 5}, {0, 2, 3, 5});
+    solid.face({{5, 0, 5}, {100, 0, 5}, {100, 40, 5}, {5, 40, 5}});
+    solid.face({{0, 0, 30}, {5, 0, 30}, {5, 40, 30}, {0, 40, 30}});
+    solid.face(box_face({0, 0, 0}, {5, 40, 30}, 0), {box_face(hole_low, hole_high, 0)});
+    solid.face(box_face({0, 0, 5}, {5, 40, 30}, 1), {box_face(hole_low, hole_high, 1)});
+    solid.box(hole_low, hole_high, {0, 1}, true);
+    const glm::dquat turn = glm::angleAxis(at_far_end ? glm::radians(180.0) : 0.0, glm::dvec3(0, 0, 1));
+    const Planned planned = plan_of(test::rotated(solid.mesh(), turn));
+    ASSERT_EQ(actions_text(planned.plan), "1 slide");
+    EXPECT_NEAR(planned.plan.actions[0].direction.x, at_far_end ? 1.0 : -1.0, 1e-9);
+    EXPECT_NEAR(planned.plan.actions[0].travel, 5.0 + 3.0, 1e-3);
+  }
+}
+
+/// Wherever its facets lie.
+TEST(SlideWay, OfASpoolIsTwoOppositeSlidesOnAnAxis) {
+  for (const auto& [sides, turn_deg] : {std::pair(48, 0.0), std::pair(60, 1.3), std::pair(90, 24.0)}) {
+    const Planned planned = plan_of(spool(sides, turn_deg));
+    SCOPED_TRACE(sides);
+    ASSERT_EQ(actions_text(planned.plan), "2 slides");
+    const glm::dvec3 &one = planned.plan.actions[0].direction, &other = planned.plan.actions[1].direction;
+    EXPECT_LT(glm::distance(one, -other), 1e-9);
+    EXPECT_NEAR(std::max(std::abs(one.x), std::abs(one.y)), 1.0, 1e-9);
+    EXPECT_NEAR(planned.plan.actions[0].travel, planned.plan.actions[1].travel, 1.0) << "a facet's width";
+    EXPECT_LT(planned.plan.unreleased_area, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
