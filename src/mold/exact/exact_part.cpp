@@ -45,7 +45,8 @@ void ExactPart::find_equal_facets() {
   for (FacetIndex facet = 0; facet < mesh_.facets.size(); ++facet) {
     if (!std::ranges::all_of(side_edges_[facet], irregular)) continue;
     Corners corners = mesh_.facets[facet];
-    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());  // clang 14 lacks ranges::rotate
+    std::rotate(corners.begin(), std::ranges::min_element(corners),
+                corners.end());  // clang 14 lacks ranges::rotate
     candidates.emplace_back(corners, facet);
   }
   std::ranges::sort(candidates);

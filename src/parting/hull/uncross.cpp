@@ -20,8 +20,8 @@ namespace {
 constexpr int k_most_rounds = 3;
 /// More are no matter of rounding, and to look at each takes long.
 constexpr std::size_t k_most_crossed = 4096;
-constexpr std::size_t k_most_near = 512;          // facets about a vertex
-constexpr std::size_t k_most_looks = 20'000'000;  // at pairs of facets, in all
+constexpr std::size_t k_most_near = 512;         // facets about a vertex
+constexpr std::size_t k_most_looks = 5'000'000;  // at pairs of facets, in all
 
 class Uncrosser {
  public:
