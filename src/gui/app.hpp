@@ -221,7 +221,7 @@ class App {
   FreeArea fitted_area_;
   double fitted_steel_ = 0.0;             // what it fitted
   std::vector<glm::vec3> fitted_points_;  // that it shows; empty: the whole part
-  EasedNumber opening_;
+  Opening opening_;
   Loop action_loop_;  // of the chosen action's body
   UndercutGlow glow_;
   std::optional<PartNotes> notes_to_set_;

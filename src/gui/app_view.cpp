@@ -208,13 +208,12 @@ void App::show_comparison() {
 
 OpenedMold App::opened() const {
   if (!state_.model) return {};
-  return opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, opening_.at(now_s_));
+  return opened_mold(state_.actions.plan.get(), opening_.at(now_s_));
 }
 
 void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
-  const OpenedMold opened =
-      opened_mold(state_.actions.plan.get(), state_.model->frame.diagonal, wanted_opening());
+  const OpenedMold opened = opened_mold(state_.actions.plan.get(), wanted_opening());
   std::vector<glm::vec3> outermost = state_.extremes;
   if (revision_) {
     const FrameTie tie = tie_of(state_, *revision_->of());

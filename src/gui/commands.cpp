@@ -177,7 +177,14 @@ const std::vector<Shortcut>& shortcuts() {
       {{view, "O", "open or close the mold"},
        part_no_ctrl,
        {'O'},
-       [](P p) { p.look.open_mold = p.look.open_mold > 0.0 ? 0.0 : 0.5; }},
+       [](P p) {
+         p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
+         p.edits.ask(&Commands::fit_view);
+       }},
+      {{view, "Space", "stop the opening mold; O goes on"},
+       part_no_ctrl,
+       {GLFW_KEY_SPACE},
+       asks(&Commands::stop_opening)},
       {{view, "G", "the mold: parting line and halves"}, part_no_ctrl, {'G'}, asks(&Commands::unfold_mold)},
       {{view, "S", "section across, along the direction, none"},
        part_no_ctrl,

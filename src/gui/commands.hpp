@@ -36,6 +36,8 @@ struct Commands {
   void undo();
   void redo();
   void fit_view();
+  /// Leaves the mold as far open as it is, while it opens.
+  void stop_opening();
   /// Flies to where the part is seen from this side, and fits it.
   void look_from(const glm::dquat& orientation);
   /// Looks along the parting direction, onto the core.

@@ -37,6 +37,10 @@ void Commands::redo() { app.state_.settings = app.history_.redo(); }
 
 void Commands::fit_view() { look_from(app.state_.camera.orientation); }
 
+void Commands::stop_opening() {
+  if (app.opening_.moving(app.now_s_)) app.state_.settings.look.open_mold = app.opening_.at(app.now_s_);
+}
+
 void Commands::look_from(const glm::dquat& orientation) {
   app.fitted_points_.clear();
   app.turn_camera(orientation);

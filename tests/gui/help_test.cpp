@@ -47,7 +47,7 @@ TEST_F(Help, HintsComeOneByOneAndGoForGood) {
   window.settle();
   EXPECT_TRUE(noted("Drag the arrow"));
   drag(window.control("core arrow").centre(), window.control("core arrow").centre() + glm::vec2(60, 30));
-  window.settle();
+  window.wait_until_measured();  // the next one stands beside the verdict, which has other lines then
   EXPECT_FALSE(noted("Drag the arrow"));
   EXPECT_TRUE(noted("What becomes of the part"));
   click("dismiss the hint");

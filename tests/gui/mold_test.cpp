@@ -158,7 +158,7 @@ TEST_F(Mold, OpensAsSolidsThatFitThePart) {
   key({.key = 'F'});
   window.settle();
   // Beside the part and above it there is steel now.
-  const double diagonal = state().model->frame.diagonal, way = 0.5 * 0.5 * diagonal;
+  const double diagonal = state().model->frame.diagonal, way = k_mold_travel * diagonal;
   const double margin = block_margin(asked(), diagonal);
   const glm::vec2 steel = pixel_of({30 + 0.5 * margin, 10, 10 + margin + way});
   const auto solid = colour_at(steel);
@@ -303,6 +303,21 @@ TEST_F(Mold, SaysWhichFacesTheHalvesCannotFormAsAsked) {
   const auto lines = halves_lines(state());
   EXPECT_TRUE(std::ranges::any_of(
       lines, [&](const HalvesLine& line) { return line.doubt && line.text == missed.front(); }));
+}
+
+TEST_F(Mold, HalvesThatCrossThemselvesAreInDoubt) {
+  open(k_box_part);
+  unfold();
+  ASSERT_TRUE(mold().solids) << mold().error;
+  AppState doubtful = state();
+  MoldSolids solids = *mold().solids;
+  solids.halves.cavity.crowded_edges = 3;
+  doubtful.mold.solids = std::make_shared<const MoldSolids>(solids);
+  EXPECT_FALSE(solids.halves.certified());
+  const auto doubts = [](const AppState& shown) {
+    return std::ranges::count_if(halves_lines(shown), &HalvesLine::doubt);
+  };
+  EXPECT_EQ(doubts(doubtful), doubts(state()) + 1);
 }
 
 TEST_F(Mold, IsExportedAsTheCommandWritesIt) {

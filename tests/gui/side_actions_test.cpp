@@ -9,6 +9,7 @@
 
 #include "gui/panels/verdict.hpp"
 #include "gui/quick_options.hpp"
+#include "gui/view/mold_view.hpp"
 #include "gui/view/undercut_window.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -145,8 +146,7 @@ TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
     drag(slider, {glm::mix(box.min.x, box.max.x, share), slider.y});
     return body_places(state(), state().settings.look.open_mold, 0.0);
   };
-  const double diagonal = state().model->frame.diagonal;
-  const auto opened = [&] { return opened_mold(&plan(), diagonal, state().settings.look.open_mold); };
+  const auto opened = [&] { return opened_mold(&plan(), state().settings.look.open_mold); };
   const auto early = open_to(0.08F);
   ASSERT_FALSE(early.empty());
   EXPECT_GT(opened().slides, 0.0);
@@ -155,6 +155,40 @@ TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
   open_to(0.99F);
   EXPECT_GT(opened().lifters, 0.9);
   EXPECT_EQ(opened().halves, 1.0);
+}
+
+TEST_F(SideActions, AreSeenWholeInTheShotThatOpensTheMold) {
+  open_lid();
+  move_to({640, 300});
+  window.turn_wheel(6.0F);  // the camera is no longer fitted
+  window.settle();
+  key({.key = 'O'});
+  window.frames(90);
+  key({.key = ' '});
+  window.settle();
+  const double stopped = state().settings.look.open_mold;
+  EXPECT_GT(stopped, 0.0);
+  EXPECT_LT(stopped, 1.0);
+  EXPECT_GT(opened_mold(&plan(), stopped).slides, 0.0);
+  EXPECT_EQ(opened_mold(&plan(), stopped).lifters, 0.0);
+  click("settings");
+  click("Motion");
+  key({.key = k_escape});
+  key({.key = 'O'});
+  window.settle();
+  EXPECT_EQ(state().settings.look.open_mold, 1.0) << "it goes on";
+  EXPECT_EQ(opened_mold(&plan(), 1.0).lifters, 1.0);
+  const glm::vec3 way(k_mold_travel * state().settings.direction.unit());
+  for (const glm::vec3& corner : block_corners(state())) {
+    const float side = glm::dot(corner, way) < 0.0F ? -1.0F : 1.0F;
+    const glm::dvec2 pixel =
+        project(state().camera, options().size, glm::dvec3(corner + side * way)).value_or(glm::dvec2(-1.0));
+    EXPECT_TRUE(pixel.x > 0.0 && pixel.y > 0.0 && pixel.x < 1280.0 && pixel.y < 720.0)
+        << pixel.x << ", " << pixel.y;
+  }
+  key({.key = 'O'});
+  window.settle();
+  EXPECT_EQ(state().settings.look.open_mold, 0.0);
 }
 
 TEST_F(SideActions, KeepToAPinUntilItIsUndone) {

@@ -139,7 +139,7 @@ std::vector<FileBrowser::Line> FileBrowser::lines(const AppState& state) const {
   return lines;
 }
 
-void FileBrowser::draw_list(const PanelContext& context) {
+bool FileBrowser::draw_list(const PanelContext& context) {
   const Ui& ui = context.ui;
   ImGui::BeginChild("files", ImVec2(0, -ui.px(k_row_height + 8)));
   if (!problem_.empty()) hint(ui, problem_);
@@ -175,6 +175,7 @@ void FileBrowser::draw_list(const PanelContext& context) {
     enter(*std::exchange(next_, std::nullopt));
     starts_ = true;
   }
+  return taken >= 0;
 }
 
 void FileBrowser::draw(const PanelContext& context) {
@@ -196,9 +197,9 @@ void FileBrowser::draw(const PanelContext& context) {
           ui, "Open",
           {std::min(ui.px(640), window.x - ui.px(32)), std::min(ui.px(520), window.y - ui.px(32))})) {
     draw_head(context);
-    draw_list(context);
+    const bool can_open = draw_list(context);
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.browser = false;
-    if (entered(lines(context.state)) >= 0) {
+    if (can_open) {
       ImGui::SameLine();
       opens_ = button(ui, "Open", {.width = ui.px(96), .strong = true});
     }

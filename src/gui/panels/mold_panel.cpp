@@ -125,6 +125,7 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
   const std::vector<FoundFigure> figures = found_figures(halves_figures(), halves);
   std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
                                    {figures_line(style, figures, true)}};
+  for (const std::string& fault : half_faults(model, halves)) lines.push_back({sentence_of(fault), true});
   for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
   if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty())
     lines.push_back({"No files: " + unfilled, true});
@@ -207,13 +208,16 @@ void MoldPanel::draw_table(const PanelContext& context) {
   }
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
-  for (const HalvesLine& line : halves_lines(state)) {
+  const std::vector<HalvesLine> lines = halves_lines(state);
+  const bool doubtful = std::ranges::any_of(lines, &HalvesLine::doubt);  // then nothing has a tick
+  for (const HalvesLine& line : lines) {
     const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
     ImGui::Dummy(ImVec2(width, ui.px(k_mold_line)));
     tooltip(ui, {}, line.text);
-    draw_icon(list, line.doubt ? Icon::alert : Icon::check,
-              at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
-              faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
+    if (line.doubt || !doubtful)
+      draw_icon(list, line.doubt ? Icon::alert : Icon::check,
+                at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
+                faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
     draw_text(list, {ui.fonts.small, faded(line.doubt ? ui.colours->warning : ui.colours->text, alpha)},
               {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
               fitted(ui.fonts.small, line.text, width - ui.px(28)));

@@ -78,7 +78,8 @@ class FileBrowser {
   /// The line that Return and the button stand for; -1: none.
   [[nodiscard]] int entered(const std::vector<Line>& shown) const;
   void draw_head(const PanelContext& context);
-  void draw_list(const PanelContext& context);
+  /// Whether there is a line that can be opened.
+  [[nodiscard]] bool draw_list(const PanelContext& context);
   /// Recent parts and the folder's entries, as far as the filter lets them through.
   [[nodiscard]] std::vector<Line> lines(const AppState& state) const;
 

@@ -57,9 +57,13 @@ class Flight {
   std::optional<Course> course_;
 };
 
-/// A number that follows its target in k_motion_s.
-class EasedNumber {
+/// How far the mold is open: what a hand moves at once, closing quickly, opening as a shot that can be
+/// watched.
+class Opening {
  public:
+  /// The whole way.
+  static constexpr double k_shot_s = 4.0;
+
   /// Sets where it goes; `at_once` for a target that a hand moves.
   void aim(double target, double now_s, bool at_once) {
     if (target == to_) return;
@@ -68,11 +72,16 @@ class EasedNumber {
     start_s_ = now_s;
   }
   [[nodiscard]] double at(double now_s) const {
-    return moving(now_s) ? from_ + (to_ - from_) * eased((now_s - start_s_) / k_motion_s) : to_;
+    if (!moving(now_s)) return to_;
+    const double t = (now_s - start_s_) / length_s();
+    return from_ + (to_ - from_) * (opens() ? t : eased(t));
   }
-  [[nodiscard]] bool moving(double now_s) const { return from_ != to_ && now_s - start_s_ < k_motion_s; }
+  [[nodiscard]] bool moving(double now_s) const { return from_ != to_ && now_s - start_s_ < length_s(); }
 
  private:
+  [[nodiscard]] bool opens() const { return to_ > from_; }
+  [[nodiscard]] double length_s() const { return opens() ? k_shot_s * (to_ - from_) : k_motion_s; }
+
   double from_ = 0.0, to_ = 0.0, start_s_ = -std::numeric_limits<double>::infinity();
 };
 

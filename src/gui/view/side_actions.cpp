@@ -20,7 +20,6 @@ namespace {
 constexpr double k_same_undercut = 0.02;  // of the greater of two undercuts' sizes
 constexpr double k_same_cosine = 1.0 - 1e-9;
 constexpr double k_least_undercut_reach = 0.2;  // of what is seen around an undercut, unit frame
-constexpr double k_least_share = 0.2;           // of the slider, for what moves at all
 
 bool is_straight(const SideAction& action) { return !action.about; }
 /// Before the halves; lifters and inserts come with the part.
@@ -42,16 +41,11 @@ Ways ways_of(const ActionPlan* plan) {
   return ways;
 }
 
-/// Ends of the three stages on the slider.
-std::array<double, 3> stage_ends(const Ways& ways, double diagonal) {
-  std::array<double, 3> shares = {ways.first, k_mold_travel * diagonal, ways.last};
-  const double whole = shares[0] + shares[1] + shares[2];
-  double sum = 0.0;
-  for (double& share : shares) {
-    if (share > 0.0) share = std::max(share / whole, k_least_share);
-    sum += share;
-  }
-  return {shares[0] / sum, (shares[0] + shares[1]) / sum, 1.0};
+/// Ends of the three stages on the slider: what moves has as much of it as the others, however long its way.
+std::array<double, 3> stage_ends(const Ways& ways) {
+  const double slides = ways.first > 0.0 ? 1.0 : 0.0, lifters = ways.last > 0.0 ? 1.0 : 0.0;
+  const double stages = slides + 1.0 + lifters;
+  return {slides / stages, (slides + 1.0) / stages, 1.0};
 }
 
 }  // namespace
@@ -124,9 +118,8 @@ std::optional<std::size_t> own_direction(const ActionSettings& settings, const g
   return std::nullopt;
 }
 
-OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open) {
-  const Ways ways = ways_of(plan);
-  const auto ends = stage_ends(ways, diagonal);
+OpenedMold opened_mold(const ActionPlan* plan, double open) {
+  const auto ends = stage_ends(ways_of(plan));
   const auto done = [&](double from, double to) {
     return to > from ? std::clamp((open - from) / (to - from), 0.0, 1.0) : 0.0;
   };
@@ -139,7 +132,7 @@ std::vector<glm::dmat4> body_places(const AppState& state, double open, double s
   const SideAction* const chosen = chosen_action(state);
   if (!state.model || !plan || !bodies || (open == 0.0 && chosen == nullptr)) return {};
   const UnitFrame& frame = state.model->frame;
-  const OpenedMold opened = opened_mold(plan.get(), frame.diagonal, open);
+  const OpenedMold opened = opened_mold(plan.get(), open);
   const glm::dmat4 model_from_unit =
       glm::scale(glm::translate(glm::dmat4(1.0), frame.center), glm::dvec3(frame.diagonal));
   const glm::dmat4 unit_from_model = glm::inverse(model_from_unit);
@@ -181,7 +174,7 @@ std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut)
 std::string opening_text(const AppState& state, double open) {
   const double diagonal = state.model->frame.diagonal;
   const ActionPlan* const plan = state.actions.plan.get();
-  const OpenedMold opened = opened_mold(plan, diagonal, open);
+  const OpenedMold opened = opened_mold(plan, open);
   const Ways ways = ways_of(plan);
   const auto text = [&](std::string_view what, double way) {
     return fmt::format("{}{}{} {}", what, what.empty() ? "" : " ", grouped(fmt::format("{:.1f}", way)),

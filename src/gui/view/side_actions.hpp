@@ -44,7 +44,7 @@ struct OpenedMold {
 /// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
 /// 1]; halves alone where there is no plan. Each gets a share of the way as long as its own, but a fifth at
 /// least.
-[[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double diagonal, double open);
+[[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double open);
 /// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
 /// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
 /// None where none is to be seen.
