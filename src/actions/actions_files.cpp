@@ -39,9 +39,16 @@ std::string action_name(const ActionPlan& plan, std::size_t action) {
 }
 
 Colour action_colour(std::size_t action) {
-  // Hues apart from each other however many there are, on the wheel without its reds.
-  constexpr double k_first = 30.0 / 360.0, k_span = 290.0 / 360.0, k_golden = 0.6180339887498949;
-  const double hue = k_first + k_span * std::fmod(0.35 + k_golden * static_cast<double>(action), 1.0);
+  // Apart from each other however many there are, and from the red, green and blue of the regions and halves.
+  struct Band {
+    double first_deg, width_deg;
+  };
+  constexpr Band k_bands[] = {{25.0, 45.0}, {172.0, 23.0}, {275.0, 50.0}};
+  constexpr double k_all_deg = 118.0, k_golden = 0.6180339887498949;
+  double along_deg = k_all_deg * std::fmod(0.75 + k_golden * static_cast<double>(action), 1.0);
+  const Band* band = k_bands;
+  for (; along_deg > band->width_deg; ++band) along_deg -= band->width_deg;
+  const double hue = (band->first_deg + along_deg) / 360.0;
   const auto channel = [&](double offset) {
     const double at = std::fmod(hue + offset, 1.0) * 6.0;
     const double value = std::clamp(std::abs(at - 3.0) - 1.0, 0.0, 1.0);

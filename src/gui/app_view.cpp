@@ -226,7 +226,11 @@ void App::fit(const Camera& camera, bool at_once) {
     outermost.insert(outermost.end(), block.begin(), block.end());
   }
   fitted_steel_ = steel_fit();
-  const auto whole = points_to_show(outermost, state_.settings.direction.unit(), opened.halves);
+  auto whole = points_to_show(outermost, state_.settings.direction.unit(), opened.halves);
+  if (wanted_opening() > 0.0) {
+    const std::vector<glm::vec3> moved = points_of_bodies(state_, wanted_opening());
+    whole.insert(whole.end(), moved.begin(), moved.end());
+  }
   fitted_ = fitted_to(camera, fitted_points_.empty() ? whole : fitted_points_, fitted_area_);
   if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
   if (at_once) flight_.stop();

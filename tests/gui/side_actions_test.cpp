@@ -179,12 +179,16 @@ TEST_F(SideActions, AreSeenWholeInTheShotThatOpensTheMold) {
   EXPECT_EQ(state().settings.look.open_mold, 1.0) << "it goes on";
   EXPECT_EQ(opened_mold(&plan(), 1.0).lifters, 1.0);
   const glm::vec3 way(k_mold_travel * state().settings.direction.unit());
-  for (const glm::vec3& corner : block_corners(state())) {
-    const float side = glm::dot(corner, way) < 0.0F ? -1.0F : 1.0F;
+  const auto expect_seen = [&](const glm::vec3& point) {
     const glm::dvec2 pixel =
-        project(state().camera, options().size, glm::dvec3(corner + side * way)).value_or(glm::dvec2(-1.0));
+        project(state().camera, options().size, glm::dvec3(point)).value_or(glm::dvec2(-1.0));
     EXPECT_TRUE(pixel.x > 0.0 && pixel.y > 0.0 && pixel.x < 1280.0 && pixel.y < 720.0)
         << pixel.x << ", " << pixel.y;
+  };
+  for (const glm::vec3& corner : points_of_bodies(state(), 1.0)) expect_seen(corner);
+  for (const glm::vec3& corner : block_corners(state())) {
+    const float side = glm::dot(corner, way) < 0.0F ? -1.0F : 1.0F;
+    expect_seen(corner + side * way);
   }
   key({.key = 'O'});
   window.settle();

@@ -150,6 +150,15 @@ std::vector<glm::dmat4> body_places(const AppState& state, double open, double s
   return places;
 }
 
+std::vector<glm::vec3> points_of_bodies(const AppState& state, double open) {
+  std::vector<glm::vec3> points;
+  const std::vector<glm::dmat4> places = body_places(state, open, 1.0);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (const ViewVertex& vertex : state.actions.bodies->bodies[k].vertices)
+      points.emplace_back(places[k] * glm::dvec4(vertex.position, 1.0));
+  return points;
+}
+
 std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UnitFrame& frame = state.model->frame;

@@ -42,13 +42,14 @@ struct OpenedMold {
   double lifters = 0.0;  // with the ejection
 };
 /// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
-/// 1]; halves alone where there is no plan. Each gets a share of the way as long as its own, but a fifth at
-/// least.
+/// 1]; halves alone where there is no plan. Each of them that moves has an equal share.
 [[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double open);
 /// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
 /// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
 /// None where none is to be seen.
 [[nodiscard]] std::vector<glm::dmat4> body_places(const AppState& state, double open, double share);
+/// Corners of the bodies where body_places() draws them.
+[[nodiscard]] std::vector<glm::vec3> points_of_bodies(const AppState& state, double open);
 /// What a picture of an undercut is to show, unit frame: it, its action's body in place and out, and the
 /// arrow.
 [[nodiscard]] std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut);
