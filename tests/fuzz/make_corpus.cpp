@@ -86,8 +86,11 @@ void write_small_meshes(const fs::path& folder) {
       {0x46, 6, 3, 4, 0, 0, 0, 4, 4, 2, 2, 2, 1, 6, 6, 5},
       {0x83, 3, 4, 5, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 1, 1, 2, 5, 1, 3, 1, 5, 2, 3, 3, 7}};
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    write_seed(folder, "fuzz_exact_regions", std::to_string(k),
-               std::string(meshes[k].begin(), meshes[k].end()));
+    const std::string bytes(meshes[k].begin(), meshes[k].end());
+    write_seed(folder, "fuzz_exact_regions", std::to_string(k), bytes);
+    // Of a wide part the first byte is the number of coordinates that are changed: none.
+    for (const char* wide : {"fuzz_split_mesh", "fuzz_actions", "fuzz_mold", "fuzz_compare"})
+      write_seed(folder, wide, std::to_string(k), std::string(1, '\0') + bytes);
   }
 }
 
