@@ -42,7 +42,7 @@ struct Commands {
   void look_from(const glm::dquat& orientation);
   /// Looks along the parting direction, onto the core.
   void look_along_direction();
-  /// Flies to where most of the undercuts is seen; nothing where there are none.
+  /// Flies to where most of the undercuts is seen; without any to the largest mark that counts as none.
   void look_at_undercuts();
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
 #include "classify/view_choice.hpp"
 #include "gui/app.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
+#include "gui/view/points_around.hpp"
 #include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"
 
@@ -51,10 +53,23 @@ void Commands::look_along_direction() {
 }
 
 void Commands::look_at_undercuts() {
-  const Figures& figures = app.state_.figures;
-  if (!figures.split || figures.undercuts.value_or(UndercutTotals{}).count == 0) return;
-  look_from(revealing_orientation(*app.state_.model, std::span(&figures.split, 1),
-                                  app.state_.settings.direction.unit()));
+  const auto& split = app.state_.figures.split;
+  if (!split) return;
+  const PartModel& model = *app.state_.model;
+  const glm::dvec3& direction = app.state_.settings.direction.unit();
+  if (app.state_.figures.undercuts.value_or(UndercutTotals{}).count > 0)
+    return look_from(revealing_orientation(model, std::span(&split, 1), direction));
+  const auto& plan = app.state_.actions.plan;
+  if (!plan || plan->specks.empty()) return;
+  // Nothing that counts: the largest of what is ignored, and why it is.
+  constexpr double k_reach = 0.1;  // unit frame
+  const Speck& speck = plan->specks.front();
+  const FigureStyle style(model);
+  say(fmt::format("The largest ignored mark: {}, {}", style.with_unit(FigureKind::area, speck.area),
+                  speck_text(speck.reason)),
+      false);
+  app.fitted_points_ = points_around(model.frame.to_unit(speck.place), k_reach);
+  app.turn_camera(revealing_orientation(model, std::span(&split, 1), direction));
 }
 
 void Commands::look_at_undercut(std::size_t undercut) {

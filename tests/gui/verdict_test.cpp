@@ -8,6 +8,7 @@
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -81,6 +82,23 @@ class LongVerdicts : public Verdicts {
  protected:
   LongVerdicts() : Verdicts(100'000) {}
 };
+
+TEST_F(Verdicts, LeadToAMarkThatIsIgnored) {
+  // A groove of 0.02 mm around half a block: shallower than any release.
+  moldlight::test::SolidBuilder solid;
+  solid.extrude({{0, 0}, {20, 0}, {20, 5}, {19.98, 5}, {19.98, 10}, {20, 10}, {20, 15}, {0, 15}}, {}, 60.0);
+  open(solid.mesh());
+  ASSERT_TRUE(window_.state().verdict);
+  EXPECT_EQ(window_.state().verdict->undercuts, 0U);
+  ASSERT_GT(window_.state().verdict->specks, 0U) << verdict().sentence;
+  const Camera before = window_.state().camera;
+  click("verdict");
+  window_.settle();
+  EXPECT_LT(window_.state().camera.height, 0.7 * before.height) << "closer to it";
+  const auto& texts = window_.app().texts();
+  EXPECT_TRUE(std::ranges::any_of(
+      texts, [](const DrawnText& each) { return each.text.starts_with("The largest ignored mark: "); }));
+}
 
 TEST_F(LongVerdicts, AChangeOfTheSettingsEndsTheSweepThatNobodyAskedFor) {
   open(moldlight::test::plate_with_side_pocket({}).mesh);

@@ -75,6 +75,8 @@ std::string tooltip_text(const VerdictCard& card) {
     for (const std::string& reason : card.verdict->reasons) text += "\n" + reason;
   if (card.verdict && card.verdict->undercuts > 0)
     text += "\nClick to look at the undercuts from where most of them is seen (U).";
+  else if (card.verdict && card.verdict->specks > 0)
+    text += "\nClick to look at the largest mark that is ignored (U).";
   return text;
 }
 
