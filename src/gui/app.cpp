@@ -145,8 +145,10 @@ void App::frame(const FrameInput& input) {
   state_.cut =
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
   const auto split = split_view();
-  SceneFrame scene_frame{
-      .size = size_, .open_mold = arrows_apart(opened().halves), .line_shown = line_shown()};
+  SceneFrame scene_frame{.size = size_,
+                         .free = layout_.free_area(state_.dialogs.panels_hidden),
+                         .open_mold = arrows_apart(opened().halves),
+                         .line_shown = line_shown()};
   if (split && revision_) {
     scene_frame.second_from = split->left;
     scene_frame.second_shift = picture_shift(*split, size_, split_side());

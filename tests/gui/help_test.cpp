@@ -54,6 +54,8 @@ TEST_F(Help, HintsComeOneByOneAndGoForGood) {
   window.settle();
   EXPECT_FALSE(noted("What becomes of the part"));
   EXPECT_TRUE(noted("Looks for the best"));
+  EXPECT_GT(window.control("dismiss the hint").min.y, window.control("fold actions").max.y)
+      << "it covers no other bar";
   key({.key = 'W'});
   EXPECT_FALSE(noted("Looks for the best"));
   EXPECT_EQ(state().hints_done, (std::set<Hint>{Hint::arrow, Hint::verdict, Hint::sweep}));

@@ -204,10 +204,10 @@ TEST_F(Mold, TakesAHeightByHand) {
   const glm::vec2 grip = window.control("parting height handle").centre();
   const double wanted = 4.0;
   const glm::dvec3 up(0, 0, (wanted - found) / state().model->frame.diagonal);
-  const auto handle = height_handle(state());
-  ASSERT_TRUE(handle);
-  const glm::dvec2 to = *project(state().camera, window.size(), handle->at + up);
-  drag(grip, glm::vec2(to));
+  const auto pixel = [&](const glm::dvec3& at) {
+    return glm::vec2(*project(state().camera, window.size(), at));
+  };
+  drag(grip, grip + pixel(up) - pixel(glm::dvec3(0.0)));
   window.wait_until_measured();
   ASSERT_TRUE(asked().parting_height);
   EXPECT_NEAR(*asked().parting_height, wanted, 0.15);
@@ -238,6 +238,16 @@ TEST_F(Mold, TakesAHeightByHand) {
   key({.key = k_enter});
   EXPECT_FALSE(asked().parting_height) << "the part is not that high";
   EXPECT_FALSE(state().toasts.empty());
+}
+
+TEST_F(Mold, ItsHeightIsHeldBesideThePanels) {
+  open(k_box_part);
+  unfold();
+  for (const char view : {'1', '3', '7'}) {
+    key({.key = view});
+    window.settle();
+    EXPECT_LT(window.control("parting height handle").max.x, window.control("Palette=paper").min.x) << view;
+  }
 }
 
 TEST_F(Mold, MovesAFaceToTheOtherHalf) {

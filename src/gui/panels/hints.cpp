@@ -13,13 +13,13 @@ namespace {
 struct HintPlace {
   Hint hint;
   std::string_view control, text;
-  glm::vec2 side;  // from the control's middle: its right, left or upper edge
+  glm::vec2 side;  // from the control's middle: its right or left edge
 };
 
 constexpr HintPlace k_places[] = {
     {Hint::arrow, "core arrow", "Drag the arrow: regions and figures follow", {1.0F, 0.0F}},
     {Hint::verdict, "verdict", "What becomes of the part along this direction", {-1.0F, 0.0F}},
-    {Hint::sweep, "Find directions", "Looks for the best parting direction", {0.0F, -1.0F}},
+    {Hint::sweep, "Find directions", "Looks for the best parting direction", {-1.0F, 0.0F}},
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ namespace {
 constexpr double k_same_loop = 0.5;          // of a loop's size: two loops nearer than that are one
 constexpr double k_least_loop_reach = 0.04;  // of a picture of a loop, unit frame
 constexpr double k_beside = 0.07;            // between the part and the outline around it, unit frame
+constexpr double k_handle_share = 0.02;      // of the window's height, about a handle's middle
 
 Bounds box_of(const std::vector<ViewSegment>& loop) {
   Bounds box;
@@ -33,6 +34,13 @@ Bounds mold_box(const AppState& state) {
   Bounds box;
   for (const glm::vec3& point : state.extremes) box.add(frame.to_mold(glm::dvec3(point)));
   return box;
+}
+
+/// Whether all of the handle there is beside the panels.
+bool is_within(const FreeArea& free, const glm::dvec2& pixel) {
+  const double reach = k_handle_share * free.window.y;
+  return glm::all(glm::greaterThan(pixel, glm::dvec2(free.min) + reach)) &&
+         glm::all(glm::lessThan(pixel, glm::dvec2(free.max) - reach));
 }
 
 }  // namespace
@@ -122,7 +130,7 @@ HeightRange height_range(const AppState& state) {
   return {middle + box.min.z * frame.diagonal, middle + box.max.z * frame.diagonal};
 }
 
-std::optional<HeightHandle> height_handle(const AppState& state) {
+std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea& free) {
   if (!state.model || !state.mold_open || !state.mold.line || state.dialogs.panels_hidden)
     return std::nullopt;
   const UnitFrame& unit = state.model->frame;
@@ -136,15 +144,28 @@ std::optional<HeightHandle> height_handle(const AppState& state) {
     handle.outline[k] = frame.to_part({right ? box.max.x + k_beside : box.min.x - k_beside,
                                        upper ? box.max.y + k_beside : box.min.y - k_beside, height});
   }
-  // At the corner that is seen farthest to the right.
-  handle.at = *std::ranges::max_element(handle.outline, {}, [&](const glm::dvec3& corner) {
-    return glm::dot(corner, state.camera.right()) + 1e-3 * glm::dot(corner, state.camera.toward_viewer());
-  });
+  // On the outline as far to the right as no panel covers it, or else at the corner that is seen there.
+  const auto to_the_right = [&](const glm::dvec3& place) {
+    return glm::dot(place, state.camera.right()) + 1e-3 * glm::dot(place, state.camera.toward_viewer());
+  };
+  handle.at = *std::ranges::max_element(handle.outline, {}, to_the_right);
+  constexpr int k_places = 64;  // a side of the outline
+  std::optional<glm::dvec3> seen;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int place = 0; place < k_places; ++place) {
+      const glm::dvec3 at =
+          glm::mix(handle.outline[k], handle.outline[(k + 1) % 4], static_cast<double>(place) / k_places);
+      const auto pixel = project(state.camera, free.window, at);
+      if (pixel && is_within(free, *pixel) && (!seen || to_the_right(at) > to_the_right(*seen))) seen = at;
+    }
+  }
+  handle.at = seen.value_or(handle.at);
   return handle;
 }
 
-void draw_height_handle(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively) {
-  const auto handle = height_handle(state);
+void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& free, bool lively) {
+  const glm::ivec2& size = free.window;
+  const auto handle = height_handle(state, free);
   if (!handle) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   std::vector<ImVec2> outline;

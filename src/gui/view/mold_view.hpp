@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/app_state.hpp"
+#include "gui/draw/panel_layout.hpp"
 #include "gui/draw/ui.hpp"
 
 namespace moldlight::gui {
@@ -40,8 +41,8 @@ struct HeightHandle {
   glm::dvec3 at{0.0};
   std::array<glm::dvec3, 4> outline{};
 };
-/// While the panel of the mold is open.
-[[nodiscard]] std::optional<HeightHandle> height_handle(const AppState& state);
+/// While the panel of the mold is open. `free`: what no panel covers.
+[[nodiscard]] std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea& free);
 /// The height that is given, or the one that was found, along the direction in the part's coordinates.
 [[nodiscard]] double parting_height(const AppState& state);
 /// The least and the greatest height of the part.
@@ -50,7 +51,7 @@ struct HeightRange {
 };
 [[nodiscard]] HeightRange height_range(const AppState& state);
 /// `lively`: under the cursor or dragged.
-void draw_height_handle(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively);
+void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& free, bool lively);
 
 /// What forms a face now, of its area that may go to either half.
 struct FaceHalves {

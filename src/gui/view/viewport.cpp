@@ -74,7 +74,7 @@ std::optional<ViewArrow> Viewport::arrow_in_scene(const AppState& state, const S
                                                   Arrow which) {
   if (which == Arrow::section) return state.cut ? std::optional(section_arrow(*state.cut)) : std::nullopt;
   if (which == Arrow::height) {
-    const auto handle = height_handle(state);
+    const auto handle = height_handle(state, frame.free);
     if (!handle) return std::nullopt;
     return ViewArrow{.tail = handle->at - k_height_lever * state.settings.direction.unit(),
                      .tip = handle->at};
@@ -309,7 +309,7 @@ void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model) return;
   draw_loop(ui, state);
-  draw_height_handle(ui, state, frame.size,
+  draw_height_handle(ui, state, frame.free,
                      drag_ ? drag_->arrow == Arrow::height : near_tip_ == Arrow::height);
   draw_undercut_window(ui, state, frame.size);
   draw_side_arrow(ui, state, frame.size, drag_ ? drag_->arrow == Arrow::side : near_tip_ == Arrow::side);

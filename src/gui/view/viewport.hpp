@@ -6,6 +6,7 @@
 
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
+#include "gui/draw/panel_layout.hpp"
 #include "gui/draw/ui.hpp"
 #include "gui/view/scene.hpp"
 
@@ -17,6 +18,7 @@ enum class Gesture : std::uint8_t { none, orbit, pan, zoom };
 /// What the mouse needs to know of the picture.
 struct SceneFrame {
   glm::ivec2 size{0};       // pixels
+  FreeArea free;            // of it
   double open_mold = 0.0;   // as it is shown, [0, 1]
   bool line_shown = false;  // the mold's parting line
   // Of another revision's picture in the right half: where it begins, and how far it stands beside the left
