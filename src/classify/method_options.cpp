@@ -9,7 +9,7 @@ namespace moldlight {
 std::span<const Option<MethodSettings>> method_options() {
   using S = MethodSettings;
   static const std::vector<Option<S>> k_options = {
-      {"tau_deg", "--tau", "Required draft", "deg",
+      {"tau_deg", "--tau", "Near-vertical below", "deg",
        "Facets whose draft angle is smaller than this count as near-vertical and are looked up from both "
        "sides.",
        RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},

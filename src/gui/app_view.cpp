@@ -132,7 +132,7 @@ SceneSettings App::scene_settings() const {
   }
   shown.samples = options_.picture_samples;
   shown.theme = state_.window.theme;
-  shown.tau_deg = state_.settings.method.tau_deg;
+  shown.required_draft_deg = state_.settings.required_draft.deg;
   shown.open_mold = opened().halves;
   const auto& solids = state_.mold.solids;
   if (steel_wanted() && solids && !solids->shown.empty()) {

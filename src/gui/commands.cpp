@@ -174,17 +174,14 @@ const std::vector<Shortcut>& shortcuts() {
        asks(&Commands::look_at_undercuts)},
       {{view, "5", "parallel or perspective"}, part, {'5'}, asks(&Commands::toggle_projection)},
       {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
-      {{view, "O", "open or close the mold"},
+      {{view, "O / Space", "open or close the mold, stop it on its way"},
        part_no_ctrl,
-       {'O'},
+       {'O', GLFW_KEY_SPACE},
        [](P p) {
+         if (p.key.key == GLFW_KEY_SPACE) return p.edits.ask(&Commands::stop_opening);
          p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
          p.edits.ask(&Commands::fit_view);
        }},
-      {{view, "Space", "stop the opening mold; O goes on"},
-       part_no_ctrl,
-       {GLFW_KEY_SPACE},
-       asks(&Commands::stop_opening)},
       {{view, "G", "the mold: parting line and halves"}, part_no_ctrl, {'G'}, asks(&Commands::unfold_mold)},
       {{view, "S", "section across, along the direction, none"},
        part_no_ctrl,

@@ -41,7 +41,7 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
   frame.set_sight(program);
   program.set("u_parting", glm::vec3(frame.direction));
   program.set("u_draft_colours", settings.colour_mode == ColourMode::draft_angle);
-  const DraftScale scale = draft_scale(settings.tau_deg, settings.palette);
+  const DraftScale scale = draft_scale(settings.required_draft_deg, settings.palette);
   for (std::size_t i = 0; i < scale.limits_deg.size(); ++i)
     program.set(element("u_draft_sines", i), std::sin(glm::radians(scale.limits_deg[i])));
   for (std::size_t i = 0; i < scale.colours.size(); ++i)

@@ -39,11 +39,11 @@ Colour steel_colour(Steel steel, Palette palette) {
   return mixed(region_colour(formed, palette), k_steel, 0.55);
 }
 
-DraftScale draft_scale(double tau_deg, Palette palette) {
-  const double some = std::max(3.0, 2.0 * tau_deg), much = std::max(10.0, 4.0 * tau_deg);
+DraftScale draft_scale(double required_deg, Palette palette) {
+  const double some = std::max(3.0, 2.0 * required_deg), much = std::max(10.0, 4.0 * required_deg);
   const Colour core = region_colour(Region::core, palette), cavity = region_colour(Region::cavity, palette);
   constexpr Colour k_white = {238, 240, 243}, k_amber = {232, 176, 44};
-  return {{-much, -some, -tau_deg, tau_deg, some, much},
+  return {{-much, -some, -required_deg, required_deg, some, much},
           {cavity, mixed(cavity, k_white, 0.4), mixed(cavity, k_white, 0.75), k_amber,
            mixed(core, k_white, 0.75), mixed(core, k_white, 0.4), core}};
 }

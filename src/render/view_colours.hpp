@@ -27,7 +27,7 @@ struct DraftScale {
   std::array<double, 6> limits_deg{};
   std::array<Colour, 7> colours{};
 };
-[[nodiscard]] DraftScale draft_scale(double tau_deg, Palette palette);
+[[nodiscard]] DraftScale draft_scale(double required_deg, Palette palette);
 
 /// Of a body of the mold: a paler sister of the colour of what it forms.
 [[nodiscard]] Colour steel_colour(Steel steel, Palette palette);

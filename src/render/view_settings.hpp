@@ -72,9 +72,9 @@ struct ViewSettings : LookSettings {
   Theme theme = Theme::dark;
   Backdrop backdrop = Backdrop::gradient;
   bool ambient_occlusion = true;
-  double tau_deg = 1.0;           // for the scale of the draft colours
-  std::optional<CutPlane> cut{};  // follows from the section
-  bool cut_arrow = false;         // on the plane, for a hand to hold it by
+  double required_draft_deg = 1.0;  // for the scale of the draft colours
+  std::optional<CutPlane> cut{};    // follows from the section
+  bool cut_arrow = false;           // on the plane, for a hand to hold it by
   SteelLook steel{};
   double dimmed = 0.0;        // [0, 1]: how gray the colours of the part's surface are, beside what is lit
   double arrows_apart = 0.0;  // as an opened mold would move the arrows, where it is more than that

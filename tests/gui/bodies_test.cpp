@@ -84,7 +84,7 @@ TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
 }
 
 TEST_F(Bodies, KeepDirectionAndDraft) {
-  slide("Required draft", 0.5F);
+  slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
   click("+X");
   click("next body");

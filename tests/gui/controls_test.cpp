@@ -125,20 +125,20 @@ TEST_F(Controls, OfTheSweep) {
 }
 
 TEST_F(Controls, RightClickResets) {
-  slide("Required draft", 0.9F);
+  slide("Near-vertical below", 0.9F);
   EXPECT_GT(method().tau_deg, 5.0);
-  move_to(window.control("Required draft").centre());
+  move_to(window.control("Near-vertical below").centre());
   window.set_button(1, true);
   window.frame();
   window.set_button(1, false);
   window.frames(3);
-  move_to(window.control("Required draft").centre() + glm::vec2(30, 14));
+  move_to(window.control("Near-vertical below").centre() + glm::vec2(30, 14));
   press();
   EXPECT_EQ(method().tau_deg, MethodSettings{}.tau_deg);
 }
 
 TEST_F(Controls, ValuesAreTypedAfterADoubleClick) {
-  move_to(window.control("Required draft").centre());
+  move_to(window.control("Near-vertical below").centre());
   press();
   press();
   window.type("2.5");

@@ -37,7 +37,7 @@ class Draft : public WindowWithPart {
 
 TEST_F(Draft, FollowsTheRequiredDraftAsTheCommandDoes) {
   ASSERT_TRUE(state().mold.line && state().mold.line->draft);
-  EXPECT_EQ(check().required_deg, state().settings.method.tau_deg);
+  EXPECT_EQ(check().required_deg, state().settings.required_draft.deg);
   const DraftCheck same = check_draft(*state().model, state().mold.line->assignment,
                                       state().figures.shown->reverse_draft, check().required_deg);
   EXPECT_EQ(check().below, same.below);
@@ -52,12 +52,13 @@ TEST_F(Draft, FollowsTheRequiredDraftAsTheCommandDoes) {
   const float level = box.centre().y;
   drag({chart.place_of(check().required_deg), level}, {chart.place_of(0.5), level});
   settle();
-  EXPECT_NEAR(state().settings.method.tau_deg, 0.5, 1e-9);
+  EXPECT_NEAR(state().settings.required_draft.deg, 0.5, 1e-9);
   ASSERT_TRUE(state().mold.line && state().mold.line->draft);
   EXPECT_EQ(check().walls.size(), 3U);
+  EXPECT_EQ(state().settings.method.tau_deg, 1.0) << "the regions' tolerance is another";
   key({.key = 'Z', .ctrl = true});
   settle();
-  EXPECT_EQ(state().settings.method.tau_deg, 1.0) << "one step of undo";
+  EXPECT_EQ(state().settings.required_draft.deg, 1.0) << "one step of undo";
   EXPECT_EQ(check().walls.size(), 4U);
 }
 

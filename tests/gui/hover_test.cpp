@@ -175,7 +175,7 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
 /// No nudge of the mouse is needed to see what a rest of the mouse calls up.
 TEST_F(WindowWithPart, ATooltipComesByItself) {
   window.settle();
-  window.move_mouse(window.control("Required draft").centre());
+  window.move_mouse(window.control("Near-vertical below").centre());
   window.frames_asked_for();
   const std::vector<std::uint8_t> before = window.pixels();
   window.pass_time(0.6);

@@ -44,7 +44,7 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
   }
   for (const char* control :
        {"cup.obj##part", "open", "help", "settings", "+X", "−Z", "flip", "bookmark", "x", "elevation",
-        "Required draft", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
+        "Near-vertical below", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
         "Section", "Find directions"})
     EXPECT_TRUE(seen.contains(control)) << control;
   EXPECT_EQ(window.app().focused(), first) << "round";
@@ -53,7 +53,7 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
 }
 
 TEST_F(Keys, SpaceAndArrowsUseTheControlThatHasTheKeyboard) {
-  tab_to("Required draft");
+  tab_to("Near-vertical below");
   const double before = method().tau_deg;
   key({.key = k_right});
   EXPECT_GT(method().tau_deg, before);

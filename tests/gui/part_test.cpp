@@ -52,7 +52,7 @@ TEST_F(WindowWithPart, ADroppedFileIsOpened) {
 
 TEST_F(WindowWithPart, AChangedFileIsReadAgain) {
   window.wait_until_measured();
-  slide("Required draft", 0.5F);
+  slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
   const Camera camera = state().camera;
   write_mesh(part.file(), box_mesh({0, 0, 0}, {30, 20, 10}));

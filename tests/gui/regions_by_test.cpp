@@ -39,7 +39,7 @@ TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   click("Kernel shape=symmetric");
   EXPECT_EQ(by(), RegionsBy::maps);
   undo();
-  slide("Required draft", 0.3F);
+  slide("Near-vertical below", 0.3F);
   EXPECT_EQ(by(), RegionsBy::exact) << "it is not the maps' alone";
 }
 

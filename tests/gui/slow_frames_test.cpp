@@ -87,7 +87,7 @@ class SlowFrames : public WindowWithPart {
           break;
         }
         case 1: {  // a slider
-          const ScreenBox box = window.control("Required draft");
+          const ScreenBox box = window.control("Near-vertical below");
           hand.go(box.centre());
           hand.press(0, true);
           hand.go(

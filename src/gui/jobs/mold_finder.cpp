@@ -75,7 +75,8 @@ void MoldFinder::update_line(const AppState& state, MoldState& mold, bool moving
   }
   const Figures& figures = state.figures;
   const bool measured = state.model && figures.shown && figures.split && !figures.stale;
-  const LineInputs inputs{state.model, Asked<moldlight::MoldLine>::inputs(asked_study(state))};
+  const LineInputs inputs{state.model, Asked<moldlight::MoldLine>::inputs(asked_study(state)),
+                          state.settings.required_draft.deg};
   const bool other = !line_of_ || *line_of_ != inputs;
   if (line_of_ && (!measured || line_of_->asked.first != inputs.asked.first || (other && !moving))) {
     line_job_.give_up();

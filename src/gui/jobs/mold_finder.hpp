@@ -32,6 +32,7 @@ class MoldFinder {
   struct LineInputs {
     std::shared_ptr<const PartModel> model;
     Asked<moldlight::MoldLine>::Inputs asked;
+    double required_draft_deg = 0.0;
     bool operator==(const LineInputs&) const = default;
   };
   struct SolidInputs {

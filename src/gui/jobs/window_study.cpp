@@ -11,7 +11,7 @@ Study asked_study(const AppState& state) {
   questions.with_actions = true;
   questions.actions = state.settings.actions;
   questions.mold = state.settings.mold;
-  questions.required_draft_deg = state.settings.method.tau_deg;
+  questions.required_draft_deg = state.settings.required_draft.deg;
   return Study(state.model, std::move(questions));
 }
 

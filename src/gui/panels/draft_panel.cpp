@@ -85,7 +85,7 @@ void tell_bin(const PanelContext& context, const DraftChart& chart, const DraftC
 /// The limit of what is required, which a hand may drag.
 void draw_limit(const PanelContext& context, const DraftChart& chart) {
   const Ui& ui = context.ui;
-  double& required = context.edits.settings.method.tau_deg;
+  double& required = context.edits.settings.required_draft.deg;
   const float x = chart.place_of(required), half = 0.5F * ui.px(k_grip);
   ImGui::SetCursorScreenPos(ImVec2(x - half, chart.box.min.y));
   const Pressable grip = pressable(ui, "draft limit", {2.0F * half, chart.box.max.y - chart.box.min.y});
@@ -99,7 +99,7 @@ void draw_limit(const PanelContext& context, const DraftChart& chart) {
                lively ? ui.colours->accent : ui.colours->text, (lively ? 2.0F : 1.5F) * ui.scale);
   list.AddCircleFilled(ImVec2(x, chart.box.min.y), ui.px(lively ? 4.0F : 3.0F),
                        lively ? ui.colours->accent : ui.colours->text);
-  if (!grip.active) tooltip(ui, "Required draft", "Drag it: regions and walls follow.");
+  if (!grip.active) tooltip(ui, "Required draft", "Drag it: the walls with less of it follow.");
 }
 
 void draw_chart(const PanelContext& context, const DraftCheck& check) {

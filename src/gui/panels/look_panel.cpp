@@ -29,7 +29,7 @@ void draw_chips(const Ui& ui, LookSettings& look) {
 void draw_draft_key(const PanelContext& context) {
   const Ui& ui = context.ui;
   const DraftScale scale =
-      draft_scale(context.state.settings.method.tau_deg, context.state.settings.look.palette);
+      draft_scale(context.state.settings.required_draft.deg, context.state.settings.look.palette);
   const glm::vec2 start = from_im(ImGui::GetCursorScreenPos()) + glm::vec2(ui.px(8), ui.px(3));
   const float step =
       (ImGui::GetContentRegionAvail().x - ui.px(16)) / static_cast<float>(scale.colours.size());
@@ -67,7 +67,10 @@ void draw_look_panel(const PanelContext& context) {
       if (option.key == "open_mold")
         row.text = [&](double open) { return opening_text(context.state, open); };
       option_row(ui, option, look, row);
-      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
+      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) {
+        option_row(ui, required_draft_options().front(), context.edits.settings.required_draft);
+        draw_draft_key(context);
+      }
       if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));

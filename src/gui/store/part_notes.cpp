@@ -119,6 +119,14 @@ std::span<const Option<RevisionSettings>> revision_options() {
   return k_options;
 }
 
+std::span<const Option<RequiredDraft>> required_draft_options() {
+  static const std::vector<Option<RequiredDraft>> k_options = {
+      {"required_draft_deg", "", "Required draft", "deg",
+       "Walls with less draft than this are reported, with what more of it would cost. The regions stay.",
+       RealKind<RequiredDraft>{&RequiredDraft::deg, 0.1, 10.0, 0.1}}};
+  return k_options;
+}
+
 std::string part_notes_json(const PartNotes& notes, const std::string& part_path) {
   Json json;
   json["schema"] = k_schema;
@@ -126,6 +134,7 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
   if (!notes.unit.empty()) json["unit"] = notes.unit;
   json["settings"] = settings_json(notes.settings);
   json["look"] = options_json(look_options(), notes.settings.look);
+  json["draft"] = options_json(required_draft_options(), notes.settings.required_draft);
   json["actions"] = options_json(action_options(), notes.settings.actions);
   json["mold"] = options_json(mold_options(), notes.settings.mold);
   json["revision"] = revision_json(notes.settings.revision);
@@ -156,6 +165,8 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   }
   if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
+  if (json.contains("draft"))
+    set_options(required_draft_options(), notes.settings.required_draft, json["draft"]);
   if (json.contains("actions")) set_options(action_options(), notes.settings.actions, json["actions"]);
   if (json.contains("mold")) set_options(mold_options(), notes.settings.mold, json["mold"]);
   if (json.contains("revision")) set_revision(notes.settings.revision, json["revision"]);

@@ -36,9 +36,18 @@ struct RevisionSettings : CompareSettings {
 /// What is not among compare_options().
 [[nodiscard]] std::span<const Option<RevisionSettings>> revision_options();
 
+/// The draft that walls must have: what is said of draft depends on it, and its colours; no region does.
+struct RequiredDraft {
+  double deg = 1.0;  // [0.1, 10]
+
+  bool operator==(const RequiredDraft&) const = default;
+};
+[[nodiscard]] std::span<const Option<RequiredDraft>> required_draft_options();
+
 /// What undo and redo go through.
 struct EditedSettings : Query {
   LookSettings look;
+  RequiredDraft required_draft = {};
   ActionSettings actions = {};
   MoldSettings mold = {};
   RevisionSettings revision = {};

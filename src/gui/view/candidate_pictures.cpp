@@ -88,7 +88,7 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   scene.query.method.resolution = std::min(scene.query.method.resolution, k_small_maps);
   scene.view.settings.theme = view.theme;
   scene.view.settings.palette = view.palette;
-  scene.view.settings.tau_deg = view.tau_deg;
+  scene.view.settings.required_draft_deg = view.required_draft_deg;
   scene.view.settings.pixel_scale = k_thin * view.pixel_scale;
   scene.view.settings.arrows = false;
   scene.view.camera = telling_view(*scene_.part().model, candidate.candidate.direction, size_px);

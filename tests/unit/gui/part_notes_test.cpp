@@ -15,6 +15,7 @@ TEST(PartNotes, AreReadBackAsTheyWereWritten) {
   notes.settings.direction = glm::dvec3(0.6, 0.0, 0.8);
   notes.settings.method.resolution = 512;
   notes.settings.look.regions_by = RegionsBy::maps;
+  notes.settings.required_draft.deg = 2.5;
   notes.settings.look.mark_difference = true;
   notes.unit = "in";
   notes.settings.actions.clearance_mm = 5.0;

@@ -60,7 +60,7 @@ class RegionsPanel(task.Panel):
         self.draft.setSuffix(" °")
         self.draft.setToolTip(self.regions.getDocumentationOfProperty("Tau"))
         self.draft.editingFinished.connect(self._draft_edited)
-        line.addWidget(QtGui.QLabel(translate("Moldlight", "Required draft")))
+        line.addWidget(QtGui.QLabel(translate("Moldlight", "Near-vertical below")))
         line.addWidget(self.draft)
         self.layout.addLayout(line)
 
