@@ -34,7 +34,7 @@ std::span<const Option<LookSettings>> look_options() {
       {"facet_edges", "--facet-edges", "Facet edges", "", "Draw the edges of all facets.",
        SwitchKind<S>{&S::facet_edges}},
       {"near_vertical", "--near-vertical", "Near-vertical", "",
-       "Mark the facets whose draft angle is below the required draft.", SwitchKind<S>{&S::near_vertical}},
+       "Mark the near-vertical facets, whose draft angle is below --tau.", SwitchKind<S>{&S::near_vertical}},
       {"parting_line", "--parting-line", "Parting line", "",
        "Draw where the core's surface, the cavity's, and what both may form meet.",
        SwitchKind<S>{&S::parting_line}},
