@@ -37,14 +37,22 @@ class Describer {
   [[nodiscard]] Section parts() const;
 
  private:
-  [[nodiscard]] bool closed() const {
-    return comparison_.a.model->health.closed && comparison_.b.model->health.closed;
-  }
+  [[nodiscard]] bool closed() const { return comparison_.surface.closed; }
   [[nodiscard]] Value area(double value, std::string key) const {
     return number(style_.text(FigureKind::area, value), std::move(key), value);
   }
   [[nodiscard]] Value change(double value, std::string key) const {
     return number(with_minus(style_.change(FigureKind::area, value)), std::move(key), value);
+  }
+  /// "+12.3 ± 0.2"; the error where it can be seen in the digits shown.
+  [[nodiscard]] Value volume(const MeasuredVolume& measured, std::string key) const {
+    Value shown = number(with_minus(style_.change(FigureKind::volume, measured.volume)), std::move(key),
+                         measured.volume);
+    constexpr double k_seen_share = 5e-5;
+    if (measured.error > k_seen_share * std::abs(measured.volume) &&
+        style_.change(FigureKind::volume, measured.error) != "0")
+      shown.text += " ± " + error_text(measured.error);
+    return shown;
   }
   [[nodiscard]] Value point(const glm::dvec3& at) const { return {with_minus(style_.point(at))}; }
   [[nodiscard]] Table region_table() const;
@@ -112,12 +120,22 @@ Section Describer::places() const {
     Row row{{{fmt::format("{}", k + 1)},
              area(place.gone.area, key + "gone/area"),
              area(place.fresh.area, key + "new/area")}};
-    if (closed()) row.cells.push_back(change(place.volume, key + "volume"));
+    if (closed()) row.cells.push_back(volume(place.volume, key + "volume"));
     row.cells.insert(row.cells.end(),
                      {point(place.centre), {style_.text(FigureKind::length, place.bounds.diagonal())}});
     table.rows.push_back(std::move(row));
   }
-  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  const bool any = !table.rows.empty();
+  if (any) section.blocks.emplace_back(std::move(table));
+  if (any && closed() && style_.change(FigureKind::volume, surface.volume_elsewhere) != "0")
+    section.blocks.emplace_back(Text{
+        fmt::format("Off the places {} {} came, which the tolerance or the tessellation explains.",
+                    with_minus(style_.change(FigureKind::volume, surface.volume_elsewhere)), volume_unit_),
+        TextLook::quiet});
+  for (std::size_t k = 0; k < surface.places.size(); ++k)
+    if (surface.places[k].joined)
+      section.blocks.emplace_back(
+          Text{fmt::format("Place {} is several that are not closed each by itself.", k + 1)});
   return section;
 }
 
