@@ -113,7 +113,7 @@ Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T
 }  // namespace
 
 nlohmann::ordered_json compare_json(const Comparison& comparison) {
-  const auto& [a, b, settings, alignment, surface, undercuts, actions, remarks] = comparison;
+  const auto& [a, b, settings, alignment, scale, surface, undercuts, actions, remarks] = comparison;
   Json json;
   json["schema"] = "moldlight.compare/1";
   json["a"] = part_json(*a.model, a.result.warnings);
@@ -125,6 +125,7 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
   json["same_within"] = surface.tolerance.apart;
   json["tessellation"] = surface.chords;
   json["alignment"] = alignment ? alignment_json(*alignment) : Json();
+  json["scale"] = scale ? Json{{"factor", scale->factor}, {"other_share", scale->other}} : Json();
   json["surface"] = {{"gone", area_json(surface.gone)},
                      {"new", area_json(surface.fresh)},
                      {"volume_elsewhere", surface.closed ? Json(surface.volume_elsewhere) : Json()}};

@@ -41,6 +41,9 @@ class Describer {
   [[nodiscard]] Value area(double value, std::string key) const {
     return number(style_.text(FigureKind::area, value), std::move(key), value);
   }
+  [[nodiscard]] Value length(double value, std::string key) const {
+    return number(style_.text(FigureKind::length, value), std::move(key), value);
+  }
   [[nodiscard]] Value change(double value, std::string key) const {
     return number(with_minus(style_.change(FigureKind::area, value)), std::move(key), value);
   }
@@ -90,16 +93,14 @@ Section Describer::places() const {
   const SurfaceChange& surface = comparison_.surface;
   Section section{"Surface that is new or gone", {}};
   FigureGrid grid;
-  grid.figures = {
-      {"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, error_text(surface.gone.error),
-       "of A alone"},
-      {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_, error_text(surface.fresh.error),
-       "of B alone"},
-      {"The same within", number(figure(surface.tolerance.apart), "/same_within", surface.tolerance.apart),
-       length_unit_}};
+  grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_,
+                   error_text(surface.gone.error), "of A alone"},
+                  {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_,
+                   error_text(surface.fresh.error), "of B alone"},
+                  {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
   if (surface.chords > 0.0)
     grid.figures.push_back({"Tessellation",
-                            number(figure(surface.chords), "/tessellation", surface.chords),
+                            length(surface.chords, "/tessellation"),
                             length_unit_,
                             {},
                             "the most that facets of both are taken to be off"});
@@ -143,12 +144,11 @@ Table Describer::region_table() const {
   const Classification &a = comparison_.a.result, &b = comparison_.b.result;
   Table table{{{"", true}, {"A " + area_unit_}, {"B " + area_unit_}, {"change " + area_unit_}, {"of A"}}, {}};
   const auto row = [&](std::string title, const std::string& key, double before, double after) {
-    table.rows.push_back(
-        {{{std::move(title)},
-          area(before, "/regions/a/" + key),
-          area(after, "/regions/b/" + key),
-          change(after - before, "/regions/difference/" + key),
-          {before > 0.0 ? with_minus(fmt::format("{:+.2f} %", 100.0 * (after - before) / before)) : ""}}});
+    table.rows.push_back({{{std::move(title)},
+                           area(before, "/regions/a/" + key),
+                           area(after, "/regions/b/" + key),
+                           change(after - before, "/regions/difference/" + key),
+                           {with_minus(change_percent(before, after))}}});
   };
   for (const Region region : k_regions) {
     row(std::string(facts(region).title), std::string(region_name(region)), a.areas[region], b.areas[region]);
@@ -170,6 +170,11 @@ Table Describer::changed_regions() const {
               rest_text(regions.size())};
   for (std::size_t k = 0; k < std::min(regions.size(), k_most_rows); ++k) {
     const ChangedRegion& region = regions[k];
+    if (style_.text(FigureKind::area, region.area).front() == '<') {  // and so are all that follow
+      table.rest = fmt::format("… {} more, each {} {}.", regions.size() - k,
+                               style_.text(FigureKind::area, region.area), area_unit_);
+      break;
+    }
     table.rows.push_back({{{fmt::format("{}, now {}", region_name(region.from), region_name(region.to))},
                            area(region.area, fmt::format("/regions/changed/{}/area", k)),
                            point(region.centre),
@@ -274,18 +279,20 @@ Section Describer::parts() const {
   table.rows.push_back({{{"Parting direction"},
                          {with_minus(direction_words(comparison_.a.result.direction))},
                          {with_minus(direction_words(comparison_.b.result.direction))}}});
-  const auto box = [](const PartModel& model) {
-    return Value{figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal)};
+  const auto box = [this](const PartModel& model) {
+    return Value{style_.point(model.health.bounds.max - model.health.bounds.min)};
   };
   table.rows.push_back({{{"Box " + length_unit_}, box(a), box(b)}});
-  const auto row = [&](std::string name, const std::string& key, double former, double fresh) {
+  const auto row = [&](std::string name, FigureKind kind, const std::string& key, double former,
+                       double fresh) {
     table.rows.push_back({{{std::move(name)},
-                           number(figure(former), "/a/" + key, former),
-                           number(figure(fresh), "/b/" + key, fresh)}});
+                           number(style_.text(kind, former), "/a/" + key, former),
+                           number(style_.text(kind, fresh), "/b/" + key, fresh)}});
   };
-  if (closed()) row("Volume " + volume_unit_, "volume", a.health.volume, b.health.volume);
-  row("Facets", "facets", static_cast<double>(a.health.facets), static_cast<double>(b.health.facets));
-  row("Bodies", "components", static_cast<double>(a.health.components),
+  if (closed()) row("Volume " + volume_unit_, FigureKind::volume, "volume", a.health.volume, b.health.volume);
+  row("Facets", FigureKind::count, "facets", static_cast<double>(a.health.facets),
+      static_cast<double>(b.health.facets));
+  row("Bodies", FigureKind::count, "components", static_cast<double>(a.health.components),
       static_cast<double>(b.health.components));
   section.blocks.emplace_back(std::move(table));
   for (const std::string& remark : comparison_.remarks)
