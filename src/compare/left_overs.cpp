@@ -21,8 +21,7 @@ constexpr double k_rim_tolerances = 2.0;
 
 VolumeQuestion volume_question(const LeftOvers& left, std::uint32_t places,
                                const std::vector<std::uint32_t>& place_of) {
-  VolumeQuestion question{
-      .bits = {}, .labels = places, .margin = k_rim_tolerances * left.tolerance().apart, .apart = false};
+  VolumeQuestion question{.bits = {}, .labels = places, .margin = k_rim_tolerances * left.tolerance().apart};
   // Of a piece that is left over elsewhere, what the tolerance explains leans away from where it was; on flat
   // surface what tessellations explain is beside another change.
   std::map<std::pair<bool, PieceIndex>, std::uint32_t> of_piece;
@@ -44,7 +43,8 @@ VolumeQuestion volume_question(const LeftOvers& left, std::uint32_t places,
                              {polygon_centre(one.polygon)},
                              0,
                              (left.is_former(k) ? 1.0 : -1.0) * one.area * chord});
-    question.apart = question.apart || place == k_no_change;
+    if (place == k_no_change)
+      question.reach = question.margin + left.former().chords().greatest + left.fresh().chords().greatest;
   }
   return question;
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// Labels that are not apart by then share a cell.
 constexpr int k_most_cuts = 128;
-constexpr std::size_t k_most_cells = 20000;
+constexpr std::size_t k_most_cells = 2000;
 /// More labels than this are halved without looking where they are apart.
 constexpr std::size_t k_many_labels = 256;
 
@@ -208,7 +208,8 @@ class Division {
       if (bit.kind != Kind::facet && bit.kind != Kind::cap) continue;
       const double volume = cone(bit.polygon, apexes_[label]) / 6.0;
       sum += volume;
-      if (bit.kind == Kind::facet) alone_[label] += volume;
+      // Between clean cuts nothing that comes or goes is cut.
+      if (bit.kind == Kind::facet || cell.whole) alone_[label] += volume;
     }
     divided_.of_label[label].volume += sum;
     return sum;
@@ -222,14 +223,16 @@ class Division {
 
   /// Leaves out what is beside the label's box where that is asked for.
   void add_label(Cell cell, std::uint32_t label, const Bounds& box) {
-    for (int axis = 0; question_.apart && cell.whole && axis < 3; ++axis) {
+    const double elsewhere = divided_.elsewhere;
+    for (int axis = 0; question_.reach && cell.whole && axis < 3; ++axis) {
       for (const std::size_t upper : {0U, 1U}) {
-        const double at = upper == 1 ? box.max[axis] + question_.margin : box.min[axis] - question_.margin;
+        const double at = upper == 1 ? box.max[axis] + *question_.reach : box.min[axis] - *question_.reach;
         std::array<Cell, 2> sides = cut_cell(std::move(cell), {axis, at, true}, label);
         add_elsewhere(sides[upper]);
         cell = std::move(sides[1 - upper]);
       }
     }
+    divided_.of_label[label].error += std::abs(divided_.elsewhere - elsewhere);
     add(cell, label);
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -30,7 +31,8 @@ struct VolumeQuestion {
   std::vector<CellBit> bits;  // what changed, and doubts
   std::uint32_t labels = 0;   // greater than each of the bits'
   double margin = 0.0;        // labels nearer to each other share a cell, > 0
-  bool apart = false;         // what comes or goes off the labels' boxes is no label's
+  /// What comes or goes farther off the labels' boxes is no label's.
+  std::optional<double> reach = std::nullopt;
 };
 
 struct DividedVolume {
