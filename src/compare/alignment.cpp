@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -10,7 +11,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include "base/median.hpp"
 #include "compare/convex_polygon.hpp"
@@ -269,6 +272,64 @@ Alignment align(const PartModel& a, const PartModel& b, const Progress& progress
   if (!nearest.empty()) alignment.rms = std::sqrt(squares / static_cast<double>(nearest.size()));
   alignment.median = median_distance(nearest);
   return alignment;
+}
+
+std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, bool turned, double apart,
+                                       const Progress& progress) {
+  constexpr double k_most = 0.1, k_least = 5e-4, k_most_other = 0.2, k_far_better = 0.2;
+  if (a.part.mesh.facets.empty() || b.part.mesh.facets.empty()) return std::nullopt;
+  const Frame from = principal_frame(b), to = principal_frame(a);
+  const Bounds &box_a = a.health.bounds, &box_b = b.health.bounds;
+  std::vector<double> factors = {std::sqrt(b.geometry.total_area / a.geometry.total_area)};
+  if (a.health.closed && b.health.closed) factors.push_back(std::cbrt(b.health.volume / a.health.volume));
+  for (int axis = 0; axis < 3 && !turned; ++axis)
+    factors.push_back((box_b.max[axis] - box_b.min[axis]) / (box_a.max[axis] - box_a.min[axis]));
+  const std::vector<glm::dvec3> of_a = even_samples(a, k_samples, false),
+                                of_b = even_samples(b, k_samples, false);
+  // Of both, each laid on the other by p → (rotation · p + shift) / factor from B to A.
+  const auto share_off = [&](const Placement& placement, double factor) {
+    progress.report("looking for a scale", 0.0);
+    const glm::dmat3 back = glm::transpose(placement.rotation);
+    const double off = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, of_a.size() + of_b.size()), 0.0,
+        [&](const tbb::blocked_range<std::size_t>& range, double sum) {
+          for (std::size_t k = range.begin(); k < range.end(); ++k) {
+            const bool is_a = k < of_a.size();
+            const double distance =
+                is_a ? nearest_on(b, back * (factor * of_a[k] - placement.shift)).distance / factor
+                     : nearest_on(a, (placement.rotation * of_b[k - of_a.size()] + placement.shift) / factor)
+                           .distance;
+            if (distance > apart) sum += 1.0;
+          }
+          return sum;
+        },
+        std::plus<>());
+    return off / static_cast<double>(of_a.size() + of_b.size());
+  };
+  const double as_it_is = share_off({}, 1.0);
+  UniformScale best{1.0, k_far_better * as_it_is};
+  for (const double factor : factors) {
+    if (!(std::abs(factor - 1.0) <= k_most) || std::abs(factor - 1.0) < k_least) continue;
+    std::vector<Placement> placements;
+    if (turned) {
+      Part smaller = b.part;
+      for (glm::dvec3& vertex : smaller.mesh.vertices) vertex /= factor;
+      placements.push_back(
+          best_fit(a, *prepare_part(std::move(smaller), progress), false, progress).placement);
+      placements.back().shift *= factor;
+    } else {
+      for (const glm::dvec3& shift :
+           {factor * to.centre - from.centre, glm::dvec3(0.0), factor * box_a.min - box_b.min,
+            factor * box_a.center() - box_b.center()})
+        placements.push_back({glm::dmat3(1.0), shift});
+    }
+    for (const Placement& placement : placements) {
+      const double other = share_off(placement, factor);
+      if (other < best.other) best = {factor, other};
+      if (other == 0.0) return best;
+    }
+  }
+  return best.factor != 1.0 && best.other <= k_most_other ? std::optional(best) : std::nullopt;
 }
 
 std::shared_ptr<const PartModel> moved_part(const PartModel& part, const Alignment& alignment,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -26,6 +27,17 @@ struct Alignment {
 /// Turns about an axis of symmetry are all alike: of those the least is taken, as good as it is found. The
 /// same to the bit for any number of threads. Throws Cancelled.
 [[nodiscard]] Alignment align(const PartModel& a, const PartModel& b, const Progress& progress);
+
+/// B as A in another size, such as by a shrink that was left out.
+struct UniformScale {
+  double factor = 1.0;  // lengths of B in those of A, in [0.9, 1.1]
+  double other = 0.0;   // share of both surfaces that is off nevertheless, in [0, 0.2]
+};
+/// None where B is as large as A, or is no better explained by a scale. With `turned` B may lie anywhere,
+/// else it is scaled about the origin or about a point of its box or its surface. What is off is farther than
+/// `apart`, in A's unit. Throws Cancelled.
+[[nodiscard]] std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, bool turned,
+                                                     double apart, const Progress& progress);
 
 /// The part where the alignment puts it.
 [[nodiscard]] std::shared_ptr<const PartModel> moved_part(const PartModel& part, const Alignment& alignment,

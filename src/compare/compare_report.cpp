@@ -50,12 +50,14 @@ Json difference_json(const Json& a, const Json& b) {
 }
 
 Json places_json(const Comparison& comparison) {
-  const bool closed = comparison.a.model->health.closed && comparison.b.model->health.closed;
+  const bool closed = comparison.surface.closed;
   Json list = Json::array();
   for (const ChangedPlace& place : comparison.surface.places) {
     list.push_back({{"gone", area_json(place.gone)},
                     {"new", area_json(place.fresh)},
-                    {"volume", closed ? Json(place.volume) : Json()},
+                    {"volume", closed ? Json(place.volume.volume) : Json()},
+                    {"volume_error", closed ? Json(place.volume.error) : Json()},
+                    {"joined", place.joined},
                     {"centre", vector_json(place.centre)},
                     {"bounds", bounds_json(place.bounds)}});
   }
@@ -111,7 +113,7 @@ Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T
 }  // namespace
 
 nlohmann::ordered_json compare_json(const Comparison& comparison) {
-  const auto& [a, b, settings, alignment, surface, undercuts, actions, remarks] = comparison;
+  const auto& [a, b, settings, alignment, scale, surface, undercuts, actions, remarks] = comparison;
   Json json;
   json["schema"] = "moldlight.compare/1";
   json["a"] = part_json(*a.model, a.result.warnings);
@@ -123,7 +125,10 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
   json["same_within"] = surface.tolerance.apart;
   json["tessellation"] = surface.chords;
   json["alignment"] = alignment ? alignment_json(*alignment) : Json();
-  json["surface"] = {{"gone", area_json(surface.gone)}, {"new", area_json(surface.fresh)}};
+  json["scale"] = scale ? Json{{"factor", scale->factor}, {"other_share", scale->other}} : Json();
+  json["surface"] = {{"gone", area_json(surface.gone)},
+                     {"new", area_json(surface.fresh)},
+                     {"volume_elsewhere", surface.closed ? Json(surface.volume_elsewhere) : Json()}};
   json["places"] = places_json(comparison);
   const Json areas_a = areas_json(a.result), areas_b = areas_json(b.result);
   json["regions"] = {{"a", areas_a},

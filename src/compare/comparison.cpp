@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
+#include "compare/criteria.hpp"
 #include "mesh/length_unit.hpp"
 
 namespace moldlight {
@@ -65,6 +67,26 @@ std::string count_text(std::size_t count, std::string_view what) {
 bool are_equal(const PartModel& a, const PartModel& b) {
   return a.part.mesh.vertices == b.part.mesh.vertices && a.part.mesh.facets == b.part.mesh.facets &&
          a.part.facet_source == b.part.facet_source && a.part.unit == b.part.unit;
+}
+
+/// "B is A × 1.0100 but for 2.5 % of the surface"
+std::string scale_text(const UniformScale& scale) {
+  const std::string times = fmt::format("B is A × {:.4f}", scale.factor);
+  return scale.other > 0.0 ? fmt::format("{} but for {:.1f} % of the surface", times, 100.0 * scale.other)
+                           : times;
+}
+
+/// By the figures of the table and what criteria take for a change.
+std::string undercut_text(const Comparison& comparison, const FigureStyle& style) {
+  const Classification &a = comparison.a.result, &b = comparison.b.result;
+  const double before = a.areas[Region::undercut], after = b.areas[Region::undercut];
+  const std::string was = style.text(FigureKind::area, before), is = style.text(FigureKind::area, after),
+                    unit = style.unit(FigureKind::area);
+  if (was == is || std::abs(after - before) <= a.uncertainty.total() + b.uncertainty.total())
+    return fmt::format("undercut as before, {} {}", is, unit);
+  const std::string change = change_percent(before, after);
+  return fmt::format("undercut {} {} {}, was {}{}{}", after > before ? "grew to" : "shrank to", is, unit, was,
+                     change.empty() ? "" : ", ", change);
 }
 
 void compare_plans(const PlannedSide& a, const PlannedSide& b, Comparison& comparison) {
@@ -163,6 +185,9 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   comparison.b.result = classify_exact(*comparison.b.model, {query.fresh, method}, progress, true);
   const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
   comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
+  if (!comparison.surface.places.empty())
+    comparison.scale = find_scale(*a, *comparison.b.model, settings.align,
+                                  tolerance.apart + comparison.surface.chords, progress);
   if (!settings.with_actions) return;
   comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
   comparison.b.plan = find_actions(*comparison.b.model, comparison.b.result, settings.actions, progress);
@@ -171,30 +196,25 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
 
 std::string comparison_verdict(const Comparison& comparison) {
   const SurfaceChange& surface = comparison.surface;
-  const Part& part = comparison.a.model->part;
-  const std::string area_unit = powered_unit(part, 2);
+  const FigureStyle style(*comparison.a.model);
+  const auto area = [&](double value) { return style.with_unit(FigureKind::area, value); };
   if (!surface.any())
-    return fmt::format("Nothing changed: surface and regions are the same within {} {}.",
-                       figure(surface.tolerance.apart), length_unit(part));
+    return fmt::format("Nothing changed: surface and regions are the same within {}.",
+                       style.with_unit(FigureKind::length, surface.tolerance.apart));
   std::vector<std::string> facts;
-  if (!surface.places.empty())
-    facts.push_back(fmt::format("{} changed, {} {} of surface gone and {} new",
-                                count_text(surface.places.size(), "place"), figure(surface.gone.area),
-                                area_unit, figure(surface.fresh.area)));
+  if (comparison.scale)
+    facts.push_back(scale_text(*comparison.scale));
+  else if (!surface.places.empty())
+    facts.push_back(fmt::format("{} changed, {} of surface gone and {} new",
+                                count_text(surface.places.size(), "place"), area(surface.gone.area),
+                                area(surface.fresh.area)));
   if (!surface.regions.empty()) {
-    double area = 0.0;
-    for (const ChangedRegion& region : surface.regions) area += region.area;
-    facts.push_back(fmt::format("{} {} of the same surface {} of another region", figure(area), area_unit,
+    double other = 0.0;
+    for (const ChangedRegion& region : surface.regions) other += region.area;
+    facts.push_back(fmt::format("{} of the same surface {} of another region", area(other),
                                 surface.places.empty() ? "is" : "are"));
   }
-  const double before = comparison.a.result.areas[Region::undercut],
-               after = comparison.b.result.areas[Region::undercut];
-  const double doubt = comparison.a.result.uncertainty.total() + comparison.b.result.uncertainty.total() +
-                       surface.gone.error + surface.fresh.error;
-  facts.push_back(std::abs(after - before) <= doubt
-                      ? fmt::format("undercut as before, {} {}", figure(after), area_unit)
-                      : fmt::format("undercut {} {} {}, was {}", after > before ? "grew to" : "shrank to",
-                                    figure(after), area_unit, figure(before)));
+  facts.push_back(undercut_text(comparison, style));
   const std::string undercuts = changes_text(comparison.undercuts),
                     actions = changes_text(comparison.actions);
   if (!undercuts.empty()) facts.back() += fmt::format(" ({})", undercuts);

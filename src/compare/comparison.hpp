@@ -45,6 +45,7 @@ struct Comparison {
   ComparedPart a, b;
   CompareSettings settings;
   std::optional<Alignment> alignment;  // of B, where it was asked for
+  std::optional<UniformScale> scale;   // of B, where surface changed
   SurfaceChange surface;
   std::vector<MatchedChange> undercuts, actions;  // none without plans
   std::vector<std::string> remarks;               // a sentence each

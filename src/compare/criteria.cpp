@@ -66,12 +66,17 @@ const ComparedFigure& figure_of(const Criterion& criterion, std::span<const Comp
 }
 
 std::string percent_text(const ComparedFigure& figure) {
-  return figure.before > 0.0
-             ? fmt::format(" ({:+.2f} %)", 100.0 * (figure.after - figure.before) / figure.before)
-             : std::string();
+  const std::string change = change_percent(figure.before, figure.after);
+  return change.empty() ? change : fmt::format(" ({})", change);
 }
 
 }  // namespace
+
+std::string change_percent(double before, double after) {
+  const double change = before > 0.0 ? 100.0 * (after - before) / before : 0.0;
+  constexpr double k_least_shown = 0.005;
+  return std::abs(change) < k_least_shown ? std::string() : fmt::format("{:+.2f} %", change);
+}
 
 bool Criterion::is_met_by(const ComparedFigure& figure) const {
   double compared = figure.after;

@@ -16,6 +16,9 @@ struct ComparedFigure {
   double whole = 0.0;  // what per cent without a sign are of; 0: it has none
 };
 
+/// "+2.01 %" of what it was; empty where that was nothing, and where two decimals show no change.
+[[nodiscard]] std::string change_percent(double before, double after);
+
 /// NAME > VALUE or NAME >= VALUE. A value with a sign is that of the change, in the figure's own unit or in
 /// per cent of what it was before; one without is that of the figure now, in its unit or in per cent of the
 /// part's.

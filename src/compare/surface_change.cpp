@@ -20,9 +20,6 @@ constexpr double k_same_draft_deg = 0.01;
 /// Surface that faces farther apart is not the same, whatever its region.
 constexpr double k_least_same_facing = 0.5;
 
-/// Share of a face's area above which all of its changes are one.
-constexpr double k_changed_face = 0.3;
-
 /// Puts values in the order of `order`, and numbers that refer to them.
 template <typename T>
 void reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
@@ -51,14 +48,6 @@ void renumber(std::vector<std::uint32_t>& numbers, const std::vector<std::uint32
     if (number != k_no_change) number = rank[number];
 }
 
-/// Six times the volume of the cone from `apex` over the polygon.
-double cone(const ConvexPolygon& polygon, const glm::dvec3& apex) {
-  double sum = 0.0;
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    sum += glm::dot(polygon[0] - apex, glm::cross(polygon[k - 1] - apex, polygon[k] - apex));
-  return sum;
-}
-
 struct Moment {
   double area = 0.0;
   glm::dvec3 sum{0.0};
@@ -70,100 +59,6 @@ struct Moment {
   [[nodiscard]] glm::dvec3 centre(const Bounds& bounds) const {
     return area > 0.0 ? sum / area : bounds.center();
   }
-};
-
-/// Left-over pieces of both parts, the former's first.
-class LeftOvers {
- public:
-  LeftOvers(const OverlaySide& former, const OverlaySide& fresh, const SurfaceChange& change)
-      : former_(former), fresh_(fresh), tolerance_(change.tolerance), split_(change.of_former.left.size()) {
-    for (const LeftOver& one : change.of_former.left) all_.push_back(&one);
-    for (const LeftOver& one : change.of_fresh.left) all_.push_back(&one);
-  }
-
-  [[nodiscard]] std::size_t count() const { return all_.size(); }
-  [[nodiscard]] std::size_t of_former() const { return split_; }
-  [[nodiscard]] const LeftOver& operator[](std::size_t k) const { return *all_[k]; }
-  [[nodiscard]] bool is_certain(std::size_t k) const { return all_[k]->explained == 0.0; }
-  [[nodiscard]] bool is_former(std::size_t k) const { return k < split_; }
-
-  /// Those that are certainly left over, joined where they touch.
-  [[nodiscard]] UnionFind joined(const Progress& progress) const {
-    UnionFind sets = joined_where_touching(polygons(), extent(), progress);
-    join_faces(former_, 0, split_, sets);
-    join_faces(fresh_, split_, count(), sets);
-    return sets;
-  }
-
-  /// Gives what is explained, but touches a place on the same part, to that place.
-  void add_explained(std::vector<std::uint32_t>& place_of, const Progress& progress) const {
-    std::vector<ReachingPolygon> rims;
-    for (const LeftOver* one : all_) rims.push_back({&one->polygon, tolerance_.rounding});
-    const std::vector<std::uint32_t> certain = place_of;
-    visit_touching(
-        rims, extent(),
-        [&](std::uint32_t a, std::uint32_t b) {
-          const bool one_has = (certain[a] == k_no_change) != (certain[b] == k_no_change);
-          const std::uint32_t open = certain[a] == k_no_change ? a : b;
-          return one_has && !is_certain(open) && is_former(a) == is_former(b) ? 2.0 * tolerance_.rounding
-                                                                              : -1.0;
-        },
-        [&](std::uint32_t a, std::uint32_t b) {
-          const std::uint32_t open = certain[a] == k_no_change ? a : b;
-          place_of[open] = std::min(place_of[open], certain[open == a ? b : a]);
-        },
-        progress);
-  }
-
-  /// What is explained by being beside other surface alone: a rim, as wide as the tolerance, of what is not.
-  [[nodiscard]] bool is_rim(std::size_t k) const {
-    constexpr double k_widths = 3.0;
-    const ConvexPolygon& polygon = all_[k]->polygon;
-    double extent = 0.0;
-    for (const glm::dvec3& corner : polygon)
-      extent = std::max(extent, glm::distance(corner, polygon.front()));
-    return 2.0 * all_[k]->area <= k_widths * all_[k]->explained * extent;
-  }
-
- private:
-  [[nodiscard]] double extent() const {
-    return std::max(former_.model().frame.diagonal, fresh_.model().frame.diagonal);
-  }
-
-  /// None for what is explained.
-  [[nodiscard]] std::vector<ReachingPolygon> polygons() const {
-    static const ConvexPolygon k_none;
-    std::vector<ReachingPolygon> reaching;
-    for (std::size_t k = 0; k < count(); ++k) {
-      const OverlaySide& side = is_former(k) ? former_ : fresh_;
-      const double chord = side.chords().lateral[side.facet(all_[k]->piece)];
-      reaching.push_back({is_certain(k) ? &all_[k]->polygon : &k_none, tolerance_.apart + 1.5 * chord});
-    }
-    return reaching;
-  }
-
-  /// A face most of which changed is one place, though it may have stayed somewhere: a round wall that moved.
-  void join_faces(const OverlaySide& side, std::size_t first, std::size_t last, UnionFind& sets) const {
-    std::vector<double> whole(side.faces().count(), 0.0), changed(whole);
-    const auto face_of = [&](std::size_t k) { return side.faces().of_facet[side.facet(all_[k]->piece)]; };
-    for (FacetIndex facet = 0; facet < side.faces().of_facet.size(); ++facet)
-      whole[side.faces().of_facet[facet]] += side.model().geometry.areas[facet];
-    for (std::size_t k = first; k < last; ++k)
-      if (is_certain(k)) changed[face_of(k)] += all_[k]->area;
-    std::vector<std::uint32_t> representative(whole.size(), k_no_change);
-    for (std::size_t k = first; k < last; ++k) {
-      const std::uint32_t face = face_of(k);
-      if (!is_certain(k) || changed[face] < k_changed_face * whole[face]) continue;
-      if (representative[face] == k_no_change) representative[face] = static_cast<std::uint32_t>(k);
-      sets.join(representative[face], static_cast<std::uint32_t>(k));
-    }
-  }
-
-  const OverlaySide& former_;
-  const OverlaySide& fresh_;
-  OverlayTolerance tolerance_;
-  std::vector<const LeftOver*> all_;
-  std::size_t split_;
 };
 
 /// What is explained counts as far as it is a rim, and all of it as what the area may be off. Leaves the
@@ -186,16 +81,11 @@ void measure_places(const LeftOvers& left, std::vector<std::uint32_t>& place_of,
     for (const glm::dvec3& corner : one.polygon) place.bounds.add(corner);
   }
   for (std::size_t k = 0; k < places.size(); ++k) places[k].centre = moments[k].centre(places[k].bounds);
-  for (std::size_t k = 0; k < left.count(); ++k) {
-    if (place_of[k] == k_no_change) continue;
-    ChangedPlace& place = places[place_of[k]];
-    place.volume += (left.is_former(k) ? -1.0 : 1.0) / 6.0 * cone(left[k].polygon, place.bounds.center());
-  }
 }
 
 void find_places(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change,
                  const Progress& progress) {
-  const LeftOvers left(former, fresh, change);
+  const LeftOvers left(former, fresh, change.tolerance, change.of_former, change.of_fresh);
   UnionFind joined = left.joined(progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < left.count(); ++k)
@@ -208,11 +98,22 @@ void find_places(const OverlaySide& former, const OverlaySide& fresh, double spe
       place_of[k] = number.try_emplace(root, static_cast<std::uint32_t>(number.size())).first->second;
   }
   left.add_explained(place_of, progress);
+  change.closed = former.model().health.closed && fresh.model().health.closed;
   change.places.resize(number.size());
+  if (change.closed) {
+    const PlaceVolumes volumes =
+        volumes_of_places(left, static_cast<std::uint32_t>(number.size()), place_of, progress);
+    for (std::size_t k = 0; k < change.places.size(); ++k) {
+      change.places[k].volume = volumes.of_place[k];
+      change.places[k].joined = volumes.joined[k];
+    }
+    change.volume_elsewhere = volumes.elsewhere;
+  }
   measure_places(left, place_of, change.places);
   const auto order =
       largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.fresh.area; });
   reorder(change.places, order);
+  std::erase_if(change.places, [](const ChangedPlace& p) { return p.gone.area + p.fresh.area <= 0.0; });
   renumber(place_of, ranks(order));
   const auto middle = place_of.begin() + static_cast<std::ptrdiff_t>(left.of_former());
   change.place_of_former.assign(place_of.begin(), middle);
@@ -323,6 +224,7 @@ void find_regions(const OverlaySide& former, const OverlaySide& fresh, double sp
 SurfaceChange no_surface_change(const OverlaySide& side, const OverlayTolerance& tolerance) {
   SurfaceChange change;
   change.tolerance = tolerance;
+  change.closed = side.model().health.closed;
   change.chords = 2.0 * side.chords().greatest;
   for (PieceIndex piece = 0; piece < side.count(); ++piece)
     change.of_former.shares.push_back({piece, piece, side.area(piece)});

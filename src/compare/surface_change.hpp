@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compare/left_overs.hpp"
 #include "compare/overlay.hpp"
 
 namespace moldlight {
@@ -18,7 +19,8 @@ struct MeasuredArea {
 /// somewhere. Lengths are in the part's unit.
 struct ChangedPlace {
   MeasuredArea gone, fresh;  // of the former part alone, of the new one alone
-  double volume = 0.0;       // that came, negative: that went; where both parts are closed
+  MeasuredVolume volume;     // that came, negative: that went; where both parts are closed
+  bool joined = false;       // of places that do not enclose what came or went each by itself
   glm::dvec3 centre{0.0};    // of the area
   Bounds bounds{};
 };
@@ -31,12 +33,12 @@ struct ChangedRegion {
   Bounds bounds{};
 };
 
-inline constexpr std::uint32_t k_no_change = ~0U;
-
 struct SurfaceChange {
   OverlayTolerance tolerance;
   double chords = 0.0;  // the most that the tessellations are taken to be off, both together
   MeasuredArea gone, fresh;
+  bool closed = false;                 // both parts are, so that volumes are known
+  double volume_elsewhere = 0.0;       // that came off all places: tolerance or tessellation explain it
   std::vector<ChangedPlace> places;    // the largest first
   std::vector<ChangedRegion> regions;  // the largest first; of less than a speck left out
   Overlay of_former, of_fresh;         // of the former part on the new one, and the reverse

@@ -81,6 +81,28 @@ TEST_F(Compare, TellsJson) {
       << "the same every time";
 }
 
+TEST_F(Compare, TellsAScaleAndVolumesThatAddUp) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 2.0, 1.01), {"--json", "-", "--actions", "off"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(run.out);
+  EXPECT_NEAR(json["scale"]["factor"].get<double>(), 1.01, 1e-6);
+  EXPECT_TRUE(json["verdict"].get<std::string>().starts_with("B is A × 1.0100;")) << json["verdict"];
+  double sum = json["surface"]["volume_elsewhere"];
+  for (const auto& place : json["places"]) sum += place["volume"].get<double>();
+  const double before = json["a"]["volume"], after = json["b"]["volume"];
+  EXPECT_NEAR(sum, after - before, 1e-9 * after);
+}
+
+/// No share of nothing, no row of nothing, four digits everywhere.
+TEST_F(Compare, TellsFiguresInOneWay) {
+  const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--actions", "off"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* none : {"-0.00 %", "+0.00 %", " 0.0 ", "< "})
+    EXPECT_EQ(run.out.find(none), std::string::npos) << run.out;
+  const auto json = json_of(compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--json", "-"}).out);
+  EXPECT_NE(run.out.find(json["verdict"].get<std::string>().substr(0, 16)), std::string::npos);
+}
+
 TEST_F(Compare, TellsUndercutsAndActions) {
   const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 3.0), {"--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -95,7 +95,7 @@ TEST_F(Revisions, TellWhatChangedAndNothingElse) {
   const double disc = polygon_area(rim);
   EXPECT_NEAR(place.gone.area, 2.0 * disc, place.gone.error + 1e-3);
   EXPECT_NEAR(place.fresh.area, polygon_perimeter(rim) * k_plate_high.z, place.fresh.error + 1e-3);
-  EXPECT_NEAR(place.volume, -disc * k_plate_high.z, 1e-2 * disc * k_plate_high.z);
+  EXPECT_NEAR(place.volume.volume, -disc * k_plate_high.z, 1e-2 * disc * k_plate_high.z);
   EXPECT_TRUE(window.app().controls().contains("change 1"));
   EXPECT_FALSE(window.app().controls().contains("change 2"));
   EXPECT_TRUE(says("surface changed"));
@@ -270,7 +270,7 @@ TEST_F(Revisions, OfADroppedPartAreAskedFor) {
   EXPECT_EQ(state().revisions.path, a);
   ASSERT_TRUE(state().revisions.result);
   ASSERT_EQ(result().changes.size(), 1U);
-  EXPECT_GT(result().comparison.surface.places[0].volume, 0.0) << "the hole is filled now";
+  EXPECT_GT(result().comparison.surface.places[0].volume.volume, 0.0) << "the hole is filled now";
 }
 
 TEST_F(Revisions, DoNotBreakASmallWindow) {

@@ -76,8 +76,7 @@ class Texts {
     RowTexts texts;
     if (place.gone.area > 0.0) texts.before = grouped(areas_.text(place.gone.area));
     if (place.fresh.area > 0.0) texts.now = grouped(areas_.text(place.fresh.area));
-    if (comparison_.a.model->health.closed && comparison_.b.model->health.closed)
-      texts.volume = with_sign(areas_, place.volume);
+    if (comparison_.surface.closed) texts.volume = with_sign(areas_, place.volume.volume);
     texts.more = fmt::format("{} {} across", grouped(lengths_.text(place.bounds.diagonal())),
                              length_unit(comparison_.a.model->part));
     return texts;

@@ -10,6 +10,9 @@ let shown = step, sorted = 8, down = true, list = [];
 const byId = (id) => document.getElementById(id);
 const drawn = rows.some((row) => row[14]);
 const used = columns.filter((column) => rows.some((row) => row[column[1]] !== null && row[column[1]] !== ""));
+// Areas are in each part's own unit: in the heading where all have one.
+const units = [...new Set(rows.map((row) => row[4]).filter((unit) => unit))];
+const squared = (unit) => unit ? " " + unit + "²" : "";
 const text = (value, kind) => value === null ? "" : kind === "share" ? (100 * value).toFixed(2) + " %"
   : kind === "area" ? Number(value.toPrecision(6)).toString() : kind === "time" ? value.toFixed(2) : String(value);
 function compare(a, b) {
@@ -37,7 +40,8 @@ function cell(row, column) {
     place.href = results + row[15];
     td.append(place);
   }
-  place.textContent = text(row[column[1]], column[3]);
+  place.textContent = text(row[column[1]], column[3]) +
+    (column[3] === "area" && units.length > 1 && row[column[1]] !== null ? squared(row[4]) : "");
   return td;
 }
 function show() {
@@ -73,7 +77,8 @@ for (const column of used) {
   const th = document.createElement("th"), button = document.createElement("button");
   th.dataset.field = column[1];
   if (column[2]) th.className = "text";
-  button.append(column[0], document.createElement("span"));
+  button.append(column[0] + (column[3] === "area" && units.length === 1 ? squared(units[0]) : ""),
+    document.createElement("span"));
   button.onclick = () => {
     if (sorted === column[1]) down = !down; else { sorted = column[1]; down = !column[2]; }
     choose();

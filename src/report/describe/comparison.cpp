@@ -37,14 +37,25 @@ class Describer {
   [[nodiscard]] Section parts() const;
 
  private:
-  [[nodiscard]] bool closed() const {
-    return comparison_.a.model->health.closed && comparison_.b.model->health.closed;
-  }
+  [[nodiscard]] bool closed() const { return comparison_.surface.closed; }
   [[nodiscard]] Value area(double value, std::string key) const {
     return number(style_.text(FigureKind::area, value), std::move(key), value);
   }
+  [[nodiscard]] Value length(double value, std::string key) const {
+    return number(style_.text(FigureKind::length, value), std::move(key), value);
+  }
   [[nodiscard]] Value change(double value, std::string key) const {
     return number(with_minus(style_.change(FigureKind::area, value)), std::move(key), value);
+  }
+  /// "+12.3 ± 0.2"; the error where it can be seen in the digits shown.
+  [[nodiscard]] Value volume(const MeasuredVolume& measured, std::string key) const {
+    Value shown = number(with_minus(style_.change(FigureKind::volume, measured.volume)), std::move(key),
+                         measured.volume);
+    constexpr double k_seen_share = 5e-5;
+    if (measured.error > k_seen_share * std::abs(measured.volume) &&
+        style_.change(FigureKind::volume, measured.error) != "0")
+      shown.text += " ± " + error_text(measured.error);
+    return shown;
   }
   [[nodiscard]] Value point(const glm::dvec3& at) const { return {with_minus(style_.point(at))}; }
   [[nodiscard]] Table region_table() const;
@@ -82,16 +93,14 @@ Section Describer::places() const {
   const SurfaceChange& surface = comparison_.surface;
   Section section{"Surface that is new or gone", {}};
   FigureGrid grid;
-  grid.figures = {
-      {"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, error_text(surface.gone.error),
-       "of A alone"},
-      {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_, error_text(surface.fresh.error),
-       "of B alone"},
-      {"The same within", number(figure(surface.tolerance.apart), "/same_within", surface.tolerance.apart),
-       length_unit_}};
+  grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_,
+                   error_text(surface.gone.error), "of A alone"},
+                  {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_,
+                   error_text(surface.fresh.error), "of B alone"},
+                  {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
   if (surface.chords > 0.0)
     grid.figures.push_back({"Tessellation",
-                            number(figure(surface.chords), "/tessellation", surface.chords),
+                            length(surface.chords, "/tessellation"),
                             length_unit_,
                             {},
                             "the most that facets of both are taken to be off"});
@@ -112,12 +121,22 @@ Section Describer::places() const {
     Row row{{{fmt::format("{}", k + 1)},
              area(place.gone.area, key + "gone/area"),
              area(place.fresh.area, key + "new/area")}};
-    if (closed()) row.cells.push_back(change(place.volume, key + "volume"));
+    if (closed()) row.cells.push_back(volume(place.volume, key + "volume"));
     row.cells.insert(row.cells.end(),
                      {point(place.centre), {style_.text(FigureKind::length, place.bounds.diagonal())}});
     table.rows.push_back(std::move(row));
   }
-  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  const bool any = !table.rows.empty();
+  if (any) section.blocks.emplace_back(std::move(table));
+  if (any && closed() && style_.change(FigureKind::volume, surface.volume_elsewhere) != "0")
+    section.blocks.emplace_back(Text{
+        fmt::format("Off the places {} {} came, which the tolerance or the tessellation explains.",
+                    with_minus(style_.change(FigureKind::volume, surface.volume_elsewhere)), volume_unit_),
+        TextLook::quiet});
+  for (std::size_t k = 0; k < surface.places.size(); ++k)
+    if (surface.places[k].joined)
+      section.blocks.emplace_back(
+          Text{fmt::format("Place {} is several that are not closed each by itself.", k + 1)});
   return section;
 }
 
@@ -125,12 +144,11 @@ Table Describer::region_table() const {
   const Classification &a = comparison_.a.result, &b = comparison_.b.result;
   Table table{{{"", true}, {"A " + area_unit_}, {"B " + area_unit_}, {"change " + area_unit_}, {"of A"}}, {}};
   const auto row = [&](std::string title, const std::string& key, double before, double after) {
-    table.rows.push_back(
-        {{{std::move(title)},
-          area(before, "/regions/a/" + key),
-          area(after, "/regions/b/" + key),
-          change(after - before, "/regions/difference/" + key),
-          {before > 0.0 ? with_minus(fmt::format("{:+.2f} %", 100.0 * (after - before) / before)) : ""}}});
+    table.rows.push_back({{{std::move(title)},
+                           area(before, "/regions/a/" + key),
+                           area(after, "/regions/b/" + key),
+                           change(after - before, "/regions/difference/" + key),
+                           {with_minus(change_percent(before, after))}}});
   };
   for (const Region region : k_regions) {
     row(std::string(facts(region).title), std::string(region_name(region)), a.areas[region], b.areas[region]);
@@ -152,6 +170,11 @@ Table Describer::changed_regions() const {
               rest_text(regions.size())};
   for (std::size_t k = 0; k < std::min(regions.size(), k_most_rows); ++k) {
     const ChangedRegion& region = regions[k];
+    if (style_.text(FigureKind::area, region.area).front() == '<') {  // and so are all that follow
+      table.rest = fmt::format("… {} more, each {} {}.", regions.size() - k,
+                               style_.text(FigureKind::area, region.area), area_unit_);
+      break;
+    }
     table.rows.push_back({{{fmt::format("{}, now {}", region_name(region.from), region_name(region.to))},
                            area(region.area, fmt::format("/regions/changed/{}/area", k)),
                            point(region.centre),
@@ -256,18 +279,20 @@ Section Describer::parts() const {
   table.rows.push_back({{{"Parting direction"},
                          {with_minus(direction_words(comparison_.a.result.direction))},
                          {with_minus(direction_words(comparison_.b.result.direction))}}});
-  const auto box = [](const PartModel& model) {
-    return Value{figures(model.health.bounds.max - model.health.bounds.min, model.frame.diagonal)};
+  const auto box = [this](const PartModel& model) {
+    return Value{style_.point(model.health.bounds.max - model.health.bounds.min)};
   };
   table.rows.push_back({{{"Box " + length_unit_}, box(a), box(b)}});
-  const auto row = [&](std::string name, const std::string& key, double former, double fresh) {
+  const auto row = [&](std::string name, FigureKind kind, const std::string& key, double former,
+                       double fresh) {
     table.rows.push_back({{{std::move(name)},
-                           number(figure(former), "/a/" + key, former),
-                           number(figure(fresh), "/b/" + key, fresh)}});
+                           number(style_.text(kind, former), "/a/" + key, former),
+                           number(style_.text(kind, fresh), "/b/" + key, fresh)}});
   };
-  if (closed()) row("Volume " + volume_unit_, "volume", a.health.volume, b.health.volume);
-  row("Facets", "facets", static_cast<double>(a.health.facets), static_cast<double>(b.health.facets));
-  row("Bodies", "components", static_cast<double>(a.health.components),
+  if (closed()) row("Volume " + volume_unit_, FigureKind::volume, "volume", a.health.volume, b.health.volume);
+  row("Facets", FigureKind::count, "facets", static_cast<double>(a.health.facets),
+      static_cast<double>(b.health.facets));
+  row("Bodies", FigureKind::count, "components", static_cast<double>(a.health.components),
       static_cast<double>(b.health.components));
   section.blocks.emplace_back(std::move(table));
   for (const std::string& remark : comparison_.remarks)

@@ -62,6 +62,13 @@ TEST(Criteria, RefuseWhatMakesNoSense) {
   }
 }
 
+TEST(Criteria, ShowNoShareThatIsNone) {
+  EXPECT_EQ(change_percent(100.0, 101.0), "+1.00 %");
+  EXPECT_EQ(change_percent(100.0, 99.0), "-1.00 %");
+  for (const double after : {100.0, 99.9999, 100.0001}) EXPECT_EQ(change_percent(100.0, after), "") << after;
+  EXPECT_EQ(change_percent(0.0, 5.0), "");
+}
+
 TEST(Criteria, TabulateWhatChanged) {
   const std::string table = figure_changes_table(k_figures);
   EXPECT_NE(table.find("undercut"), std::string::npos);

@@ -26,7 +26,7 @@ TEST(SurfaceChange, TellsAHoleThatWasAdded) {
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.gone.area, 2.0 * area, 2e-3 * area);
   EXPECT_NEAR(place.fresh.area, polygon_perimeter(hole) * thickness, 1e-3 * area);
-  EXPECT_NEAR(place.volume, -area * thickness, 1e-3 * area * thickness);
+  EXPECT_NEAR(place.volume.volume, -area * thickness, 1e-3 * area * thickness);
   EXPECT_NEAR(place.centre.x, holed.hole.x, 0.01);
   EXPECT_NEAR(place.centre.y, holed.hole.y, 0.01);
   EXPECT_NEAR(place.centre.z, 0.5 * thickness, 0.01);
@@ -42,7 +42,7 @@ TEST(SurfaceChange, TellsARibThatIsGone) {
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.gone.area, 2.0 * 6.0 + 2.0 * (2.0 + 6.0) * k_rib_height, 0.01);
   EXPECT_NEAR(place.fresh.area, 2.0 * 6.0, 0.01);
-  EXPECT_NEAR(place.volume, -2.0 * 6.0 * k_rib_height, 0.01);
+  EXPECT_NEAR(place.volume.volume, -2.0 * 6.0 * k_rib_height, 0.01);
 }
 
 TEST(SurfaceChange, TellsABossThatMovedByATenth) {
@@ -51,7 +51,7 @@ TEST(SurfaceChange, TellsABossThatMovedByATenth) {
   const Laid pair = laid(plate_mesh({}), plate_mesh(moved));
   ASSERT_EQ(pair.change.places.size(), 1U);
   const ChangedPlace& place = pair.change.places.front();
-  EXPECT_NEAR(place.volume, 0.0, 0.02);
+  EXPECT_NEAR(place.volume.volume, 0.0, 0.02);
   EXPECT_NEAR(place.gone.area, place.fresh.area, 0.2);
   // The wall but for where it moves along itself, and two crescents.
   const PlateWithBoss boss;
@@ -71,7 +71,7 @@ TEST(SurfaceChange, TellsAnotherDraft) {
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.gone.area, wall + ring, place.gone.error);
   EXPECT_LT(place.gone.error, 0.2 * wall);
-  EXPECT_LT(place.volume, 0.0);
+  EXPECT_LT(place.volume.volume, 0.0);
 }
 
 TEST(SurfaceChange, OfAnotherTessellationIsNone) {
@@ -111,7 +111,7 @@ TEST(SurfaceChange, IsTheSameForAnyNumberOfThreads) {
   ASSERT_EQ(one.change.places.size(), four.change.places.size());
   for (std::size_t k = 0; k < one.change.places.size(); ++k) {
     EXPECT_EQ(one.change.places[k].gone.area, four.change.places[k].gone.area);
-    EXPECT_EQ(one.change.places[k].volume, four.change.places[k].volume);
+    EXPECT_EQ(one.change.places[k].volume.volume, four.change.places[k].volume.volume);
   }
 }
 

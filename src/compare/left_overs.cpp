@@ -1,0 +1,176 @@
+#include "compare/left_overs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace moldlight {
+
+namespace {
+
+/// Share of a face's area above which all of its changes are one.
+constexpr double k_changed_face = 0.3;
+/// Of its volume, what a place may lack to be closed by itself.
+constexpr double k_closed_share = 0.01;
+/// Rims of what is gone or new lie as far beside it, in tolerances.
+constexpr double k_rim_tolerances = 2.0;
+
+VolumeQuestion volume_question(const LeftOvers& left, std::uint32_t places,
+                               const std::vector<std::uint32_t>& place_of) {
+  VolumeQuestion question{.bits = {}, .labels = places, .margin = k_rim_tolerances * left.tolerance().apart};
+  // Of a piece that is left over elsewhere, what the tolerance explains leans away from where it was; on flat
+  // surface what tessellations explain is beside another change.
+  std::map<std::pair<bool, PieceIndex>, std::uint32_t> of_piece;
+  for (std::size_t k = 0; k < left.count(); ++k)
+    if (left.is_certain(k) && place_of[k] != k_no_change)
+      of_piece[{left.is_former(k), left[k].piece}] = place_of[k];
+  for (std::size_t k = 0; k < left.count(); ++k) {
+    const LeftOver& one = left[k];
+    const double chord = left.side(k).chords().normal[left.side(k).facet(one.piece)];
+    std::uint32_t place = place_of[k];
+    if (place == k_no_change && (chord > 0.0 || one.explained <= left.tolerance().apart)) {
+      const auto found = of_piece.find({left.is_former(k), one.piece});
+      if (found != of_piece.end()) place = found->second;
+    }
+    if (place != k_no_change) question.bits.push_back({CellBit::Kind::changed, one.polygon, place});
+    if (left.is_certain(k) || chord <= 0.0) continue;
+    // Both parts' facets cut about as much off round surface where they are as wide.
+    question.bits.push_back({CellBit::Kind::doubt,
+                             {polygon_centre(one.polygon)},
+                             0,
+                             (left.is_former(k) ? 1.0 : -1.0) * one.area * chord});
+    if (place == k_no_change)
+      question.reach = question.margin + left.former().chords().greatest + left.fresh().chords().greatest;
+  }
+  return question;
+}
+
+/// The place whose box is nearest to that of `place`; itself where it is the only one.
+std::uint32_t nearest_place(const std::vector<Bounds>& boxes, std::uint32_t place) {
+  std::uint32_t nearest = place;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t other = 0; other < boxes.size(); ++other) {
+    if (other == place || boxes[other].min.x > boxes[other].max.x) continue;
+    const glm::dvec3 gap =
+        glm::max(glm::max(boxes[other].min - boxes[place].max, boxes[place].min - boxes[other].max), 0.0);
+    if (glm::length(gap) >= least) continue;
+    least = glm::length(gap);
+    nearest = other;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+LeftOvers::LeftOvers(const OverlaySide& former, const OverlaySide& fresh, const OverlayTolerance& tolerance,
+                     const Overlay& of_former, const Overlay& of_fresh)
+    : former_(former), fresh_(fresh), tolerance_(tolerance), split_(of_former.left.size()) {
+  for (const LeftOver& one : of_former.left) all_.push_back(&one);
+  for (const LeftOver& one : of_fresh.left) all_.push_back(&one);
+}
+
+UnionFind LeftOvers::joined(const Progress& progress) const {
+  UnionFind sets = joined_where_touching(polygons(), extent(), progress);
+  join_faces(former_, 0, split_, sets);
+  join_faces(fresh_, split_, count(), sets);
+  return sets;
+}
+
+void LeftOvers::add_explained(std::vector<std::uint32_t>& place_of, const Progress& progress) const {
+  std::vector<ReachingPolygon> rims;
+  for (const LeftOver* one : all_) rims.push_back({&one->polygon, tolerance_.rounding});
+  const std::vector<std::uint32_t> certain = place_of;
+  visit_touching(
+      rims, extent(),
+      [&](std::uint32_t a, std::uint32_t b) {
+        const bool one_has = (certain[a] == k_no_change) != (certain[b] == k_no_change);
+        const std::uint32_t open = certain[a] == k_no_change ? a : b;
+        return one_has && !is_certain(open) && is_former(a) == is_former(b) ? 2.0 * tolerance_.rounding
+                                                                            : -1.0;
+      },
+      [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t open = certain[a] == k_no_change ? a : b;
+        place_of[open] = std::min(place_of[open], certain[open == a ? b : a]);
+      },
+      progress);
+}
+
+bool LeftOvers::is_rim(std::size_t k) const {
+  constexpr double k_widths = 3.0;
+  const ConvexPolygon& polygon = all_[k]->polygon;
+  double extent = 0.0;
+  for (const glm::dvec3& corner : polygon) extent = std::max(extent, glm::distance(corner, polygon.front()));
+  return 2.0 * all_[k]->area <= k_widths * all_[k]->explained * extent;
+}
+
+double LeftOvers::extent() const {
+  return std::max(former_.model().frame.diagonal, fresh_.model().frame.diagonal);
+}
+
+/// None for what is explained.
+std::vector<ReachingPolygon> LeftOvers::polygons() const {
+  static const ConvexPolygon k_none;
+  std::vector<ReachingPolygon> reaching;
+  for (std::size_t k = 0; k < count(); ++k) {
+    const OverlaySide& side = is_former(k) ? former_ : fresh_;
+    const double chord = side.chords().lateral[side.facet(all_[k]->piece)];
+    reaching.push_back({is_certain(k) ? &all_[k]->polygon : &k_none, tolerance_.apart + 1.5 * chord});
+  }
+  return reaching;
+}
+
+/// A face most of which changed is one place, though it may have stayed somewhere: a round wall that moved.
+void LeftOvers::join_faces(const OverlaySide& side, std::size_t first, std::size_t last,
+                           UnionFind& sets) const {
+  std::vector<double> whole(side.faces().count(), 0.0), changed(whole);
+  const auto face_of = [&](std::size_t k) { return side.faces().of_facet[side.facet(all_[k]->piece)]; };
+  for (FacetIndex facet = 0; facet < side.faces().of_facet.size(); ++facet)
+    whole[side.faces().of_facet[facet]] += side.model().geometry.areas[facet];
+  for (std::size_t k = first; k < last; ++k)
+    if (is_certain(k)) changed[face_of(k)] += all_[k]->area;
+  std::vector<std::uint32_t> representative(whole.size(), k_no_change);
+  for (std::size_t k = first; k < last; ++k) {
+    const std::uint32_t face = face_of(k);
+    if (!is_certain(k) || changed[face] < k_changed_face * whole[face]) continue;
+    if (representative[face] == k_no_change) representative[face] = static_cast<std::uint32_t>(k);
+    sets.join(representative[face], static_cast<std::uint32_t>(k));
+  }
+}
+
+PlaceVolumes volumes_of_places(const LeftOvers& left, std::uint32_t places,
+                               std::vector<std::uint32_t>& place_of, const Progress& progress) {
+  PlaceVolumes volumes;
+  volumes.joined.assign(places, false);
+  for (bool open = true; open;) {
+    open = false;
+    DividedVolume divided = divided_volume(left.former().model().part.mesh, left.fresh().model().part.mesh,
+                                           volume_question(left, places, place_of), progress);
+    std::vector<Bounds> boxes(places);
+    std::vector<double> areas(places, 0.0);
+    for (std::size_t k = 0; k < left.count(); ++k) {
+      if (place_of[k] == k_no_change) continue;
+      areas[place_of[k]] += left[k].area;
+      for (const glm::dvec3& corner : left[k].polygon) boxes[place_of[k]].add(corner);
+    }
+    UnionFind sets(places);
+    for (std::uint32_t place = 0; place < places; ++place) {
+      const double allowed =
+          k_closed_share * std::abs(divided.of_label[place].volume) + left.tolerance().apart * areas[place];
+      const std::uint32_t other = nearest_place(boxes, place);
+      if (divided.open[place] <= allowed || other == place) continue;
+      sets.join(place, other);
+      volumes.joined[place] = volumes.joined[other] = open = true;
+    }
+    for (std::uint32_t& place : place_of)
+      if (place != k_no_change) place = sets.find(place);
+    volumes.of_place = std::move(divided.of_label);
+    volumes.elsewhere = divided.elsewhere;
+  }
+  return volumes;
+}
+
+}  // namespace moldlight
