@@ -138,6 +138,7 @@ class Slots {
       case WorkEnd::done:
         store_.put(job.key, ResultState::done, outcome->result);
         ++counts_.done;
+        tell_off_axis(job, outcome->result);
         make_besides(job, file, outcome->result);
         break;
       case WorkEnd::failed: {
@@ -156,6 +157,13 @@ class Slots {
         ++ended_from_outside_;
         break;
     }
+  }
+
+  void tell_off_axis(const Job& job, const Json& result) {
+    static const Json::json_pointer k_sentence("/report/best_direction/off_axis");
+    if (!result.contains(k_sentence) || !result.at(k_sentence).is_string()) return;
+    const std::lock_guard lock(mutex_);
+    if (listener_.off_axis) listener_.off_axis(job.row.path, result.at(k_sentence).get<std::string>());
   }
 
   void make_besides(const Job& job, const std::string& file, const Json& result) {

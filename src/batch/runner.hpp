@@ -38,6 +38,8 @@ struct RunCounts {
 /// What a run shows while it goes on, from any of its threads, one call at a time.
 struct RunListener {
   std::function<void(const std::string& path, const std::string& reason)> failed = {};
+  /// Of a result for the best direction, which is no axis.
+  std::function<void(const std::string& path, const std::string& sentence)> off_axis = {};
   std::function<void(const std::string& sentence)> warning = {};
 };
 

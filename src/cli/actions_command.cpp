@@ -51,8 +51,12 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
-  Study study(model, {.query = query, .with_actions = true, .actions = flags.settings});
+  std::optional<BestDirection> best;
+  if (flags.best_direction) {
+    best = found_direction(model, query.method, console, progress);
+    query.direction = best->direction;
+  }
+  Study study(model, {.query = query, .best = best, .with_actions = true, .actions = flags.settings});
   const Classification& result = study.find<SplitRegions>(progress).result;
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionsReport found = actions_report(study, progress);

@@ -193,8 +193,17 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
     if (noted == k_failures_listed + 1)
       console.warning("further failures are not listed here; moldlight batch status lists the reasons");
   };
-  const RunEnd end = run.carry_out(
-      {.failed = note, .warning = [&](const std::string& sentence) { console.warning(sentence); }}, progress);
+  std::size_t leaning = 0;
+  const auto note_off_axis = [&](const std::string& path, const std::string& sentence) {
+    if (++leaning <= k_failures_listed) console.warning(fmt::format("{}: {}", path, sentence));
+    if (leaning == k_failures_listed + 1)
+      console.warning("further parts whose best direction is no axis are not listed here");
+  };
+  const RunEnd end =
+      run.carry_out({.failed = note,
+                     .off_axis = note_off_axis,
+                     .warning = [&](const std::string& sentence) { console.warning(sentence); }},
+                    progress);
   console.set_progress_text({});
   const BatchStatus status = batch_status(manifest, {.shard = flags.shard}, Progress());
   console.result(fmt::format("this run: {} done, {} failed, {} passed over, {:.1f} s\n", counts.done.load(),

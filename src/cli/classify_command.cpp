@@ -68,7 +68,11 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   Baseline baseline(flags.baseline, "classify");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
+  std::optional<BestDirection> best;
+  if (flags.best_direction) {
+    best = found_direction(model, query.method, console, progress);
+    query.direction = best->direction;
+  }
   // Exact regions need no GL, the maps and pictures do.
   const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
   std::unique_ptr<gl::Context> context;
@@ -76,7 +80,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   if (looks_at_maps || drawn) context = create_context(query.method.backend);
   const double required_deg = flags.draft_settings.required_deg;
   const bool with_split = required_deg > 0.0 || drawn || flags.files.need_split() || flags.compare_maps;
-  Study study(model, {.query = query, .required_draft_deg = required_deg});
+  Study study(model, {.query = query, .best = best, .required_draft_deg = required_deg});
   if (looks_at_maps) {
     Classifier classifier(*context, model);
     Classification by_maps = classifier.classify(query, progress, with_split);

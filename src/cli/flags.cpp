@@ -85,11 +85,11 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
                        });
 }
 
-Direction found_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
-                          Console& console, const Progress& progress) {
-  const BestDirection best = best_direction(model, method, progress);
+BestDirection found_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
+                              Console& console, const Progress& progress) {
+  BestDirection best = best_direction(model, method, progress);
   if (!best.off_axis.empty()) console.warning(best.off_axis);
-  return best.direction;
+  return best;
 }
 
 nlohmann::ordered_json query_json(const Query& query, bool best_direction) {

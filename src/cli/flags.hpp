@@ -16,6 +16,7 @@
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
 #include "compare/criteria.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
@@ -137,9 +138,9 @@ struct DirectionFlag {
 CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag);
 
 /// What a sweep recommends; says so on stderr where it is no axis of the file.
-[[nodiscard]] Direction found_direction(const std::shared_ptr<const PartModel>& model,
-                                        const MethodSettings& method, Console& console,
-                                        const Progress& progress);
+[[nodiscard]] BestDirection found_direction(const std::shared_ptr<const PartModel>& model,
+                                            const MethodSettings& method, Console& console,
+                                            const Progress& progress);
 
 /// Direction and method as Request::settings gives them.
 [[nodiscard]] nlohmann::ordered_json query_json(const Query& query, bool best_direction);

@@ -49,10 +49,15 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   Baseline baseline(flags.baseline, "mold");
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   validate(query.method, model->frame.diagonal);
-  if (flags.best_direction) query.direction = found_direction(model, query.method, console, progress);
+  std::optional<BestDirection> best;
+  if (flags.best_direction) {
+    best = found_direction(model, query.method, console, progress);
+    query.direction = best->direction;
+  }
   for (const std::string& warning : model->warnings) console.warning(warning);
   Questions questions;
   questions.query = query;
+  questions.best = best;
   questions.with_actions = flags.with_actions;
   questions.mold = flags.settings;
   Study study(model, questions);

@@ -50,7 +50,7 @@ SharedActions find_side_actions(const PythonPart& self, const py::object& direct
   given.end();
   validate(questions.query.method, self.model->frame.diagonal);
   return watched(progress_given, [&](const Progress& progress) {
-    questions.query.direction = asked.find(self.model, questions.query.method, progress);
+    asked.put(self.model, questions, progress);
     Study study(self.model, questions);
     static_cast<void>(actions_report(study, progress));
     static_cast<void>(study.verdict(progress));

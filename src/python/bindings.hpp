@@ -15,6 +15,7 @@
 #include "python/initialised.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::python {
 
@@ -60,9 +61,9 @@ auto report_member(const char* key) {
 /// A direction, or that it is to be found. Throws UsageError.
 struct AskedDirection {
   explicit AskedDirection(const pybind11::handle& given);
-  /// The direction; for the best one of all, runs a sweep.
-  [[nodiscard]] Direction find(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
-                               const Progress& progress) const;
+  /// Asks along it; for the best one of all, runs a sweep.
+  void put(const std::shared_ptr<const PartModel>& model, Questions& questions,
+           const Progress& progress) const;
   bool best = false;
   Direction given;
 };

@@ -76,7 +76,8 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
                               const py::kwargs& keywords) {
   const AskedDirection asked(direction);
   Given given("classify", keywords);
-  Query query;
+  Questions questions;
+  Query& query = questions.query;
   DraftSettings draft_settings;
   given.take(query.method);
   given.take(draft_options(), draft_settings);
@@ -85,8 +86,9 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
   given.end();
   validate(query.method, self.model->frame.diagonal);
   return watched(progress_given, [&](const Progress& progress) {
-    query.direction = asked.find(self.model, query.method, progress);
-    Study study(self.model, {.query = query, .required_draft_deg = draft_settings.required_deg});
+    asked.put(self.model, questions, progress);
+    questions.required_draft_deg = draft_settings.required_deg;
+    Study study(self.model, questions);
     if (query.method.readout != Readout::exact || compares) {
       const auto context = create_context(query.method.backend);
       Classifier classifier(*context, self.model);

@@ -56,7 +56,7 @@ SharedMold find_mold(const PythonPart& self, const py::object& direction, const 
   given.end();
   validate(questions.query.method, self.model->frame.diagonal);
   return watched(progress_given, [&](const Progress& progress) {
-    questions.query.direction = asked.find(self.model, questions.query.method, progress);
+    asked.put(self.model, questions, progress);
     Study study(self.model, questions);
     static_cast<void>(mold_report(study, progress));
     static_cast<void>(study.verdict(progress));

@@ -19,9 +19,10 @@ AskedDirection::AskedDirection(const py::handle& direction) : best(is_best(direc
   if (!best) given = direction_of(direction, "direction");
 }
 
-Direction AskedDirection::find(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
-                               const Progress& progress) const {
-  return best ? Direction(best_direction(model, method, progress).direction) : given;
+void AskedDirection::put(const std::shared_ptr<const PartModel>& model, Questions& questions,
+                         const Progress& progress) const {
+  if (best) questions.best = best_direction(model, questions.query.method, progress);
+  questions.query.direction = best ? Direction(questions.best->direction) : given;
 }
 
 StillSettings picture_settings(const py::kwargs& keywords, py::object& progress) {

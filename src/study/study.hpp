@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,12 +17,14 @@
 #include "parting/mold_files.hpp"
 #include "parting/mold_halves.hpp"
 #include "study/verdict.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 
 /// What is asked, and how it is answered.
 struct Questions {
   Query query = {};
+  std::optional<BestDirection> best = {};  // where its direction is the one that a sweep recommends
   bool with_actions = false;  // side actions belong to the question, so the verdict knows of them
   ActionSettings actions = {};
   MoldSettings mold = {};

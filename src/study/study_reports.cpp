@@ -18,6 +18,15 @@ Json verdict_or_null(const PartModel& model, const SweepCandidate& candidate) {
   return verdict ? verdict_json(*verdict) : Json();
 }
 
+void add_best_direction(const Study& study, Json& json) {
+  if (!study.questions().best) return;
+  const auto& [direction, name, why, off_axis_deg, off_axis] = *study.questions().best;
+  json["best_direction"] = {{"name", name},
+                            {"why", why},
+                            {"off_axis_deg", off_axis_deg},
+                            {"off_axis", off_axis.empty() ? Json() : Json(off_axis)}};
+}
+
 }  // namespace
 
 ActionsReport actions_report(Study& study, const Progress& progress) {
@@ -76,18 +85,21 @@ Json classify_json(Study& study, const Progress& progress) {
   if (study.questions().required_draft_deg > 0.0)
     json["draft"] = draft_json(study.model(), study.find<DraftCheck>(progress));
   json["verdict"] = verdict_json(study.verdict(progress));
+  add_best_direction(study, json);
   return json;
 }
 
 Json actions_json(Study& study, const Progress& progress) {
   Json json = actions_json(actions_report(study, progress));
   json["verdict"] = verdict_json(study.verdict(progress));
+  add_best_direction(study, json);
   return json;
 }
 
 Json mold_json(Study& study, const Progress& progress) {
   Json json = mold_json(mold_report(study, progress));
   json["verdict"] = verdict_json(mold_verdict(study, progress));
+  add_best_direction(study, json);
   return json;
 }
 

@@ -242,7 +242,7 @@ BestDirection best_direction(const std::shared_ptr<const PartModel>& model, cons
   CHECK(result.recommended);
   const glm::dvec3& direction = result.recommended->direction;
   const NearestAxis nearest = nearest_axis(direction);
-  BestDirection best{.direction = direction, .why = result.recommended->why, .off_axis = {}};
+  BestDirection best{direction, result.recommended->name, result.recommended->why, 0.0, {}};
   if (!nearest.is_met()) {
     best.off_axis_deg = nearest.angle_deg;
     best.off_axis = fmt::format("the best direction is no axis of the file: {}, {} from {}",

@@ -22,9 +22,9 @@ namespace moldlight {
 /// What a sweep with the usual settings recommends for a method.
 struct BestDirection {
   glm::dvec3 direction{0, 0, 1};  // unit; the core is on its side
-  std::string why;
-  double off_axis_deg = 0.0;  // from the nearest axis of the file; 0 for an axis
-  std::string off_axis;       // that it is none, for the user; empty for an axis
+  std::string name, why;          // in words
+  double off_axis_deg = 0.0;      // from the nearest axis of the file; 0 for an axis
+  std::string off_axis;           // that it is none, for the user; empty for an axis
 };
 /// Looks at no more than that takes. Throws as run_sweep() does.
 [[nodiscard]] BestDirection best_direction(const std::shared_ptr<const PartModel>& model,
