@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 enum class Whole : std::uint8_t { none, area };
 
-struct FigureRow {
+struct PartRow {
   std::string_view name;
   Whole whole = Whole::none;
   std::optional<double> (*of)(const ComparedPart&);
@@ -41,8 +41,8 @@ std::optional<double> count_actions(const ComparedPart& part) {
 bool any_action(ActionKind) { return true; }
 bool is_lifter(ActionKind kind) { return kind == ActionKind::lifter; }
 
-std::span<const FigureRow> part_rows() {
-  static const std::array<FigureRow, 14> k_rows = {{
+std::span<const PartRow> part_rows() {
+  static const std::array<PartRow, 14> k_rows = {{
       {"undercut", Whole::area, region_area<Region::undercut>},
       {"core", Whole::area, region_area<Region::core>},
       {"cavity", Whole::area, region_area<Region::cavity>},
@@ -192,7 +192,7 @@ const Json& figures_of(std::string_view command, const Json& report, std::string
 
 std::vector<std::string_view> comparison_figure_names() {
   std::vector<std::string_view> names;
-  for (const FigureRow& row : part_rows()) names.push_back(row.name);
+  for (const PartRow& row : part_rows()) names.push_back(row.name);
   for (const ChangeRow& row : change_rows()) names.push_back(row.name);
   return names;
 }
@@ -201,7 +201,7 @@ std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
   const ComparedPart &a = comparison.a, &b = comparison.b;
   const auto whole = [&](Whole kind) { return kind == Whole::area ? b.result.total_area : 0.0; };
   std::vector<ComparedFigure> figures;
-  for (const FigureRow& row : part_rows()) {
+  for (const PartRow& row : part_rows()) {
     const auto before = row.of(a), after = row.of(b);
     if (!before || !after) continue;
     const double error =
