@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_report.hpp"
+#include "base/numbers.hpp"
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
 #include "mold/direction_words.hpp"
@@ -232,7 +233,7 @@ Section Describer::undercuts() const {
     table.rows.push_back(std::move(row));
   }
   section.blocks.emplace_back(Text{fmt::format("{} of A, {} of B, {} of them the same.",
-                                               counted(comparison_.a.plan->patches.size(), "undercut"),
+                                               plural(comparison_.a.plan->patches.size(), "undercut"),
                                                comparison_.b.plan->patches.size(), same)});
   table.rest = rest_text(comparison_.undercuts.size() - same);
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));

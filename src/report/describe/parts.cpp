@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/map_comparison.hpp"
 #include "classify/option.hpp"
 #include "mold/direction_words.hpp"
@@ -125,10 +126,6 @@ void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures
 
 Mark region_mark(Region region, Palette palette) {
   return {region_colour(region, palette), region == Region::undercut, facts(region).terminal_colour};
-}
-
-std::string counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 void take_verdict(const Verdict& verdict, Report& report) {
@@ -261,7 +258,7 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
                 fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
          area_unit,
          {},
-         counted(check.faces_below[half], "face")});
+         plural(check.faces_below[half], "face")});
   }
   if (check.reverse.facet)
     grid.figures.push_back(

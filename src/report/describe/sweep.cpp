@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include "base/numbers.hpp"
 
 #include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
@@ -143,7 +144,7 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
     if (context.drawn()) report.still = maps.pictures.front();
   }
   report.lead.push_back(fmt::format("{} scored by {}, {} dropped as surely worse{}",
-                                    counted(result.evaluated.size(), "direction"), result.engine,
+                                    plural(result.evaluated.size(), "direction"), result.engine,
                                     result.skipped, result.complete ? "." : "; the sweep is not complete."));
   Section directions{"Parting directions", {}};
   for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});
