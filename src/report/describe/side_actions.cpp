@@ -1,13 +1,12 @@
 // The report of side actions.
 #include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "actions/action_body.hpp"
 #include "actions/action_figures.hpp"
 #include "actions/actions_files.hpp"
-#include "base/numbers.hpp"
 #include "actions/best_changes.hpp"
+#include "base/numbers.hpp"
 #include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
 
