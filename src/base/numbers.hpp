@@ -2,8 +2,12 @@
 #pragma once
 
 #include <charconv>
+#include <concepts>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include <fmt/format.h>
 
 namespace moldlight {
 
@@ -15,6 +19,12 @@ template <typename T>
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+/// "1 edge", "3 edges".
+template <std::integral Count>
+[[nodiscard]] std::string plural(Count count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 }  // namespace moldlight

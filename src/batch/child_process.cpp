@@ -4,20 +4,18 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "io/descriptor.hpp"
 
 namespace moldlight::batch {
 
@@ -33,44 +31,19 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-class Pipe {
- public:
-  Pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw Error(fmt::format("no pipe to a process of a part: {}", std::strerror(errno)));
-    read_ = ends[0];
-    write_ = ends[1];
-  }
-  ~Pipe() {
-    close_reading();
-    close_writing();
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
+void check_pipe(const Pipe& pipe) {
+  if (pipe.reading.number() < 0)
+    throw Error(fmt::format("no pipe to a process of a part: {}", std::strerror(errno)));
+}
 
-  [[nodiscard]] int reading() const { return read_; }
-  [[nodiscard]] int writing() const { return write_; }
-  void close_reading() { close(read_); }
-  void close_writing() { close(write_); }
-
-  /// Takes what is there; closes the end of the pipe.
-  void take(std::string& text) {
-    std::array<char, 65536> buffer;
-    const ssize_t count = ::read(read_, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) return;
-    if (count <= 0) return close_reading();
-    if (text.size() < k_most_text) text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-
- private:
-  static void close(int& end) {
-    if (end >= 0) ::close(end);
-    end = -1;
-  }
-
-  int read_ = -1, write_ = -1;
-};
+/// Takes what is there; closes the end of the pipe.
+void take(Descriptor& reading, std::string& text) {
+  std::array<char, 65536> buffer;
+  const ssize_t count = ::read(reading.number(), buffer.data(), buffer.size());
+  if (count < 0 && errno == EINTR) return;
+  if (count <= 0) return reading.close();
+  if (text.size() < k_most_text) text.append(buffer.data(), static_cast<std::size_t>(count));
+}
 
 /// Resident bytes of a process and those it has started.
 std::size_t resident_bytes(pid_t process) {
@@ -98,8 +71,8 @@ std::size_t resident_bytes(pid_t process) {
   ::setrlimit(RLIMIT_CORE, &no_core);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
-  ::dup2(out.writing(), STDOUT_FILENO);
-  ::dup2(err.writing(), STDERR_FILENO);
+  ::dup2(out.writing.number(), STDOUT_FILENO);
+  ::dup2(err.writing.number(), STDERR_FILENO);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
   ::execve("/proc/self/exe", arguments, environment);
@@ -127,6 +100,7 @@ std::vector<std::string> environment_with(int threads) {
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                       const Progress& progress) {
   Pipe out, err;
+  for (const Pipe* pipe : {&out, &err}) check_pipe(*pipe);
   std::vector<std::string> words = {"moldlight"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment_with(limits.threads);
@@ -136,8 +110,8 @@ ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimi
   const pid_t child = ::fork();
   if (child < 0) throw Error(fmt::format("a part's process cannot be started: {}", std::strerror(errno)));
   if (child == 0) become(argv.data(), environment.data(), out, err, parent);
-  out.close_writing();
-  err.close_writing();
+  out.writing.close();
+  err.writing.close();
 
   ChildResult result;
   const auto end_it = [&](ChildEnd why) {
@@ -146,11 +120,12 @@ ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimi
     ::kill(-child, SIGKILL);
     ::kill(child, SIGKILL);  // before it has a group of its own
   };
-  while (out.reading() >= 0 || err.reading() >= 0) {
-    std::array<pollfd, 2> waits = {pollfd{out.reading(), POLLIN, 0}, pollfd{err.reading(), POLLIN, 0}};
+  while (out.reading.number() >= 0 || err.reading.number() >= 0) {
+    std::array<pollfd, 2> waits = {pollfd{out.reading.number(), POLLIN, 0},
+                                   pollfd{err.reading.number(), POLLIN, 0}};
     ::poll(waits.data(), waits.size(), k_look_ms);
-    if (waits[0].revents != 0) out.take(result.out);
-    if (waits[1].revents != 0) err.take(result.err);
+    if (waits[0].revents != 0) take(out.reading, result.out);
+    if (waits[1].revents != 0) take(err.reading, result.err);
     if (progress.cancelled()) end_it(ChildEnd::cancelled);
     if (limits.time_s > 0.0 && seconds_since(start) > limits.time_s) end_it(ChildEnd::out_of_time);
     if (limits.memory_bytes > 0 && resident_bytes(child) > limits.memory_bytes)

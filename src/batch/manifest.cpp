@@ -1,12 +1,10 @@
 #include "batch/manifest.hpp"
 
-#include <array>
 #include <ctime>
 #include <filesystem>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"

@@ -1,8 +1,5 @@
 #include "batch/part_result.hpp"
 
-#include <algorithm>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 

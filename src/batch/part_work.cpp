@@ -1,6 +1,5 @@
 #include "batch/part_work.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>

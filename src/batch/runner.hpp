@@ -2,9 +2,7 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 

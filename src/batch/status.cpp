@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "base/shown_text.hpp"
 #include "batch/part_result.hpp"
 
@@ -43,9 +44,8 @@ BatchStatus batch_status(const Manifest& manifest, const StatusOptions& options,
 
 std::string status_text(const Manifest& manifest, const BatchStatus& status) {
   std::string text =
-      fmt::format("{}: {} of {} part{}, planned {} by moldlight {}\n", shown_text(manifest.folder),
-                  manifest.command, status.rows, status.rows == 1 ? "" : "s", shown_text(manifest.planned_at),
-                  shown_text(manifest.version));
+      fmt::format("{}: {} of {}, planned {} by moldlight {}\n", shown_text(manifest.folder), manifest.command,
+                  plural(status.rows, "part"), shown_text(manifest.planned_at), shown_text(manifest.version));
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "done     {:>9}\nfailed   {:>9}\nmissing  {:>9}\n", status.done, status.failed,
                  status.missing);

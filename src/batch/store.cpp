@@ -1,21 +1,19 @@
 #include "batch/store.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <functional>
 
 #include <dirent.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/descriptor.hpp"
 #include "io/file_contents.hpp"
 
 namespace moldlight::batch {
@@ -81,10 +79,8 @@ void for_each_entry(const std::string& folder, const Progress& progress,
 
 /// A renamed file survives a power cut only once its folder is on the disk, too.
 void sync_folder(const std::string& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  static_cast<void>(::fsync(descriptor));
-  ::close(descriptor);
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number() >= 0) static_cast<void>(::fsync(opened.number()));
 }
 
 }  // namespace

@@ -1,15 +1,10 @@
 #include "classify/classification.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "base/stopwatch.hpp"
-#include "classify/method_options.hpp"
-#include "mold/exact/exact_regions.hpp"
-#include "mold/map_frame.hpp"
 
 namespace moldlight {
 

@@ -9,7 +9,6 @@
 
 #include "base/check.hpp"
 #include "base/stopwatch.hpp"
-#include "classify/method_options.hpp"
 #include "mold/measure.hpp"
 
 namespace moldlight {

@@ -1,11 +1,7 @@
 #include "classify/classify_report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.hpp"

@@ -1,6 +1,5 @@
 #include "classify/frame_benchmark.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "classify/picture_maps.hpp"
 #include "gl/colour_target.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "mold/map_frame.hpp"
 #include "render/part_view.hpp"
 
 namespace moldlight {

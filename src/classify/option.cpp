@@ -1,6 +1,5 @@
 #include "classify/option.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 // A setting of a table of options read and written as text.
 #pragma once
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/error.hpp"

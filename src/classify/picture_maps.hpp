@@ -2,8 +2,6 @@
 // moves; the split mesh, or maps as the settings want them, once it rests.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 

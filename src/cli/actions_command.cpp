@@ -95,9 +95,7 @@ void add_actions_command(CLI::App& program, Request& request) {
       "actions", "Find the slides, lifters and other side actions that release the undercuts");
   const auto flags = std::make_shared<ActionsFlags>();
   add_part_flags(*command, flags->part, request);
-  CLI::Option* direction =
-      add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
-  direction->description(direction->get_description() + " [required]");
+  add_direction_flag(*command, {flags->query.direction, flags->best_direction}, "required")->required();
   add_option_flags(*command, action_options(), flags->settings);
   add_method_flags(*command, flags->query.method);
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
@@ -115,9 +113,7 @@ void add_actions_command(CLI::App& program, Request& request) {
                      "Draw the part with the bodies of its actions, pulled out, and write the picture to "
                      "this file"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
-  // The palette is the mesh's, too.
-  for (CLI::Option* flag : add_still_flags(*command, flags->still))
-    if (flag->get_name() != "--palette") flag->needs(image);
+  add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }
 

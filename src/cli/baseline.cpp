@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.hpp"
 #include "compare/compare_figures.hpp"
 #include "io/file_contents.hpp"

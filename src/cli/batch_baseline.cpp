@@ -38,10 +38,6 @@ constexpr std::array<FigureRow, batch::k_figure_count> k_figures = {
 constexpr std::string_view k_new = "new-parts", k_gone = "gone-parts", k_changed = "changed-parts",
                            k_failed = "failed-parts";
 
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::vector<std::string_view> batch_figure_names() {
@@ -190,7 +186,7 @@ void BatchBaseline::finish() {
 
 std::string BatchBaseline::table() const {
   std::string text = fmt::format("against {}: {} new, {} gone, {} changed, {} as before\n", one_line(file_),
-                                 counted(fresh_, "part"), gone_, changed_, same_);
+                                 plural(fresh_, "part"), gone_, changed_, same_);
   text += changes_;
   if (noted_ > k_most_told) text += fmt::format("  … {} changes in all\n", noted_);
   return text;

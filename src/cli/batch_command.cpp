@@ -13,7 +13,6 @@
 #include "batch/merge.hpp"
 #include "batch/runner.hpp"
 #include "batch/status.hpp"
-#include "classify/classify_report.hpp"
 #include "cli/batch_baseline.hpp"
 #include "cli/batch_work.hpp"
 #include "cli/flags.hpp"
@@ -53,10 +52,6 @@ struct MergeFlags {
   MergeFiles files;
   std::vector<Criterion> fail_on;
 };
-
-std::string count_text(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 Shard parse_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
@@ -105,7 +100,7 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
   if (faulty > 0) {
     const Row& first = *std::ranges::find_if(rows, [](const Row& row) { return !row.fault.empty(); });
     console.warning(fmt::format("{} cannot be read, and will be recorded as failed; the first is {}: {}",
-                                count_text(faulty, "part"), first.path, first.fault));
+                                plural(faulty, "part"), first.path, first.fault));
   }
   if (shared > 0) {
     console.warning(fmt::format("{} what another with the same settings holds, and share{} its result",
@@ -113,7 +108,7 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
                                 shared == 1 ? "s" : ""));
   }
   console.result(fmt::format("{}: {} planned; moldlight batch run {} begins\n", manifest.folder,
-                             count_text(rows.size(), "part"), settings_text({manifest.folder})));
+                             plural(rows.size(), "part"), settings_text({manifest.folder})));
   return 0;
 }
 
@@ -157,7 +152,7 @@ std::string progress_text(const RunCounts& counts, const Stopwatch& watch, int c
   const std::size_t rows = counts.rows;
   const double share = rows > 0 ? static_cast<double>(settled) / static_cast<double>(rows) : 1.0;
   std::string text = columns >= k_least_columns_for_bar ? bar(share) + " " : "";
-  text += fmt::format("{:3.0f} %  {} of {}", 100.0 * share, settled, count_text(rows, "part"));
+  text += fmt::format("{:3.0f} %  {} of {}", 100.0 * share, settled, plural(rows, "part"));
   if (counts.failed > 0) text += fmt::format(", {} failed", counts.failed.load());
   const double elapsed_s = watch.elapsed_ms() / 1000.0;
   if (mine > 0 && elapsed_s > 1.0) {
@@ -215,7 +210,7 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
     return k_interrupted;
   }
   if (!end.try_again.empty()) {
-    console.failure(fmt::format("{}; {} left, try again", end.try_again, count_text(end.undone, "part")));
+    console.failure(fmt::format("{}; {} left, try again", end.try_again, plural(end.undone, "part")));
     return k_try_again;
   }
   return flags.fail_on_error && status.failed > 0 ? k_criterion_failed : 0;
@@ -267,7 +262,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
   if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.fail_on);
   const ReadingCounts counts = merge(manifest, files, progress, baseline ? &*baseline : nullptr);
   console.set_progress_text({});
-  console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", count_text(manifest.rows, "part"),
+  console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", plural(manifest.rows, "part"),
                              counts.done, counts.failed, counts.missing) +
                  (baseline ? baseline->table() : ""));
   tell_refused(console, counts.refused);

@@ -129,9 +129,7 @@ void add_classify_command(CLI::App& program, Request& request) {
       "Find out for a parting direction which surface each mold half forms and what is an undercut");
   const auto flags = std::make_shared<ClassifyFlags>();
   add_part_flags(*command, flags->part, request);
-  CLI::Option* direction =
-      add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
-  direction->description(direction->get_description() + " [required]");
+  add_direction_flag(*command, {flags->query.direction, flags->best_direction}, "required")->required();
   add_baseline_flags(*command, flags->baseline, "classify");
   add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;
@@ -167,9 +165,7 @@ void add_classify_command(CLI::App& program, Request& request) {
       {"--image", "FILE.png",
        "Draw the part in the colours of its regions, with a legend, and write the picture to this file"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
-  // The palette is the meshes', too.
-  for (CLI::Option* flag : add_still_flags(*command, flags->still))
-    if (flag->get_name() != "--palette") flag->needs(image);
+  add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }
 

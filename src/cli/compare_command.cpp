@@ -116,9 +116,7 @@ void add_compare_command(CLI::App& program, Request& request) {
       {"--image", "FILE.png",
        "Draw both parts side by side with what differs lit, and write the picture to this file"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
-  // The palette is the report's, too.
-  for (CLI::Option* flag : add_still_flags(*command, flags->still))
-    if (flag->get_name() != "--palette") flag->needs(image);
+  add_still_flags(*command, flags->still, image);
   add_method_flags(*command, flags->method);
   set_work(*command, request, flags, run);
 }

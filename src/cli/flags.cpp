@@ -6,9 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/error.hpp"
 #include "classify/option_json.hpp"
-#include "classify/still_picture.hpp"
 #include "io/part_formats.hpp"
 #include "sweep/sweep.hpp"
 
@@ -74,15 +72,17 @@ void add_report_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
 }
 
-CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag) {
-  return add_text_flag(command,
-                       {"-d,--direction", "X,Y,Z|AXIS|best",
-                        "Parting direction +d, in which the core's side opens: three numbers of any length, "
-                        "an axis such as z or -y, or the best that a sweep finds."},
-                       [flag](const std::string& text) {
-                         flag.best = text == "best";
-                         if (!flag.best) flag.given = parse_direction({text, "--direction"});
-                       });
+CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, std::string_view note) {
+  return add_text_flag(
+      command,
+      {"-d,--direction", "X,Y,Z|AXIS|best",
+       fmt::format("Parting direction +d, in which the core's side opens: three numbers of any "
+                   "length, an axis such as z or -y, or the best that a sweep finds. [{}]",
+                   note)},
+      [flag](const std::string& text) {
+        flag.best = text == "best";
+        if (!flag.best) flag.given = parse_direction({text, "--direction"});
+      });
 }
 
 BestDirection found_direction(const std::shared_ptr<const PartModel>& model, const MethodSettings& method,
@@ -104,13 +104,12 @@ void add_method_flags(CLI::App& command, MethodSettings& settings) {
   command.get_option("--kernel")->excludes(command.get_option("--tolerance"));
 }
 
-std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings) {
-  std::vector<CLI::Option*> flags;
+void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* picture) {
   for (const Option<StillSettings>& option : still_options())
-    flags.push_back(add_option_flag(command, option, settings));
-  for (const std::string_view key : {"palette", "regions", "mark_difference"})
-    flags.push_back(add_option_flag(command, option_named(look_options(), key), settings.look));
-  return flags;
+    add_option_flag(command, option, settings)->needs(picture);
+  add_option_flag(command, option_named(look_options(), "palette"), settings.look);
+  for (const std::string_view key : {"regions", "mark_difference"})
+    add_option_flag(command, option_named(look_options(), key), settings.look)->needs(picture);
 }
 
 CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -126,16 +125,17 @@ void add_option_flags(CLI::App& command, std::span<const Option<S>> options, S& 
   for (const Option<S>& option : options) add_option_flag(command, option, settings);
 }
 
-/// The flags of still pictures but for their size.
-std::vector<CLI::Option*> add_still_flags(CLI::App& command, StillSettings& settings);
+/// The flags of still pictures but for their size. All need `picture` but --palette, which is that of other
+/// files, too.
+void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* picture);
 
 /// A parting direction as a command takes it.
 struct DirectionFlag {
   Direction& given;
   bool& best;  // the one that a sweep finds is asked for
 };
-/// --direction.
-CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag);
+/// --direction, with `note` behind its help.
+CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, std::string_view note);
 
 /// What a sweep recommends; says so on stderr where it is no axis of the file.
 [[nodiscard]] BestDirection found_direction(const std::shared_ptr<const PartModel>& model,

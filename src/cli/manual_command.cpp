@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/error.hpp"
 #include "cli/flags.hpp"
 #include "cli/help.hpp"
 #include "gui/commands.hpp"

@@ -107,9 +107,7 @@ void add_mold_command(CLI::App& program, Request& request) {
       "Find the parting line of a direction: where the mold's halves meet, and what closes its holes");
   const auto flags = std::make_shared<MoldFlags>();
   add_part_flags(*command, flags->part, request);
-  CLI::Option* direction =
-      add_direction_flag(*command, {flags->query.direction, flags->best_direction})->required();
-  direction->description(direction->get_description() + " [required]");
+  add_direction_flag(*command, {flags->query.direction, flags->best_direction}, "required")->required();
   add_option_flags(*command, mold_options(), flags->settings);
   command
       ->add_option("--lines", flags->lines,

@@ -255,9 +255,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->still.size,
                 "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
       ->needs(pictures);
-  // The palette is the report's, too.
-  for (CLI::Option* flag : add_still_flags(*command, flags->still))
-    if (flag->get_name() != "--palette") flag->needs(pictures);
+  add_still_flags(*command, flags->still, pictures);
   add_baseline_flags(*command, flags->baseline, "sweep");
   add_method_flags(*command, sweep.method);
   set_work(*command, request, flags, run, settings);

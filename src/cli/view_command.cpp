@@ -126,9 +126,7 @@ void add_view_command(CLI::App& program, Request& request) {
       *command, flags->compare,
       {"--compare", "FILE", "Compare the part with another revision, which is shown beside it"});
   add_option_flags(*command, reading_options(), flags->reading);
-  CLI::Option* direction =
-      add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction});
-  direction->description(direction->get_description() + " [default 0,0,1]");
+  add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction}, "default 0,0,1");
   add_method_flags(*command, flags->notes.settings.method);
   add_option_flags(*command, look_options(), flags->notes.settings.look);
   CompareSettings& revision = flags->notes.settings.revision;

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#define GL_GLEXT_PROTOTYPES  // for the types of the entry points alone
 #include <GL/glcorearb.h>
 
 #include "base/error.hpp"
@@ -10,86 +11,24 @@
 
 namespace moldlight::gl {
 
-// X(<member>, <typedef>): gl.<member>(…) is gl<member>(…). Keep it to what OpenGL 3.3 core has.
-#define MOLDLIGHT_GL_FUNCTIONS(X)                              \
-  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                     \
-  X(AttachShader, PFNGLATTACHSHADERPROC)                       \
-  X(BeginQuery, PFNGLBEGINQUERYPROC)                           \
-  X(BindBuffer, PFNGLBINDBUFFERPROC)                           \
-  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
-  X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
-  X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
-  X(BlendEquation, PFNGLBLENDEQUATIONPROC)                     \
-  X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)             \
-  X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                 \
-  X(BufferData, PFNGLBUFFERDATAPROC)                           \
-  X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                     \
-  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)   \
-  X(ClearBufferfv, PFNGLCLEARBUFFERFVPROC)                     \
-  X(ClearBufferuiv, PFNGLCLEARBUFFERUIVPROC)                   \
-  X(ColorMask, PFNGLCOLORMASKPROC)                             \
-  X(CompileShader, PFNGLCOMPILESHADERPROC)                     \
-  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                     \
-  X(CreateShader, PFNGLCREATESHADERPROC)                       \
-  X(CullFace, PFNGLCULLFACEPROC)                               \
-  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                     \
-  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)           \
-  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                     \
-  X(DeleteQueries, PFNGLDELETEQUERIESPROC)                     \
-  X(DeleteShader, PFNGLDELETESHADERPROC)                       \
-  X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
-  X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)           \
-  X(DepthFunc, PFNGLDEPTHFUNCPROC)                             \
-  X(DepthMask, PFNGLDEPTHMASKPROC)                             \
-  X(Disable, PFNGLDISABLEPROC)                                 \
-  X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
-  X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)         \
-  X(DrawBuffers, PFNGLDRAWBUFFERSPROC)                         \
-  X(DrawElements, PFNGLDRAWELEMENTSPROC)                       \
-  X(Enable, PFNGLENABLEPROC)                                   \
-  X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
-  X(EndQuery, PFNGLENDQUERYPROC)                               \
-  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
-  X(FramebufferTextureLayer, PFNGLFRAMEBUFFERTEXTURELAYERPROC) \
-  X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
-  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                 \
-  X(GenQueries, PFNGLGENQUERIESPROC)                           \
-  X(GenTextures, PFNGLGENTEXTURESPROC)                         \
-  X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                 \
-  X(GetActiveUniform, PFNGLGETACTIVEUNIFORMPROC)               \
-  X(GetError, PFNGLGETERRORPROC)                               \
-  X(GetIntegerv, PFNGLGETINTEGERVPROC)                         \
-  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)             \
-  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                       \
-  X(GetQueryObjectuiv, PFNGLGETQUERYOBJECTUIVPROC)             \
-  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)               \
-  X(GetShaderiv, PFNGLGETSHADERIVPROC)                         \
-  X(GetString, PFNGLGETSTRINGPROC)                             \
-  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)           \
-  X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
-  X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
-  X(ReadBuffer, PFNGLREADBUFFERPROC)                           \
-  X(ReadPixels, PFNGLREADPIXELSPROC)                           \
-  X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
-  X(TexBuffer, PFNGLTEXBUFFERPROC)                             \
-  X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
-  X(TexImage3D, PFNGLTEXIMAGE3DPROC)                           \
-  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
-  X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \
-  X(TexSubImage3D, PFNGLTEXSUBIMAGE3DPROC)                     \
-  X(Uniform1f, PFNGLUNIFORM1FPROC)                             \
-  X(Uniform1i, PFNGLUNIFORM1IPROC)                             \
-  X(Uniform1ui, PFNGLUNIFORM1UIPROC)                           \
-  X(Uniform2f, PFNGLUNIFORM2FPROC)                             \
-  X(Uniform2i, PFNGLUNIFORM2IPROC)                             \
-  X(Uniform3f, PFNGLUNIFORM3FPROC)                             \
-  X(Uniform4f, PFNGLUNIFORM4FPROC)                             \
-  X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)               \
-  X(UseProgram, PFNGLUSEPROGRAMPROC)                           \
-  X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)         \
-  X(VertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC)       \
-  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \
-  X(Viewport, PFNGLVIEWPORTPROC)
+// X(<member>): gl.<member>(…) is gl<member>(…). Keep it to what OpenGL 3.3 core has.
+// clang-format off
+#define MOLDLIGHT_GL_FUNCTIONS(X) \
+  X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindFramebuffer) X(BindTexture)          \
+  X(BindVertexArray) X(BlendEquation) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData)               \
+  X(BufferSubData) X(CheckFramebufferStatus) X(ClearBufferfv) X(ClearBufferuiv) X(ColorMask)              \
+  X(CompileShader) X(CreateProgram) X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers)    \
+  X(DeleteProgram) X(DeleteQueries) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc)  \
+  X(DepthMask) X(Disable) X(DrawArrays) X(DrawArraysInstanced) X(DrawBuffers) X(DrawElements) X(Enable)   \
+  X(EnableVertexAttribArray) X(EndQuery) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(GenBuffers) \
+  X(GenFramebuffers) X(GenQueries) X(GenTextures) X(GenVertexArrays) X(GetActiveUniform) X(GetError)      \
+  X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectuiv) X(GetShaderInfoLog)            \
+  X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadBuffer)           \
+  X(ReadPixels) X(ShaderSource) X(TexBuffer) X(TexImage2D) X(TexImage3D) X(TexParameteri)                 \
+  X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform2i)     \
+  X(Uniform3f) X(Uniform4f) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribDivisor)                      \
+  X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
+// clang-format on
 
 /// An entry point; takes its turn if the GL draws on the processor.
 template <typename Pointer>
@@ -115,7 +54,7 @@ class Entry<Result (*)(Arguments...)> {
 
 /// Every entry of one context. Valid while that context is current on the calling thread.
 struct Functions {
-#define MOLDLIGHT_GL_MEMBER(name, type) Entry<type> name;
+#define MOLDLIGHT_GL_MEMBER(name) Entry<decltype(&gl##name)> name;
   MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_MEMBER)
 #undef MOLDLIGHT_GL_MEMBER
 
@@ -123,14 +62,14 @@ struct Functions {
   /// Loads every entry; throws Error naming the first that the driver lacks.
   [[nodiscard]] static Functions load(const ProcAddress& address) {
     Functions gl;
-#define MOLDLIGHT_GL_LOAD(name, type) \
+#define MOLDLIGHT_GL_LOAD(name) \
   if (!gl.name.load(address("gl" #name))) throw Error("the OpenGL driver lacks gl" #name);
     MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_LOAD)
 #undef MOLDLIGHT_GL_LOAD
     return gl;
   }
   void take_turns() {
-#define MOLDLIGHT_GL_TAKE_TURNS(name, type) name.take_turns();
+#define MOLDLIGHT_GL_TAKE_TURNS(name) name.take_turns();
     MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_TAKE_TURNS)
 #undef MOLDLIGHT_GL_TAKE_TURNS
   }

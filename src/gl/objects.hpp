@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <utility>
 
+#include "base/image.hpp"
 #include "gl/functions.hpp"
 
 namespace moldlight::gl {
@@ -71,6 +71,10 @@ template <typename T>
 
 /// The same with `layers` layers (GL_TEXTURE_2D_ARRAY).
 [[nodiscard]] Texture make_texture_array(const Functions& gl, GLenum internal_format, int size, int layers);
+
+/// A picture in memory: RGBA8, smoothed where it is shown smaller or larger; its rows begin below, as those
+/// of what is drawn.
+[[nodiscard]] Texture picture_texture(const Functions& gl, const Image& image);
 
 [[nodiscard]] Query make_query(const Functions& gl);
 

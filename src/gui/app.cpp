@@ -1,14 +1,12 @@
 #include "gui/app.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
-#include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"

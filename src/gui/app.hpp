@@ -1,7 +1,6 @@
 // The window's program without its window: takes input, keeps the state, draws a frame into any framebuffer.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>

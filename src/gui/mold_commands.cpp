@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

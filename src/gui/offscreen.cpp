@@ -1,6 +1,5 @@
 #include "gui/offscreen.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>

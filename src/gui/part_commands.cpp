@@ -9,7 +9,6 @@
 #include "gui/app.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
-#include "gui/view/direction.hpp"
 #include "gui/view/points_around.hpp"
 #include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"

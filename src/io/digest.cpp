@@ -4,12 +4,11 @@
 #include <new>
 #include <vector>
 
-#include <fcntl.h>
 #include <openssl/evp.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
+#include "io/descriptor.hpp"
 
 namespace moldlight {
 
@@ -54,20 +53,16 @@ Digest digest_of(std::string_view bytes) {
 
 FileDigest digest_of_file(const std::string& path, const Progress& progress) {
   // Without O_NONBLOCK, opening a named pipe would wait for a writer.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return {{}, errno};
-  const struct Closer {
-    int descriptor;
-    ~Closer() { ::close(descriptor); }
-  } closer{descriptor};
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.number() < 0) return {{}, errno};
   struct stat status = {};
-  if (::fstat(descriptor, &status) != 0) return {{}, errno};
+  if (::fstat(file.number(), &status) != 0) return {{}, errno};
   if (!S_ISREG(status.st_mode)) return {{}, S_ISDIR(status.st_mode) ? EISDIR : EINVAL};
   Sum sum;
   std::vector<char> chunk(k_hash_bytes);
   for (;;) {
     if (progress.cancelled()) throw Cancelled();
-    const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
+    const ssize_t got = ::read(file.number(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return {{}, errno};
     if (got == 0) return {sum.value(), 0};

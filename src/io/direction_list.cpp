@@ -1,9 +1,7 @@
 #include "io/direction_list.hpp"
 
-#include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

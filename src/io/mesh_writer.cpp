@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

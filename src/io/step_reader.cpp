@@ -8,13 +8,12 @@
 #include <utility>
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "base/error.hpp"
+#include "io/descriptor.hpp"
 #include "io/readers.hpp"
 #include "io/step_result.hpp"
 #include "io/text_scanner.hpp"
@@ -56,51 +55,11 @@ class Child {
   pid_t pid_;
 };
 
-/// Closed with the scope. Above those that the child uses, lest one is laid over another.
-class Descriptor {
- public:
-  explicit Descriptor(int opened) : number_(opened) {
-    if (opened < 0) return;
-    number_ = ::fcntl(opened, F_DUPFD_CLOEXEC, k_step_file_descriptor + 1);
-    ::close(opened);
-  }
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
-    if (ends_[1] < 0 || ends_[1] > k_step_file_descriptor) return;
-    const int higher = ::fcntl(ends_[1], F_DUPFD_CLOEXEC, k_step_file_descriptor + 1);
-    ::close(std::exchange(ends_[1], higher));
-  }
-  ~Pipe() {
-    close_writing_end();
-    if (ends_[0] >= 0) ::close(ends_[0]);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  [[nodiscard]] bool is_open() const { return ends_[0] >= 0 && ends_[1] >= 0; }
-  [[nodiscard]] int reading_end() const { return ends_[0]; }
-  [[nodiscard]] int writing_end() const { return ends_[1]; }
-  void close_writing_end() {
-    if (ends_[1] >= 0) ::close(ends_[1]);
-    ends_[1] = -1;
-  }
-
- private:
-  std::array<int, 2> ends_ = {-1, -1};
-};
+/// The same under a number above those that the child uses, lest one is laid over another.
+Descriptor above_the_childs(Descriptor low) {
+  return Descriptor(low.number() < 0 ? -1
+                                     : ::fcntl(low.number(), F_DUPFD_CLOEXEC, k_step_file_descriptor + 1));
+}
 
 struct ChildResult {
   std::string bytes;  // what it wrote to the descriptor
@@ -143,11 +102,12 @@ pid_t start(const ChildCommand& command, int writing_end) {
 /// is cancelled (throws Cancelled). None where it cannot be started, for the reason in errno.
 std::optional<ChildResult> run_child(const ChildCommand& command, const Progress& progress) {
   Pipe pipe;
-  if (!pipe.is_open()) return std::nullopt;
-  const pid_t pid = start(command, pipe.writing_end());
+  pipe.writing = above_the_childs(std::move(pipe.writing));
+  if (pipe.writing.number() < 0) return std::nullopt;
+  const pid_t pid = start(command, pipe.writing.number());
   if (pid < 0) return std::nullopt;
   Child child(pid);
-  pipe.close_writing_end();
+  pipe.writing.close();
 
   ChildResult result;
   const auto deadline = std::chrono::steady_clock::now() + command.time_limit;
@@ -159,9 +119,9 @@ std::optional<ChildResult> run_child(const ChildCommand& command, const Progress
       child.kill();
       break;
     }
-    pollfd waiting = {pipe.reading_end(), POLLIN, 0};
+    pollfd waiting = {pipe.reading.number(), POLLIN, 0};
     if (::poll(&waiting, 1, k_poll_ms) <= 0) continue;
-    const ssize_t got = ::read(pipe.reading_end(), chunk.data(), chunk.size());
+    const ssize_t got = ::read(pipe.reading.number(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;
     if (result.bytes.size() + static_cast<std::size_t>(got) > command.most_bytes) {
@@ -205,7 +165,7 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
                  "is a STEP file, and this build has no STEP support (the program moldlight-step is "
                  "missing); export the part as STL");
   }
-  const Descriptor file(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file = above_the_childs(Descriptor(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC)));
   if (file.number() < 0) context.fail("", "cannot be opened again: {}", std::strerror(errno));
   ChildCommand command;
   command.program = *program;

@@ -1,9 +1,7 @@
 #include "io/text_scanner.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <system_error>
 
 #include <locale.h>

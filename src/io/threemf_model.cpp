@@ -1,7 +1,5 @@
 #include "io/threemf_model.hpp"
 
-#include <optional>
-
 #include <glm/geometric.hpp>
 
 #include "io/text_scanner.hpp"

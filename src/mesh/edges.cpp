@@ -1,6 +1,5 @@
 #include "mesh/edges.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
+#include "base/numbers.hpp"
 #include "mesh/edge_table.hpp"
 
 namespace moldlight {
@@ -51,10 +52,6 @@ std::size_t count_used_vertices(const TriangleMesh& mesh) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 }  // namespace
 
 double signed_volume(const TriangleMesh& mesh) {
@@ -93,28 +90,28 @@ std::vector<std::string> health_warnings(const HealthReport& report) {
   if (report.open_edges > 0) {
     warnings.push_back(
         fmt::format("{}: the part is not closed, so volume and regions seen through the gaps are in doubt.",
-                    counted(report.open_edges, "open edge", "open edges")));
+                    plural(report.open_edges, "open edge")));
   }
   if (report.inconsistent_edges > 0) {
     warnings.push_back(fmt::format(
         "{} between facets wound in opposite ways: some facets are inside out and their region is in doubt.",
-        counted(report.inconsistent_edges, "edge", "edges")));
+        plural(report.inconsistent_edges, "edge")));
   }
   if (report.nonmanifold_edges > 0) {
     warnings.push_back(fmt::format(
-        "{} shared by more than two facets: {}.", counted(report.nonmanifold_edges, "edge", "edges"),
+        "{} shared by more than two facets: {}.", plural(report.nonmanifold_edges, "edge"),
         report.closed ? "bodies touch there, the figures hold" : "inside and outside are in doubt there"));
   }
   if (report.closed && report.volume < 0.0) {
     warnings.push_back("The part is inside out (its volume is negative): every region is in doubt.");
   }
   if (report.duplicate_facets > 0) {
-    warnings.push_back(fmt::format("{}: their area counts twice.",
-                                   counted(report.duplicate_facets, "duplicate facet", "duplicate facets")));
+    warnings.push_back(
+        fmt::format("{}: their area counts twice.", plural(report.duplicate_facets, "duplicate facet")));
   }
   if (report.degenerate_facets > 0) {
-    warnings.push_back(fmt::format("{} without area: left out of the figures.",
-                                   counted(report.degenerate_facets, "facet", "facets")));
+    warnings.push_back(
+        fmt::format("{} without area: left out of the figures.", plural(report.degenerate_facets, "facet")));
   }
   return warnings;
 }

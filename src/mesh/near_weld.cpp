@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdint>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 // Directions in words: what a reader takes for an axis is one.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <glm/vec3.hpp>

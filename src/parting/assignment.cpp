@@ -292,7 +292,6 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   });
   const auto best = std::ranges::min_element(trials, {}, &Trial::energy);
   result.height = heights[static_cast<std::size_t>(best - trials.begin())];
-  result.height_given = settings.parting_height.has_value();
   const auto all_to = [&](MoldSide side) {
     std::vector<MoldSide> sides = result.sides;
     for (PieceIndex piece = 0; piece < sides.size(); ++piece) {

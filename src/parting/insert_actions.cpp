@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include <glm/geometric.hpp>
-
 namespace moldlight {
 
 namespace {

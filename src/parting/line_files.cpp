@@ -1,7 +1,6 @@
 #include "parting/line_files.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>

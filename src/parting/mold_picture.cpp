@@ -1,6 +1,5 @@
 #include "parting/mold_picture.hpp"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 

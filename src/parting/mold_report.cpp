@@ -1,12 +1,12 @@
 #include "parting/mold_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/method_options.hpp"
@@ -174,9 +174,9 @@ std::string unfilled_text(const PartModel& model, const MoldSettings& settings, 
   std::string places;
   for (std::size_t k = 0; k < std::min(halves.inserts.size(), k_most_places); ++k)
     places += fmt::format("{}{}", k == 0 ? "" : "; ", style.point(insert_place(halves, k)));
-  return fmt::format("undercuts keep {} in {} place{} from both halves, at {}{}",
-                     style.with_unit(FigureKind::volume, halves.insert_volume), halves.inserts.size(),
-                     halves.inserts.size() == 1 ? "" : "s", places,
+  return fmt::format("undercuts keep {} in {} from both halves, at {}{}",
+                     style.with_unit(FigureKind::volume, halves.insert_volume),
+                     plural(halves.inserts.size(), "place"), places,
                      halves.inserts.size() > k_most_places ? "; …" : "");
 }
 
@@ -190,8 +190,7 @@ std::vector<std::string> half_faults(const PartModel& model, const MoldHalves& h
                                    half->crossed_facets == 1 ? "es" : "",
                                    FigureStyle(model).point(*half->crossed_at)));
     if (half->crowded_edges > 0)
-      faults.push_back(fmt::format("the {} touches itself in {} edge{}", name, half->crowded_edges,
-                                   half->crowded_edges == 1 ? "" : "s"));
+      faults.push_back(fmt::format("the {} touches itself in {}", name, plural(half->crowded_edges, "edge")));
   }
   if (halves.leans()) faults.push_back("walls of a half lean along its pull by rounding");
   return faults;
@@ -268,18 +267,14 @@ std::vector<std::string> halves_remarks(const MoldReport& report) {
 
 std::string difference_text(const EulerCheck& e) {
   if (e.loops == e.expected_loops) return {};
-  const auto several = [](std::int64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
   std::string text = "; the difference is accounted for by ";
   if (!e.accounted()) text = "; the difference is not accounted for by ";
-  text += fmt::format("{} of core, {} of cavity and {} of side actions",
-                      several(static_cast<std::int64_t>(e.core_pieces), "piece"), e.cavity_pieces,
-                      e.action_pieces);
+  text += fmt::format("{} of core, {} of cavity and {} of side actions", plural(e.core_pieces, "piece"),
+                      e.cavity_pieces, e.action_pieces);
   text += fmt::format(" with {}, {} and {} borders", e.borders[0], e.borders[1], e.borders[2]);
   std::int64_t handles = 0;
   for (const MoldSide side : k_mold_sides) handles += e.twice_handles(side) / 2;
-  return handles == 0 ? text : text + " and " + several(handles, "handle");
+  return handles == 0 ? text : text + " and " + plural(handles, "handle");
 }
 
 }  // namespace moldlight

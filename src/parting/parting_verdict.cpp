@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
 #include "mold/direction_words.hpp"
@@ -28,10 +28,6 @@ std::string height_text(const FigureStyle& style, const glm::dvec3& direction, d
     return fmt::format("{} along {}", style.with_unit(FigureKind::length, height),
                        direction_words(direction));
   return fmt::format("{} = {}", "xyz"[axis], style.with_unit(FigureKind::length, height * direction[axis]));
-}
-
-std::string plural(std::size_t count, std::string_view word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "picture/canvas.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 // A sheet of pictures of one part, each with its figures below it.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 
 #include "mold/direction_field.hpp"
 #include "picture/design_space.hpp"

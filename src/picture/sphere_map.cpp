@@ -10,7 +10,6 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
 #include "picture/design_space.hpp"
 

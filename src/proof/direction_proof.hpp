@@ -3,9 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "proof/certain_undercut.hpp"

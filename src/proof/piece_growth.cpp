@@ -1,7 +1,6 @@
 #include "proof/piece_growth.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace moldlight {
 

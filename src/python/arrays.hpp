@@ -1,8 +1,6 @@
 // NumPy arrays: the mesh that a caller hands over, tested, and what is shown of a result without a copy.
 #pragma once
 
-#include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>

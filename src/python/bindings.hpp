@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
@@ -12,10 +11,41 @@
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
 #include "classify/still_picture.hpp"
-#include "python/initialised.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
 #include "study/study.hpp"
+
+namespace moldlight::python {
+
+/// The classes of the module: those that say so by a member type, and any that is named here, before it is
+/// converted.
+template <typename Type>
+inline constexpr bool k_bound = requires {
+  typename Type::BoundToPython;
+};
+
+}  // namespace moldlight::python
+
+namespace pybind11::detail {
+
+/// Objects that Python made without their __init__ (`Part.__new__(Part)`) hold no value: to use one raises
+/// TypeError. pybind11 2.10 alone would hand out memory that nothing was written to.
+template <typename Bound>
+requires moldlight::python::k_bound<Bound>
+class type_caster<Bound> : public type_caster_base<Bound> {
+ public:
+  bool load(handle source, bool convert) {
+    if (isinstance<Bound>(source) &&
+        reinterpret_cast<instance*>(source.ptr())->get_value_and_holder().value_ptr() == nullptr) {
+      throw type_error(
+          fmt::format("this moldlight.{} holds nothing: it was made without its __init__, as by __new__",
+                      static_cast<std::string>(str(type::of(source).attr("__name__")))));
+    }
+    return type_caster_base<Bound>::load(source, convert);
+  }
+};
+
+}  // namespace pybind11::detail
 
 namespace moldlight::python {
 

@@ -1,13 +1,11 @@
 // Part.classify(): the regions of one direction, their areas, the split mesh, pictures.
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 
-#include "base/error.hpp"
 #include "classify/classifier.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"

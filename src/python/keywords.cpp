@@ -6,8 +6,6 @@
 #include <functional>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "actions/action_settings.hpp"
 #include "classify/look_options.hpp"
 #include "classify/option_json.hpp"

@@ -1,8 +1,6 @@
 // The settings as keyword arguments: made from the option tables, with their help, ranges and defaults.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,7 +9,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 

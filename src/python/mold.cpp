@@ -1,5 +1,4 @@
 // Part.mold(): the parting line of one direction, and the two halves.
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,12 +1,9 @@
 // What the classes of the Python module share.
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <pybind11/numpy.h>
 
-#include "base/error.hpp"
 #include "classify/classify_report.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::python {

@@ -1,8 +1,6 @@
 // Part.sweep(): the best directions, their figures, what is proved.
 #include "sweep/sweep.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

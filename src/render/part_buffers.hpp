@@ -2,9 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "gl/objects.hpp"
 #include "mesh/edges.hpp"

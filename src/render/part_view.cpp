@@ -1,9 +1,6 @@
 #include "render/part_view.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
-#include <vector>
 
 #include "base/check.hpp"
 #include "render/view_passes.hpp"

@@ -9,7 +9,6 @@
 #include <glm/vec2.hpp>
 
 #include "base/check.hpp"
-#include "mesh/edges.hpp"
 #include "mesh/solids.hpp"
 
 namespace moldlight {

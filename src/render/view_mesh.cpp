@@ -1,9 +1,7 @@
 #include "render/view_mesh.hpp"
 
-#include <array>
 #include <atomic>
 #include <cstddef>
-#include <vector>
 
 #include <glm/vec4.hpp>
 

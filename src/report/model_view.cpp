@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 

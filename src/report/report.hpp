@@ -32,7 +32,7 @@ struct Value {
 struct Figure {
   std::string name;
   Value value;
-  std::string unit = {}, error = {}, note = {};  // error without its ±
+  std::string unit = {}, note = {}, error = {};  // error without its ±
 };
 struct FigureGrid {
   std::vector<Figure> figures;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include <BRepBndLib.hxx>
@@ -34,6 +36,7 @@
 #include <StepRepr_ShapeRepresentationRelationshipWithTransformation.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -43,11 +46,36 @@
 
 #include "mesh/length_unit.hpp"
 #include "step/placements.hpp"
-#include "step/syntax_faults.hpp"
 
 namespace moldlight::step {
 
 namespace {
+
+/// What the parser says of the syntax of a file, to printers only: while it is added to the default
+/// messenger, keeps the line of the first fault. The parser drops the entity there and goes on, so that a
+/// part of the file is lost.
+class SyntaxFaults : public Message_Printer {
+ public:
+  SyntaxFaults() { SetTraceLevel(Message_Trace); }  // the least of all, as which the parser counts them
+
+  /// From 1; 0 where the syntax is sound.
+  [[nodiscard]] std::size_t first_line() const { return first_line_; }
+
+ protected:
+  void send(const TCollection_AsciiString& message, Message_Gravity /*gravity*/) const override {
+    // "**** ERR StepFile : Undefined Parsing: Line 121: Incorrect syntax: …"
+    constexpr std::string_view k_fault = "Undefined Parsing: Line ";
+    const std::string_view text(message.ToCString());
+    const std::size_t at = text.find(k_fault);
+    if (first_line_ > 0 || at == std::string_view::npos) return;
+    // OpenCASCADE counts one line too many.
+    const auto line = static_cast<std::size_t>(std::strtoull(text.data() + at + k_fault.size(), nullptr, 10));
+    first_line_ = std::max<std::size_t>(line, 2) - 1;
+  }
+
+ private:
+  mutable std::size_t first_line_ = 0;
+};
 
 std::string text_of(const Handle(TCollection_HAsciiString) & text) {
   return text.IsNull() ? std::string() : std::string(text->ToCString());

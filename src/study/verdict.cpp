@@ -1,11 +1,10 @@
 #include "study/verdict.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "actions/best_changes.hpp"
+#include "base/numbers.hpp"
 #include "classify/figures.hpp"
 #include "mesh/defect_edges.hpp"
 
@@ -15,10 +14,6 @@ namespace {
 
 constexpr std::array<std::string_view, 5> k_state_names = {"two-plate", "side-actions", "not-releasable",
                                                            "undercuts", "unknown"};
-
-std::string counted(std::size_t count, std::string_view singular) {
-  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
-}
 
 /// "2 slides and 1 lifter".
 std::string listed(const std::array<std::size_t, k_action_kinds>& counts) {
@@ -58,17 +53,17 @@ std::string near_crossing(const PartModel& model) {
 Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
   const HealthReport& health = model.health;
   if (uncertainty.sampled_facets > 0 && uncertainty.readout >= uncertainty.mesh)
-    return {fmt::format("too much crosses {}, which {} sampled", counted(uncertainty.sampled_facets, "facet"),
+    return {fmt::format("too much crosses {}, which {} sampled", plural(uncertainty.sampled_facets, "facet"),
                         uncertainty.sampled_facets == 1 ? "is" : "are"),
             "unite the bodies in CAD, look at one with --body, or raise --effort"};
   if (health.open_edges > 0)
-    return {fmt::format("the mesh is open at {}{}", counted(health.open_edges, "edge"),
+    return {fmt::format("the mesh is open at {}{}", plural(health.open_edges, "edge"),
                         near_text(model, EdgeDefect::open)),
             "--repair full closes small holes; else export the part as a closed solid"};
   if (health.inconsistent_edges > 0)
     return {
         fmt::format("neighbouring facets face opposite ways at {}{}",
-                    counted(health.inconsistent_edges, "edge"), near_text(model, EdgeDefect::inconsistent)),
+                    plural(health.inconsistent_edges, "edge"), near_text(model, EdgeDefect::inconsistent)),
         "--repair full turns them"};
   if (const std::string place = near_crossing(model); !place.empty())
     return {"surfaces cross each other" + place,
@@ -144,7 +139,7 @@ class Judge {
   }
 
   [[nodiscard]] std::string undercuts_text() const {
-    return fmt::format("{}, {} ({} of the surface)", counted(verdict_.undercuts, "undercut"),
+    return fmt::format("{}, {} ({} of the surface)", plural(verdict_.undercuts, "undercut"),
                        area(verdict_.undercut_area),
                        share_text(verdict_.undercut_area, facts_.regions.total_area));
   }
@@ -162,7 +157,7 @@ class Judge {
       set(VerdictState::not_releasable,
           fmt::format("Not releasable: nothing that was tried releases {} in {}{}.", area(actions.stuck_area),
                       actions.stuck == verdict_.undercuts
-                          ? counted(actions.stuck, "undercut")
+                          ? plural(actions.stuck, "undercut")
                           : fmt::format("{} of {} undercuts", actions.stuck, verdict_.undercuts),
                       number == 0 ? std::string()
                                   : fmt::format("; {} {} the rest", listed(actions.counts),
@@ -188,7 +183,7 @@ class Judge {
   void add_plan(const ActionPlan& plan) {
     std::size_t meeting = 0;
     for (const SideAction& action : plan.actions) meeting += action.meets.empty() ? 0 : 1;
-    if (meeting > 0) add(fmt::format("The ways of {} cross.", counted(meeting, "action")));
+    if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
   }
 
   [[nodiscard]] static std::string room_text(std::size_t lifters) {
@@ -199,7 +194,7 @@ class Judge {
   void add_specks() {
     if (verdict_.specks == 0) return;
     add(fmt::format("{} smaller or shallower than {:.3g} {} {} ignored ({}).",
-                    counted(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
+                    plural(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
                     verdict_.specks == 1 ? "is" : "are", area(verdict_.speck_area)));
   }
 

@@ -15,9 +15,11 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 class Command:
-    """A command on the selected body. What it makes, from the group to the figures, is one step to undo."""
+    """A command on the selected body. What it makes, from the group to the figures, is one step to undo. `opens` is
+    the class of its panel."""
 
     name = picture = text = tip = ""
+    opens = None
 
     def GetResources(self):
         return {"Pixmap": views.icon(self.picture), "MenuText": self.text, "ToolTip": self.tip}
@@ -46,45 +48,37 @@ class Command:
 
     def make_panel(self, made):
         """The panel of mold regions that are computed, for the transaction that is open."""
-        raise NotImplementedError
+        return self.opens(made, begun=True)
 
 
 class Regions(Command):
     name, picture = "Moldlight_Regions", "regions"
+    opens = RegionsPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Mold regions")
     tip = QT_TRANSLATE_NOOP(
         "Moldlight", "What core and cavity form of the selected body, and what is an undercut; select a face, an edge "
         "or an axis with it to part along it")
 
-    def make_panel(self, made):
-        return RegionsPanel(made, begun=True)
-
 
 class Direction(Command):
     name, picture = "Moldlight_FindDirection", "direction"
+    opens = DirectionPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Find direction")
     tip = QT_TRANSLATE_NOOP("Moldlight", "The parting directions that leave the least undercut, to choose from")
-
-    def make_panel(self, made):
-        return DirectionPanel(made, begun=True)
 
 
 class Actions(Command):
     name, picture = "Moldlight_Actions", "actions"
+    opens = ActionsPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Undercuts and actions")
     tip = QT_TRANSLATE_NOOP("Moldlight", "The slides, lifters and other side actions that release the undercuts")
-
-    def make_panel(self, made):
-        return ActionsPanel(made, begun=True)
 
 
 class Parting(Command):
     name, picture = "Moldlight_Parting", "parting"
+    opens = PartingPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Parting line")
     tip = QT_TRANSLATE_NOOP("Moldlight", "Where the mold's halves meet, as edges, and the halves as meshes")
-
-    def make_panel(self, made):
-        return PartingPanel(made, begun=True)
 
 
 class Window(Command):

@@ -1,5 +1,6 @@
 """A FreeCAD shape as facets of which each knows its CAD face, where the body stands in the document."""
 
+import collections
 import math
 
 import MeshPart
@@ -14,16 +15,9 @@ DEFLECTION_SHARE = 0.0005
 ANGLE_DEG = 5.0
 
 
-class FacetedShape:
-    """vertices: n x 3 in mm; faces: m x 3; face_of_facet: m numbers of shape.Faces, from 0; normals: of each face k x 3,
-    the surface's own at the corners of its facets, one of a plane."""
-
-    def __init__(self, shape, vertices, faces, face_of_facet, normals):
-        self.shape = shape
-        self.vertices = vertices
-        self.faces = faces
-        self.face_of_facet = face_of_facet
-        self.normals = normals
+# vertices: n x 3 in mm; faces: m x 3; face_of_facet: m numbers of the shape's Faces, from 0; normals: of each face k x 3,
+# the surface's own at the corners of its facets, one of a plane.
+FacetedShape = collections.namedtuple("FacetedShape", ("vertices", "faces", "face_of_facet", "normals"))
 
 
 def located_shape(source, element="", element_needed=False):
@@ -94,7 +88,6 @@ def faceted(shape, deflection=0.0, angle_deg=ANGLE_DEG):
         numbers.append(numpy.full(len(facets), number))
         count += len(points)
     return FacetedShape(
-        shape,
         numpy.asarray(vertices, dtype=float).reshape(-1, 3),
         numpy.concatenate(faces),
         numpy.concatenate(numbers),

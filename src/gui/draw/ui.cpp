@@ -1,8 +1,6 @@
 #include "gui/draw/ui.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <string>
 
 #include <glm/common.hpp>
 

@@ -1,9 +1,7 @@
 #include "gui/draw/widgets.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>

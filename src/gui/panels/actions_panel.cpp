@@ -1,13 +1,10 @@
-#include "gui/panels/actions_panel.hpp"
-
+// The undercuts along the bottom: what releases each, and what of that is allowed.
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "actions/actions_files.hpp"
 #include "actions/actions_report.hpp"
@@ -16,8 +13,8 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/verdict.hpp"
+#include "gui/panels/workspace.hpp"
 #include "gui/view/side_actions.hpp"
-#include "mold/map_frame.hpp"
 
 namespace moldlight::gui {
 

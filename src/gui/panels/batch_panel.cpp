@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "gui/draw/widgets.hpp"
-#include "gui/jobs/batch_table.hpp"
 
 namespace moldlight::gui {
 

@@ -8,7 +8,6 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/view/direction.hpp"
 
 namespace moldlight::gui {
 

@@ -1,5 +1,4 @@
 // The help sheet and the window's settings.
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,9 +1,7 @@
 // The heat map of undercut area on the direction ball: colours, colour bar, marks of the best, what the mouse
 // reads; and the ball on its own, large.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -15,7 +13,6 @@
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/direction_field.hpp"
-#include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 

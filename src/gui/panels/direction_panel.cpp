@@ -1,11 +1,9 @@
 // The parting direction: a ball to grab, fields to type into, the usual axes, bookmarks.
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "gui/draw/widgets.hpp"
-#include "gui/jobs/loaded_part.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "classify/figures.hpp"
-#include "classify/method_options.hpp"
 #include "gui/draw/widgets.hpp"
 #include "parting/draft/draft_report.hpp"
 #include "render/view_colours.hpp"

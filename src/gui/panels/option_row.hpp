@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "classify/option_table.hpp"

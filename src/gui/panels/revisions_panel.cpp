@@ -1,14 +1,13 @@
-#include "gui/panels/revisions_panel.hpp"
-
+// What differs from another revision, along the bottom: a row a change.
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
+#include "gui/panels/workspace.hpp"
 #include "gui/view/revision_view.hpp"
 #include "sweep/direction_figures.hpp"
 

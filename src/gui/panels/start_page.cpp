@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "io/part_formats.hpp"

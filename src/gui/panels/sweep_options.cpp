@@ -1,5 +1,4 @@
 // The options of the sweep, unfolded in its panel.
-#include <algorithm>
 #include <span>
 #include <vector>
 

@@ -1,9 +1,7 @@
 // The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

@@ -1,10 +1,7 @@
 // The view cube: shows how the part is turned, and turns it to the side that is clicked.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-
-#include <glm/geometric.hpp>
 
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"

@@ -1,7 +1,5 @@
 #include "gui/panels/workspace.hpp"
 
-#include "gui/panels/panels.hpp"
-
 namespace moldlight::gui {
 
 void Workspace::draw(const PanelContext& context, const Textures& textures) {

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <string>
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "gui/store/part_notes.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 

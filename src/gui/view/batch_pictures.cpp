@@ -4,7 +4,6 @@
 
 #include "base/error.hpp"
 #include "batch/store.hpp"
-#include "gl/picture_texture.hpp"
 #include "io/png.hpp"
 
 namespace moldlight::gui {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "base/error.hpp"
 #include "classify/classification.hpp"
 #include "mold/map_frame.hpp"

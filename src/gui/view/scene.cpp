@@ -1,9 +1,6 @@
 #include "gui/view/scene.hpp"
 
-#include <glm/geometric.hpp>
-
 #include "classify/classifier.hpp"
-#include "mold/map_frame.hpp"
 
 namespace moldlight::gui {
 

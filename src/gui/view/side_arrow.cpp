@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "actions/pull_candidates.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"

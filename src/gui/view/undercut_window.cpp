@@ -1,9 +1,6 @@
 #include "gui/view/undercut_window.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"

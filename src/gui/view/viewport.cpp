@@ -1,18 +1,15 @@
 #include "gui/view/viewport.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include "gui/draw/panel_layout.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/mold_view.hpp"
-#include "gui/view/scene.hpp"
 #include "gui/view/side_arrow.hpp"
 #include "gui/view/undercut_window.hpp"
 

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/edge_table.hpp"
-#include "mold/exact/facet_encounters.hpp"
 
 namespace moldlight {
 

@@ -3,12 +3,9 @@
 // labelled by one test inside it.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 

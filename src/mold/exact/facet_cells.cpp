@@ -1,6 +1,5 @@
 #include "mold/exact/facet_cells.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>

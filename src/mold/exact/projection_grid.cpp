@@ -1,7 +1,5 @@
 #include "mold/exact/projection_grid.hpp"
 
-#include <glm/common.hpp>
-
 namespace moldlight {
 
 namespace {

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include <glm/geometric.hpp>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 

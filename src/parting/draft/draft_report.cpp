@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "io/atomic_file.hpp"
@@ -66,40 +67,14 @@ std::string draft_sentence(const PartModel& model, const DraftCheck& check) {
   for (const MoldSide side : {MoldSide::core, MoldSide::cavity}) {
     const auto k = static_cast<std::size_t>(side);
     if (check.faces_below[k] == 0) continue;
-    text += fmt::format("{}{} {} on {} face{}", text.empty() ? "" : ", ", side_name(side),
-                        short_area(check.below[k], unit), check.faces_below[k],
-                        check.faces_below[k] == 1 ? "" : "s");
+    text += fmt::format("{}{} {} on {}", text.empty() ? "" : ", ", side_name(side),
+                        short_area(check.below[k], unit), plural(check.faces_below[k], "face"));
   }
   text = text.empty() ? fmt::format("every wall has {}° or more", figure(check.required_deg))
                       : fmt::format("below {}°: {}", figure(check.required_deg), text);
   if (check.reverse.facet)
     text += fmt::format(" · reverse draft {}, at worst {:.3g}°", short_area(check.reverse.area, unit),
                         check.reverse.worst_deg);
-  return text;
-}
-
-std::string draft_lines(const PartModel& model, const DraftCheck& check) {
-  const std::string unit = length_unit(model.part);
-  const auto half = [&](MoldSide side) {
-    const auto k = static_cast<std::size_t>(side);
-    return fmt::format("{} {:.4g} {}² on {} face{}", side_name(side), check.below[k], unit,
-                       check.faces_below[k], check.faces_below[k] == 1 ? "" : "s");
-  };
-  std::string text = fmt::format("draft below {}°: {}, {}\n", check.required_deg, half(MoldSide::core),
-                                 half(MoldSide::cavity));
-  if (check.reverse.facet) {
-    const glm::dvec3 place = facet_centre(model, *check.reverse.facet);
-    fmt::format_to(std::back_inserter(text),
-                   "reverse draft: {:.4g} {}², at worst {:.3g}° near {:.4g}, {:.4g}, {:.4g}\n",
-                   check.reverse.area, unit, check.reverse.worst_deg, place.x, place.y, place.z);
-  } else {
-    text += "reverse draft: none\n";
-  }
-  if (!check.walls.empty()) {
-    const WallDraft& wall = check.walls.front();
-    fmt::format_to(std::back_inserter(text), "face {} of the {} costs most: {}\n", wall.face,
-                   side_name(wall.side), suggestion(model, wall));
-  }
   return text;
 }
 

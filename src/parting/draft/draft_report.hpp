@@ -1,4 +1,4 @@
-// What a report says of the draft: a few lines for people, JSON for programs, a table of walls.
+// What a report says of the draft: a sentence for people, JSON for programs, a table of walls.
 #pragma once
 
 #include <string>
@@ -12,10 +12,7 @@ namespace moldlight {
 /// The member `draft` of a classification's report. Areas and lengths are in the part's unit.
 [[nodiscard]] nlohmann::ordered_json draft_json(const PartModel& model, const DraftCheck& check);
 
-/// How much has too little draft in each half, what leans back, and the wall that costs most.
-[[nodiscard]] std::string draft_lines(const PartModel& model, const DraftCheck& check);
-
-/// The same in a sentence, without the wall.
+/// How much has too little draft in each half, and what leans back, in a sentence.
 [[nodiscard]] std::string draft_sentence(const PartModel& model, const DraftCheck& check);
 
 /// A wall's suggestion: "turn by 1.2° about its foot: 0.42 mm".

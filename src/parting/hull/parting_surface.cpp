@@ -11,7 +11,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "parting/hull/meeting_heights.hpp"
 #include "parting/hull/outline_plane.hpp"
 #include "parting/hull/segment_cuts.hpp"
 

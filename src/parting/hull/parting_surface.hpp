@@ -5,7 +5,6 @@
 #include <span>
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include "parting/hull/meeting_heights.hpp"
 #include "parting/hull/mold_fault.hpp"

@@ -1,6 +1,5 @@
 #include "parting/hull/plane_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"

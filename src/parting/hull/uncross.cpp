@@ -1,7 +1,6 @@
 #include "parting/hull/uncross.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 

@@ -1,4 +1,5 @@
 // The report of a classification.
+
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"

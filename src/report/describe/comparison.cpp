@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_report.hpp"
+#include "base/numbers.hpp"
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
 #include "mold/direction_words.hpp"
@@ -93,23 +94,18 @@ Section Describer::places() const {
   const SurfaceChange& surface = comparison_.surface;
   Section section{"Surface that is new or gone", {}};
   FigureGrid grid;
-  grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_,
-                   error_text(surface.gone.error), "of A alone"},
-                  {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_,
-                   error_text(surface.fresh.error), "of B alone"},
+  grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, "of A alone",
+                   error_text(surface.gone.error)},
+                  {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_, "of B alone",
+                   error_text(surface.fresh.error)},
                   {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
   if (surface.chords > 0.0)
-    grid.figures.push_back({"Tessellation",
-                            length(surface.chords, "/tessellation"),
-                            length_unit_,
-                            {},
+    grid.figures.push_back({"Tessellation", length(surface.chords, "/tessellation"), length_unit_,
                             "the most that facets of both are taken to be off"});
   if (const auto& alignment = comparison_.alignment)
-    grid.figures.push_back({"B was laid on A",
-                            number(error_text(alignment->rms), "/alignment/residual/rms", alignment->rms),
-                            length_unit_,
-                            {},
-                            fmt::format("off, rms; {} at most", error_text(alignment->largest))});
+    grid.figures.push_back(
+        {"B was laid on A", number(error_text(alignment->rms), "/alignment/residual/rms", alignment->rms),
+         length_unit_, fmt::format("off, rms; {} at most", error_text(alignment->largest))});
   section.blocks.emplace_back(std::move(grid));
   Table table{
       {{"place"}, {"gone " + area_unit_}, {"new " + area_unit_}}, {}, rest_text(surface.places.size())};
@@ -232,7 +228,7 @@ Section Describer::undercuts() const {
     table.rows.push_back(std::move(row));
   }
   section.blocks.emplace_back(Text{fmt::format("{} of A, {} of B, {} of them the same.",
-                                               counted(comparison_.a.plan->patches.size(), "undercut"),
+                                               plural(comparison_.a.plan->patches.size(), "undercut"),
                                                comparison_.b.plan->patches.size(), same)});
   table.rest = rest_text(comparison_.undercuts.size() - same);
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));

@@ -1,6 +1,5 @@
 // The report of a mold: its parting line and its halves.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,13 +62,11 @@ Section line_section(const MoldReport& found) {
       {"Euler characteristics",
        {euler.sums() ? "add up" : "do not add up"},
        {},
-       {},
        with_minus(fmt::format(
            "core {} + cavity {} + actions {} = part {}{}", euler.core, euler.cavity, euler.action, euler.part,
            euler.touching == 0 ? "" : fmt::format(" + {} where lines touch", euler.touching)))},
       {"Loops of core and cavity",
        number(fmt::format("{}", euler.loops), "/euler/loops", static_cast<double>(euler.loops)),
-       {},
        {},
        fmt::format("genus {} asks for {}{}", euler.genus, euler.expected_loops, difference_text(euler))}};
   section.blocks.emplace_back(std::move(checks));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/map_comparison.hpp"
 #include "classify/option.hpp"
 #include "mold/direction_words.hpp"
@@ -108,10 +109,7 @@ FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& fig
   FigureGrid grid;
   for (const FoundFigure& figure : figures) {
     if (figure.title.empty() || !figure.value) continue;
-    grid.figures.push_back({std::string(figure.title),
-                            cell(style, figure, place),
-                            style.unit(figure.kind),
-                            {},
+    grid.figures.push_back({std::string(figure.title), cell(style, figure, place), style.unit(figure.kind),
                             std::string(figure.help)});
   }
   return grid;
@@ -125,10 +123,6 @@ void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures
 
 Mark region_mark(Region region, Palette palette) {
   return {region_colour(region, palette), region == Region::undercut, facts(region).terminal_colour};
-}
-
-std::string counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 void take_verdict(const Verdict& verdict, Report& report) {
@@ -175,7 +169,7 @@ Section regions_section(const ReportContext& context, const Classification& resu
   section.blocks = {std::move(bar), std::move(table)};
   const ShadowIdentity& identity = result.identity;
   const auto area = [&](std::string name, double found, const std::string& key, std::string note) {
-    return Figure{std::move(name), value(area_text(found), key, found), area_unit, {}, std::move(note)};
+    return Figure{std::move(name), value(area_text(found), key, found), area_unit, std::move(note)};
   };
   FigureGrid grid;
   grid.figures = {
@@ -188,12 +182,9 @@ Section regions_section(const ReportContext& context, const Classification& resu
       {"Lateral tolerance",
        number(style.text(FigureKind::length, result.lateral_tolerance),
               keys && keys->empty() ? "/lateral_tolerance" : "", result.lateral_tolerance),
-       style.unit(FigureKind::length),
-       {},
-       "nothing narrower counts"},
+       style.unit(FigureKind::length), "nothing narrower counts"},
       {"Two checks",
        {identity.agrees() ? "agree" : "disagree"},
-       {},
        {},
        fmt::format("the shadow from both sides differs by {} {}, limit {}",
                    error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
@@ -218,10 +209,9 @@ Section part_section(const ReportContext& context, const std::vector<std::string
       {"Facets",
        number(fmt::format("{}", health.facets), "/part/facets", count(health.facets)),
        {},
-       {},
        health.closed ? "closed surface" : "the surface is not closed"},
       {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
-      {"Read as", {model.part.format}, {}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
+      {"Read as", {model.part.format}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
   section.blocks.emplace_back(std::move(grid));
   if (!context.drawn()) return section;  // a terminal has seen them
   for (const std::string& warning : warnings) section.blocks.emplace_back(Text{warning, TextLook::notice});
@@ -259,17 +249,13 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
         {fmt::format("{} below {}°", half == 0 ? "Core" : "Cavity", figure(check.required_deg)),
          number(style.text(FigureKind::area, check.below[half]),
                 fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
-         area_unit,
-         {},
-         counted(check.faces_below[half], "face")});
+         area_unit, plural(check.faces_below[half], "face")});
   }
   if (check.reverse.facet)
     grid.figures.push_back(
         {"Reverse draft",
          number(style.text(FigureKind::area, check.reverse.area), "/draft/reverse/area", check.reverse.area),
-         area_unit,
-         {},
-         fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
+         area_unit, fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
   section.blocks.emplace_back(std::move(grid));
   Table walls = walls_table(context, check);
   if (!walls.rows.empty()) section.blocks.emplace_back(std::move(walls));

@@ -31,9 +31,6 @@ void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures
 
 [[nodiscard]] Mark region_mark(Region region, Palette palette);
 
-/// "1 undercut", "3 undercuts".
-[[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
-
 /// What a classification has beside its regions.
 struct DraftShown {
   const DraftCheck& check;

@@ -1,12 +1,12 @@
 // The report of side actions.
 #include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "actions/action_body.hpp"
 #include "actions/action_figures.hpp"
 #include "actions/actions_files.hpp"
 #include "actions/best_changes.hpp"
+#include "base/numbers.hpp"
 #include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
 
@@ -45,7 +45,7 @@ Section plan_section(const ActionsReport& found) {
     section.blocks.emplace_back(
         Text{fmt::format("Nothing that was tried releases {} in {}: {}.",
                          style.with_unit(FigureKind::area, plan.unreleased_area),
-                         counted(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
+                         plural(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
              TextLook::notice});
   if (plan.actions.empty()) return section;
   const std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."

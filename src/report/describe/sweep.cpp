@@ -1,10 +1,10 @@
 // The report of a sweep.
 #include <algorithm>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "mold/direction_words.hpp"
 #include "report/describe/parts.hpp"
 #include "sweep/direction_figures.hpp"
@@ -82,15 +82,16 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
            proof.holds ? TextLook::normal : TextLook::notice});
   FigureGrid grid;
   grid.figures = {
-      {"Bound", number(figure(proof.bound), key + "/bound", proof.bound), area_unit,
+      {"Bound",
+       number(figure(proof.bound), key + "/bound", proof.bound),
+       area_unit,
+       {},
        proof.bound_error > 0.0 ? error_text(proof.bound_error) : ""},
       {"Proved",
        number(fmt::format("{:.4f}", 100.0 * proof.proved_share), key + "/proved_share", proof.proved_share),
-       "%",
-       {},
-       "of the half-sphere of directions"},
+       "%", "of the half-sphere of directions"},
       {"Open", {fmt::format("{}", proof.open.size())}, proof.open.size() == 1 ? "cap" : "caps"},
-      {"Proof", {proof.holds ? "holds" : "does not hold"}, {}, {}, proof.complete ? "" : "a limit ended it"}};
+      {"Proof", {proof.holds ? "holds" : "does not hold"}, {}, proof.complete ? "" : "a limit ended it"}};
   section.blocks.emplace_back(std::move(grid));
   constexpr std::size_t k_most_caps = 12;
   Table caps{{{"around", true}, {"radius"}, {"undercut " + area_unit}}, {}};
@@ -143,7 +144,7 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
     if (context.drawn()) report.still = maps.pictures.front();
   }
   report.lead.push_back(fmt::format("{} scored by {}, {} dropped as surely worse{}",
-                                    counted(result.evaluated.size(), "direction"), result.engine,
+                                    plural(result.evaluated.size(), "direction"), result.engine,
                                     result.skipped, result.complete ? "." : "; the sweep is not complete."));
   Section directions{"Parting directions", {}};
   for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});

@@ -18,7 +18,7 @@ Report small_report() {
   table.rows.push_back({{{"Undercut"}, {"−12.5"}, {"because"}, {"hidden"}}, Mark{{}, true, "\033[31m"}});
   table.rows.push_back({{{"Core"}, {"7"}, {"so"}, {"seen"}}});
   FigureGrid grid;
-  grid.figures = {{"Volume", {"3.5"}, "mm³", "0.1", "closed"}, {"Steepest", {"60.0°"}}};
+  grid.figures = {{"Volume", {"3.5"}, "mm³", "closed", "0.1"}, {"Steepest", {"60.0°"}}};
   report.sections = {{"Regions", {table, grid, Text{"Done."}}}, {"Of pages", {Text{"Left out."}}, true}};
   return report;
 }
