@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
+#include "gui/panels/mold_panel.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"
@@ -32,9 +33,9 @@ App::App(const gl::Context& context, AppOptions options)
       history_(EditedSettings{}),
       layout_(options_.user.layout),
       thumbnails_(context, options_.shipped_parts, options_.wake),
-      loader_(options_.wake, true),
-      batch_loader_(options_.wake, true),
-      export_(options_.wake),
+      loader_({.wake = options_.wake, .wake_for_progress = true}),
+      batch_loader_({.wake = options_.wake, .wake_for_progress = true}),
+      export_({.wake = options_.wake}),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
       actions_(options_.wake),
@@ -132,7 +133,7 @@ void App::frame(const FrameInput& input) {
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
   state_.can_undo = history_.can_undo();
   state_.can_redo = history_.can_redo();
-  state_.mold_open = state_.model && has_mold_panel(state_) && layout_.unfolded("Mold");
+  state_.mold_open = state_.model && has_mold_bar(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
   take_dropped(input.dropped, edits);

@@ -12,18 +12,17 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/panels/verdict.hpp"
-#include "gui/panels/workspace.hpp"
 #include "gui/view/side_actions.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_action_row = 26.0F, k_action_bar_width = 96.0F;  // layout units
+constexpr float k_action_row = 26.0F;     // layout units
 constexpr float k_actions_share = 0.25F;  // of the window's height, that the table takes at most
 constexpr float k_pin_width = 104.0F;
-constexpr const char* k_actions_name = "Side actions";
 
 constexpr std::array<ListColumn, 6> k_action_columns = {{
     {"#", "", 8.0F, false},
@@ -195,97 +194,28 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   return tip + "\nClick to look at it and see its action move.";
 }
 
-}  // namespace
-
-void ActionsPanel::draw(const PanelContext& context) {
-  const AppState& state = context.state;
-  const auto& plan = state.actions.plan;
-  const auto& figures = state.figures.shown;
-  // Until undercuts are counted their area decides: a bar that came and went would move the part under the
-  // hand.
-  const bool shown = plan ? !plan->patches.empty()
-                          : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
-  if (!shown || state.revisions.on()) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_actions_name);
-  draw_header(context, open);
-  if (open && settings_) draw_settings(context);
-  if (open && plan && !settings_) draw_table(context);
-  context.layout.end();
-}
-
-void ActionsPanel::draw_header(const PanelContext& context, bool open) {
-  const Ui& ui = context.ui;
-  const ActionsState& actions = context.state.actions;
-  BottomHeader header(ui, k_actions_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_actions_name, !unfolded); };
-  if (header.button(
-          {"fold actions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    unfold(!open);
-  if (header.button(
-          {"action options", Icon::settings, "What is allowed of side actions", open && settings_})) {
-    settings_ = !(open && settings_);
-    unfold(true);
-  }
-  std::string text;
-  ImU32 colour = ui.colours->muted;
-  if (actions.running || actions.awaited) {
-    text = actions.running && !actions.running->stage.empty() ? actions.running->stage + " …"
-                                                              : "looking for side actions …";
-    header.progress(actions.running ? actions.running->fraction : 0.0, k_action_bar_width);
-  } else if (!actions.error.empty()) {
-    text = actions.error;
-    colour = ui.colours->warning;
-  } else if (actions.plan) {
-    text = actions_summary(context.state);
-  }
-  header.end(text, colour);
-}
-
-void ActionsPanel::draw_settings(const PanelContext& context) const {
-  const RowOptions numbers{
-      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
-  option_table<ActionSettings>(context.ui, action_options(), context.edits.settings.actions, numbers);
+void draw_action_settings(const PanelContext& context) {
+  option_table<ActionSettings>(context.ui, action_options(), context.edits.settings.actions,
+                               typed_numbers(context));
   draw_own_directions(context);
 }
 
-void ActionsPanel::draw_table(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  draw_headings(ui, k_action_columns);
-  const RowList undercuts{.id = "undercuts",
-                          .count = context.state.actions.plan->patches.size(),
-                          .row_height = k_action_row,
-                          .share = k_actions_share};
-  if (const auto pressed = draw_list(ui, undercuts, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
-    context.edits.action_choices.chosen = *pressed;
-    context.edits.ask(&Commands::look_at_undercut, *pressed);
-  }
-  draw_own_directions(context);
-}
-
-void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
+void draw_undercut(const PanelContext& context, std::size_t undercut, const ScreenBox& row) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const ActionPlan& plan = *state.actions.plan;
   const UndercutReport& patch = plan.patches[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
-  auto& chosen = context.edits.action_choices.chosen;
-  const bool here = state.action_choices.chosen == undercut;
-  const std::string id = fmt::format("undercut {}", undercut + 1);
-  const Row row = list_row(ui, {.id = id.c_str(),
-                                .height = k_action_row,
-                                .beside = k_pin_width + 6,
-                                .chosen = here,
-                                .marked = cursor_.is_at(undercut)});
-  const glm::vec2& start = row.box.min;
+  const glm::vec2& start = row.min;
   const bool left_over = is_unreleased(plan, undercut);
   const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
               quiet = ui.colours->muted;
-  const float right = row.box.max.x - ui.px(k_pin_width + 14);
+  const float right = row.max.x - ui.px(k_pin_width + 14);
   const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
     const bool last = column + 1 == k_action_columns.size();
     const float end = last ? right : start.x + ui.px(k_action_columns[column + 1].at) - ui.px(50);
-    draw_cell(ui, row.box, k_action_columns[column], {font, colour}, text,
+    draw_cell(ui, row, k_action_columns[column], {font, colour}, text,
               end - start.x - ui.px(k_action_columns[column].at));
   };
   const FigureStyle style(*state.model);
@@ -297,23 +227,66 @@ void ActionsPanel::draw_row(const PanelContext& context, std::size_t undercut) {
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
     draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
-                {start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.box.centre().y});
+                {start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.centre().y});
     cell(4, ui.fonts.body, normal, grouped(style.text(FigureKind::length, action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     detail += others_text(plan, undercut, *action);
     if (left_over) detail += " · some is left";
     cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
   } else {
-    draw_cell(ui, row.box, k_action_columns[3], {ui.fonts.body, ui.colours->warning}, why,
+    draw_cell(ui, row, k_action_columns[3], {ui.fonts.body, ui.colours->warning}, why,
               right - start.x - ui.px(k_action_columns[3].at));
   }
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
-  ImGui::SetCursorScreenPos(ImVec2(row.box.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
+  ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
   draw_pin(context, undercut);
-  ImGui::SetCursorScreenPos(ImVec2(start.x, row.box.max.y));
-  if (!row.clicked) return;
-  chosen = here ? std::nullopt : std::optional(undercut);
-  if (chosen) context.edits.ask(&Commands::look_at_undercut, undercut);
+}
+
+void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
+  draw_headings(context.ui, k_action_columns);
+  const ChoiceTable undercuts{.list = {.id = "undercuts",
+                                       .count = context.state.actions.plan->patches.size(),
+                                       .row_height = k_action_row,
+                                       .share = k_actions_share},
+                              .row = "undercut",
+                              .chosen = context.edits.action_choices.chosen,
+                              .look = &Commands::look_at_undercut,
+                              .beside = k_pin_width + 6};
+  draw_choices(context, undercuts, cursor,
+               [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
+  draw_own_directions(context);
+}
+
+BarNews actions_news(const AppState& state) {
+  const ActionsState& actions = state.actions;
+  if (actions.running || actions.awaited) {
+    const bool named = actions.running && !actions.running->stage.empty();
+    return {.text = named ? actions.running->stage + " …" : "looking for side actions …",
+            .progress = actions.running ? actions.running->fraction : 0.0};
+  }
+  if (!actions.error.empty()) return {.text = actions.error, .warning = true};
+  return {.text = actions.plan ? actions_summary(state) : std::string()};
+}
+
+}  // namespace
+
+void draw_actions_bar(const PanelContext& context, TableBar& bar) {
+  const AppState& state = context.state;
+  const auto& plan = state.actions.plan;
+  const auto& figures = state.figures.shown;
+  // Until undercuts are counted their area decides: a bar that came and went would move the part under the
+  // hand.
+  const bool shown = plan ? !plan->patches.empty()
+                          : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
+  if (!shown || state.revisions.on()) return;
+  TableBarParts parts{.name = "Side actions",
+                      .fold = "fold actions",
+                      .options = "action options",
+                      .options_hint = "What is allowed of side actions",
+                      .news = actions_news(state),
+                      .settings = [&] { draw_action_settings(context); }};
+  if (plan) parts.table = [&](RowCursor& cursor) { draw_undercuts(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

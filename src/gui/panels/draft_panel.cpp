@@ -16,11 +16,9 @@ namespace moldlight::gui {
 namespace {
 
 // Layout units.
-constexpr float k_draft_row = 24.0F, k_draft_bar_width = 96.0F, k_chart = 56.0F, k_axis = 18.0F,
-                k_grip = 14.0F;
+constexpr float k_draft_row = 24.0F, k_chart = 56.0F, k_axis = 18.0F, k_grip = 14.0F;
 constexpr float k_draft_share = 0.1F;  // of the window's height, that the table takes at most
 constexpr double k_step_deg = 0.1;
-constexpr const char* k_draft_name = "Draft";
 
 constexpr std::array<ListColumn, 8> k_draft_columns = {{
     {"#", "Walls that cost most thickness first.", 8.0F, false},
@@ -127,30 +125,6 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
 
 }  // namespace
 
-void DraftPanel::draw_header(const PanelContext& context, bool open) const {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  BottomHeader header(ui, k_draft_name);
-  if (header.button(
-          {"fold draft", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    context.layout.fold_bottom(k_draft_name, open);
-  std::string text;
-  ImU32 colour = ui.colours->muted;
-  if (state.mold.line_awaited) {
-    text = "finding which half forms what …";
-    header.progress(-1.0, k_draft_bar_width);
-  } else if (!state.mold.error.empty()) {
-    text = state.mold.error;
-    colour = ui.colours->warning;
-  }
-  if (check() != nullptr) {
-    text = draft_sentence(*state.model, *check());
-  } else if (text.empty()) {
-    text = "no draft is required";
-  }
-  header.end(text, colour, text);
-}
-
 float DraftChart::place_of(double draft_deg) const {
   const double share = (draft_deg - k_from_deg) / (k_to_deg - k_from_deg);
   return box.min.x + static_cast<float>(share) * (box.max.x - box.min.x);
@@ -178,32 +152,45 @@ void DraftPanel::draw(const PanelContext& context) {
     line_ = context.state.mold.line;
     model_ = context.state.model;
   }
-  const bool open = context.layout.begin_bottom(context.ui, k_draft_name);
-  draw_header(context, open);
-  if (open && check() != nullptr) {
-    draw_chart(context, *check());
-    if (!check()->walls.empty()) draw_table(context);
+  TableBarParts parts{.name = "Draft", .fold = "fold draft", .news = news(context.state)};
+  if (check() != nullptr) {
+    parts.table = [&](RowCursor& cursor) {
+      draw_chart(context, *check());
+      if (!check()->walls.empty()) draw_walls(context, cursor);
+    };
   }
-  context.layout.end();
+  bar_.draw(context, parts);
 }
 
-void DraftPanel::draw_table(const PanelContext& context) {
+BarNews DraftPanel::news(const AppState& state) const {
+  const MoldState& mold = state.mold;
+  BarNews news{.text = "no draft is required"};
+  if (mold.line_awaited) {
+    news = {.text = "finding which half forms what …", .progress = -1.0};
+  } else if (!mold.error.empty()) {
+    news = {.text = mold.error, .warning = true};
+  }
+  if (check() != nullptr) news.text = draft_sentence(*state.model, *check());
+  news.tip = news.text;
+  return news;
+}
+
+void DraftPanel::draw_walls(const PanelContext& context, RowCursor& cursor) const {
   draw_headings(context.ui, k_draft_columns);
   const RowList walls{
       .id = "walls", .count = check()->walls.size(), .row_height = k_draft_row, .share = k_draft_share};
   if (const auto pressed =
-          draw_list(context.ui, walls, cursor_, [&](std::size_t k) { draw_row(context, k); }))
+          draw_list(context.ui, walls, cursor, [&](std::size_t k) { draw_row(context, k, cursor.is_at(k)); }))
     context.edits.ask(&Commands::look_at_wall, *pressed);
 }
 
-void DraftPanel::draw_row(const PanelContext& context, std::size_t number) {
+void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool marked) const {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const WallDraft& wall = check()->walls[number];
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
-  const Row row = list_row(
-      ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = cursor_.is_at(number)});
+  const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
   const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
   const std::array<std::string, k_draft_columns.size()> texts = {std::to_string(number + 1),
                                                                  std::string(side_name(wall.side)),

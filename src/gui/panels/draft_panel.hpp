@@ -5,8 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "gui/draw/bottom_panel.hpp"
-#include "gui/panels/panels.hpp"
+#include "gui/panels/table_bar.hpp"
 
 namespace moldlight::gui {
 
@@ -15,16 +14,16 @@ class DraftPanel {
   void draw(const PanelContext& context);
 
  private:
-  void draw_header(const PanelContext& context, bool open) const;
-  void draw_table(const PanelContext& context);
-  void draw_row(const PanelContext& context, std::size_t wall);
+  [[nodiscard]] BarNews news(const AppState& state) const;
+  void draw_walls(const PanelContext& context, RowCursor& cursor) const;
+  void draw_row(const PanelContext& context, std::size_t wall, bool marked) const;
 
   [[nodiscard]] const DraftCheck* check() const;
 
   // The last one of the part; kept, so that the chart stays while its limit is dragged.
   std::shared_ptr<const MoldLine> line_;
   std::shared_ptr<const PartModel> model_;
-  RowCursor cursor_;
+  TableBar bar_;
 };
 
 /// The chart's, as it is drawn: from which to which draft, and the areas' ends in it.

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/mold_panel.hpp"
 #include "gui/panels/workspace.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_report.hpp"

@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/view/mold_view.hpp"
 #include "parting/mold_figures.hpp"
 #include "parting/mold_report.hpp"
@@ -18,9 +20,8 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F, k_mold_bar_width = 96.0F;  // layout units
+constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F;  // layout units
 constexpr float k_mold_share = 0.1F;  // of the window's height, that the table takes at most
-constexpr const char* k_mold_name = "Mold";
 
 /// A number, the kind, and the figures that have a title.
 const std::vector<ListColumn>& mold_columns() {
@@ -64,8 +65,7 @@ void draw_cosmetic(const PanelContext& context) {
     if (faces.empty()) continue;
     const std::string_view half = core ? "core" : "cavity";
     ImGui::SameLine(0.0F, ui.px(4));
-    const std::string label =
-        fmt::format("{} face{} to the {}  ×", faces.size(), faces.size() == 1 ? "" : "s", half);
+    const std::string label = fmt::format("{} to the {}  ×", plural(faces.size(), "face"), half);
     const bool forgotten = chip(ui, label, true);
     ui.memory->controls[fmt::format("faces to the {}", half)] = {from_im(ImGui::GetItemRectMin()),
                                                                  from_im(ImGui::GetItemRectMax())};
@@ -103,7 +103,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
 
 }  // namespace
 
-bool has_mold_panel(const AppState& state) {
+bool has_mold_bar(const AppState& state) {
   return !state.sweep_choices.compared && !state.sweep_choices.large_ball && !state.revisions.on();
 }
 
@@ -138,74 +138,54 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
   return lines;
 }
 
-void MoldPanel::draw(const PanelContext& context) {
-  if (!has_mold_panel(context.state)) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_mold_name);
-  draw_header(context, open);
-  if (open && settings_) {
-    draw_settings(context);
-  } else if (open && context.state.mold.line) {
-    draw_table(context);
-  }
-  context.layout.end();
-}
+namespace {
 
-void MoldPanel::draw_header(const PanelContext& context, bool open) {
-  const Ui& ui = context.ui;
-  const MoldState& mold = context.state.mold;
-  BottomHeader header(ui, k_mold_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_mold_name, !unfolded); };
-  if (header.button(
-          {"fold mold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold (G)"}))
-    unfold(!open);
-  if (header.button({"mold options", Icon::settings, "What is asked of the mold", open && settings_})) {
-    settings_ = !(open && settings_);
-    unfold(true);
-  }
-  if (open && header.button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
-    context.edits.dialogs.exporting_mold = true;
-  std::string text;
-  ImU32 colour = ui.colours->muted;
-  if (mold.running || mold.line_awaited || mold.solids_awaited) {
-    text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
-                                                        : "finding the parting line …";
-    if (mold.line && !mold.line_awaited) text = mold.line->verdict + " · " + text;
-    header.progress(mold.running ? mold.running->fraction : 0.0, k_mold_bar_width);
-  } else if (!mold.error.empty()) {
-    text = mold.error;
-    colour = ui.colours->warning;
-  } else if (mold.line) {
-    text = mold.line->verdict;
-  }
-  header.end(text, colour, mold.line ? mold.line->verdict : std::string());
-}
-
-void MoldPanel::draw_settings(const PanelContext& context) const {
+void draw_mold_settings(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const PartLengths lengths(state);
   MoldSettings& settings = context.edits.settings.mold;
-  const RowOptions numbers{
-      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); },
-      .lengths = &lengths,
-      .unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal))};
+  RowOptions numbers = typed_numbers(context);
+  numbers.lengths = &lengths;
+  numbers.unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal));
   option_table<MoldSettings>(ui, mold_options(), settings, numbers, [&] { draw_height(context, numbers); });
 }
 
-void MoldPanel::draw_table(const PanelContext& context) {
+void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox& row) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  const PartingLoop& loop = state.mold.line->line.loops[number];
+  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
+  const FigureStyle style(*state.model);
+  std::vector<std::string> texts = {std::to_string(number + 1), std::string(loop_name(loop.kind))};
+  for (const FoundFigure& figure : found_figures(loop_figures(), loop))
+    if (!figure.title.empty()) texts.push_back(grouped(style.text(figure)));
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    draw_cell(ui, row, mold_columns()[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
+  tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
+          with_minus(
+              fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
+                          "{}\nClick to look at it.",
+                          length(loop.length), length(loop.low), length(loop.high), loop.steepest_deg,
+                          style.with_unit(FigureKind::area, std::abs(loop.area)))));
+}
+
+void draw_loops(const PanelContext& context, RowCursor& cursor) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_headings(ui, mold_columns());
-  const RowList loops{.id = "loops",
-                      .count = state.mold.line->line.loops.size(),
-                      .row_height = k_mold_row,
-                      .share = k_mold_share};
-  if (const auto pressed = draw_list(ui, loops, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
-    context.edits.mold_choices.loop = *pressed;
-    context.edits.ask(&Commands::look_at_loop, *pressed);
-  }
+  const ChoiceTable loops{.list = {.id = "loops",
+                                   .count = state.mold.line->line.loops.size(),
+                                   .row_height = k_mold_row,
+                                   .share = k_mold_share},
+                          .row = "loop",
+                          .chosen = context.edits.mold_choices.loop,
+                          .look = &Commands::look_at_loop};
+  draw_choices(context, loops, cursor,
+               [&](std::size_t k, const ScreenBox& row) { draw_loop(context, k, row); });
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
   const std::vector<HalvesLine> lines = halves_lines(state);
@@ -238,31 +218,36 @@ void MoldPanel::draw_table(const PanelContext& context) {
   ImGui::EndChild();
 }
 
-void MoldPanel::draw_row(const PanelContext& context, std::size_t number) {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  const PartingLoop& loop = state.mold.line->line.loops[number];
-  const bool here = state.mold_choices.loop == number;
-  const std::string id = fmt::format("loop {}", number + 1);
-  const Row row =
-      list_row(ui, {.id = id.c_str(), .height = k_mold_row, .chosen = here, .marked = cursor_.is_at(number)});
-  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
-  const FigureStyle style(*state.model);
-  std::vector<std::string> texts = {std::to_string(number + 1), std::string(loop_name(loop.kind))};
-  for (const FoundFigure& figure : found_figures(loop_figures(), loop))
-    if (!figure.title.empty()) texts.push_back(grouped(style.text(figure)));
-  for (std::size_t k = 0; k < texts.size(); ++k)
-    draw_cell(ui, row.box, mold_columns()[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
-  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
-  tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
-          with_minus(
-              fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
-                          "{}\nClick to look at it.",
-                          length(loop.length), length(loop.low), length(loop.high), loop.steepest_deg,
-                          style.with_unit(FigureKind::area, std::abs(loop.area)))));
-  if (!row.clicked) return;
-  context.edits.mold_choices.loop = here ? std::nullopt : std::optional(number);
-  if (!here) context.edits.ask(&Commands::look_at_loop, number);
+BarNews mold_news(const MoldState& mold) {
+  const std::string verdict = mold.line ? mold.line->verdict : std::string();
+  if (mold.running || mold.line_awaited || mold.solids_awaited) {
+    const bool named = mold.running && !mold.running->stage.empty();
+    const std::string stage = named ? mold.running->stage + " …" : "finding the parting line …";
+    return {.text = mold.line && !mold.line_awaited ? verdict + " · " + stage : stage,
+            .progress = mold.running ? mold.running->fraction : 0.0,
+            .tip = verdict};
+  }
+  if (!mold.error.empty()) return {.text = mold.error, .warning = true, .tip = verdict};
+  return {.text = verdict, .tip = verdict};
+}
+
+}  // namespace
+
+void draw_mold_bar(const PanelContext& context, TableBar& bar) {
+  if (!has_mold_bar(context.state)) return;
+  TableBarParts parts{.name = "Mold",
+                      .fold = "fold mold",
+                      .options = "mold options",
+                      .options_hint = "What is asked of the mold",
+                      .unfold_hint = "Unfold (G)",
+                      .news = mold_news(context.state.mold),
+                      .settings = [&] { draw_mold_settings(context); }};
+  parts.after = [&](BottomHeader& header, bool open) {
+    if (open && header.button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
+      context.edits.dialogs.exporting_mold = true;
+  };
+  if (context.state.mold.line) parts.table = [&](RowCursor& cursor) { draw_loops(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

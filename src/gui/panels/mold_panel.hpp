@@ -1,28 +1,12 @@
-// The mold along the bottom: its verdict, the loops of the parting line as a table to choose from, the halves
-// with their certificate.
+// What the bar of the mold says, also to what else asks.
 #pragma once
 
-#include "gui/draw/bottom_panel.hpp"
 #include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
 
-class MoldPanel {
- public:
-  void draw(const PanelContext& context);
-
- private:
-  void draw_header(const PanelContext& context, bool open);
-  void draw_settings(const PanelContext& context) const;
-  void draw_table(const PanelContext& context);
-  void draw_row(const PanelContext& context, std::size_t loop);
-
-  RowCursor cursor_;
-  bool settings_ = false;
-};
-
 /// Not while directions are compared or chosen on the large ball, which leaves no room for it.
-[[nodiscard]] bool has_mold_panel(const AppState& state);
+[[nodiscard]] bool has_mold_bar(const AppState& state);
 
 /// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
 [[nodiscard]] std::string halves_refusal(const AppState& state);

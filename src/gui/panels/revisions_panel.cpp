@@ -7,9 +7,8 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/workspace.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/view/revision_view.hpp"
-#include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
 
@@ -17,9 +16,8 @@ namespace {
 
 using Of = RevisionChange::Of;
 
-constexpr float k_change_row = 24.0F, k_change_line = 18.0F, k_change_bar_width = 96.0F;  // layout units
+constexpr float k_change_row = 24.0F, k_change_line = 18.0F;  // layout units
 constexpr float k_changes_share = 0.2F;  // of the window's height, that the table takes at most
-constexpr const char* k_changes_name = "Revisions";
 
 constexpr std::array<ListColumn, 6> k_change_columns = {{
     {"#", "Undercuts and side actions, then surface, the largest area first; what is the same last.", 8.0F,
@@ -140,67 +138,13 @@ void draw_swatch(const PanelContext& context, const RevisionChange& change, cons
                      packed(right));
 }
 
-}  // namespace
-
-void RevisionsPanel::draw(const PanelContext& context) {
-  const RevisionState& revisions = context.state.revisions;
-  if (!revisions.on()) return;
-  const bool open = context.layout.begin_bottom(context.ui, k_changes_name);
-  draw_header(context, open);
-  if (open && settings_) {
-    draw_settings(context);
-  } else if (open && revisions.result) {
-    draw_table(context);
-  }
-  context.layout.end();
-}
-
-void RevisionsPanel::draw_header(const PanelContext& context, bool open) {
-  const Ui& ui = context.ui;
-  const RevisionState& revisions = context.state.revisions;
-  BottomHeader header(ui, k_changes_name);
-  const auto unfold = [&](bool unfolded) { context.layout.fold_bottom(k_changes_name, !unfolded); };
-  if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
-    context.edits.ask(&Commands::leave_revisions);
-  if (header.button(
-          {"fold revisions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    unfold(!open);
-  if (header.button({"revision options", Icon::settings, "How they are compared", open && settings_})) {
-    settings_ = !(open && settings_);
-    unfold(true);
-  }
-  if (header.button({"exchange revisions", Icon::exchange, "Take B for the former one"}))
-    context.edits.ask(&Commands::exchange_revisions);
-  std::string text;
-  ImU32 colour = ui.colours->muted;
-  if (revisions.awaited) {
-    const auto& running = revisions.running;
-    text = running && !running->stage.empty() ? running->stage + " …" : "comparing …";
-    constexpr float k_cancel_width = 64.0F;
-    header.place(ui.px(k_cancel_width));
-    if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
-      context.edits.ask(&Commands::cancel_revisions);
-    ui.memory->controls["cancel revisions"] = {from_im(ImGui::GetItemRectMin()),
-                                               from_im(ImGui::GetItemRectMax())};
-    header.progress(running ? running->fraction : 0.0, k_change_bar_width);
-  } else if (!revisions.error.empty()) {
-    text = revisions.error;
-    colour = ui.colours->warning;
-  } else if (revisions.result) {
-    text = comparison_verdict(revisions.result->comparison);
-    if (revisions.stale) text = "Given up; the figures are of other settings. " + text;
-  }
-  header.end(text, colour, revisions.awaited ? std::string() : text);
-}
-
-void RevisionsPanel::draw_settings(const PanelContext& context) const {
+void draw_revision_settings(const PanelContext& context) {
   const Ui& ui = context.ui;
   const PartLengths lengths(context.state);
   RevisionSettings& settings = context.edits.settings.revision;
-  const RowOptions numbers{
-      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); },
-      .lengths = &lengths,
-      .unset = fmt::format("{:.3g}", usual_tolerance(lengths.diagonal).apart)};
+  RowOptions numbers = typed_numbers(context);
+  numbers.lengths = &lengths;
+  numbers.unset = fmt::format("{:.3g}", usual_tolerance(lengths.diagonal).apart);
   option_table<CompareSettings>(ui, compare_options(), settings, numbers,
                                 [&] { option_row(ui, revision_options().front(), settings, numbers); });
   const auto& result = context.state.revisions.result;
@@ -211,16 +155,41 @@ void RevisionsPanel::draw_settings(const PanelContext& context) const {
   }
 }
 
-void RevisionsPanel::draw_table(const PanelContext& context) {
+void draw_change(const PanelContext& context, std::size_t number, const ScreenBox& row) {
+  const Ui& ui = context.ui;
+  const RevisionState& revisions = context.state.revisions;
+  const Revisions& result = *revisions.result;
+  const RevisionChange& change = result.changes[number];
+  const float alpha = revisions.stale ? 0.6F : 1.0F;
+  const ImU32 colour = faded(change.changed() ? ui.colours->text : ui.colours->muted, alpha);
+  const RowTexts texts = Texts(result.comparison).of(change);
+  const float end = row.max.x - row.min.x;
+  draw_cell(ui, row, k_change_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
+  if (change.changed()) draw_swatch(context, change, {row.min.x + ui.px(44), row.centre().y});
+  draw_cell(ui, row, k_change_columns[1], {ui.fonts.body, colour}, change_title(result, number), ui.px(180));
+  draw_cell(ui, row, k_change_columns[2], {ui.fonts.body, colour}, texts.before);
+  draw_cell(ui, row, k_change_columns[3], {ui.fonts.body, colour}, texts.now);
+  draw_cell(ui, row, k_change_columns[4], {ui.fonts.body, colour}, texts.volume);
+  draw_cell(ui, row, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
+            std::max(end - ui.px(k_change_columns[5].at + 8), ui.px(24)));
+  tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", texts.more));
+}
+
+void draw_changes(const PanelContext& context, RowCursor& cursor) {
   const Ui& ui = context.ui;
   const Revisions& result = *context.state.revisions.result;
   if (!result.changes.empty()) draw_headings(ui, k_change_columns);
-  const RowList changes{
-      .id = "changes", .count = result.changes.size(), .row_height = k_change_row, .share = k_changes_share};
-  if (const auto pressed = draw_list(ui, changes, cursor_, [&](std::size_t k) { draw_row(context, k); })) {
-    context.edits.revision_choices.chosen = *pressed;
-    context.edits.ask(&Commands::look_at_change, *pressed);
-  }
+  const auto& hover = context.state.revisions.hover;
+  ChoiceTable changes{.list = {.id = "changes",
+                               .count = result.changes.size(),
+                               .row_height = k_change_row,
+                               .share = k_changes_share},
+                      .row = "change",
+                      .chosen = context.edits.revision_choices.chosen,
+                      .look = &Commands::look_at_change};
+  if (hover) changes.pointed = hover->change;
+  draw_choices(context, changes, cursor,
+               [&](std::size_t k, const ScreenBox& row) { draw_change(context, k, row); });
   const float width = ImGui::GetContentRegionAvail().x;
   const std::string regions = Texts(result.comparison).regions();
   const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
@@ -231,36 +200,49 @@ void RevisionsPanel::draw_table(const PanelContext& context) {
             fitted(ui.fonts.small, regions, width - ui.px(16)));
 }
 
-void RevisionsPanel::draw_row(const PanelContext& context, std::size_t number) {
+BarNews revisions_news(const RevisionState& revisions) {
+  const auto& running = revisions.running;
+  if (revisions.awaited)
+    return {.text = running && !running->stage.empty() ? running->stage + " …" : "comparing …",
+            .progress = running ? running->fraction : 0.0};
+  if (!revisions.error.empty()) return {.text = revisions.error, .warning = true, .tip = revisions.error};
+  if (!revisions.result) return {};
+  std::string text = comparison_verdict(revisions.result->comparison);
+  if (revisions.stale) text = "Given up; the figures are of other settings. " + text;
+  return {.text = text, .tip = text};
+}
+
+void draw_revision_buttons(const PanelContext& context, BottomHeader& header) {
   const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  const RevisionState& revisions = state.revisions;
-  const Revisions& result = *revisions.result;
-  const RevisionChange& change = result.changes[number];
-  auto& chosen = context.edits.revision_choices.chosen;
-  const bool here = state.revision_choices.chosen == number;
-  const bool pointed = revisions.hover && revisions.hover->change == number;
-  const std::string id = fmt::format("change {}", number + 1);
-  const Row row = list_row(
-      ui,
-      {.id = id.c_str(), .height = k_change_row, .chosen = here, .marked = cursor_.is_at(number) || pointed});
-  const float alpha = revisions.stale ? 0.6F : 1.0F;
-  const ImU32 colour = faded(change.changed() ? ui.colours->text : ui.colours->muted, alpha);
-  const RowTexts texts = Texts(result.comparison).of(change);
-  const float end = row.box.max.x - row.box.min.x;
-  draw_cell(ui, row.box, k_change_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
-  if (change.changed()) draw_swatch(context, change, {row.box.min.x + ui.px(44), row.box.centre().y});
-  draw_cell(ui, row.box, k_change_columns[1], {ui.fonts.body, colour}, change_title(result, number),
-            ui.px(180));
-  draw_cell(ui, row.box, k_change_columns[2], {ui.fonts.body, colour}, texts.before);
-  draw_cell(ui, row.box, k_change_columns[3], {ui.fonts.body, colour}, texts.now);
-  draw_cell(ui, row.box, k_change_columns[4], {ui.fonts.body, colour}, texts.volume);
-  draw_cell(ui, row.box, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
-            std::max(end - ui.px(k_change_columns[5].at + 8), ui.px(24)));
-  tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", texts.more));
-  if (!row.clicked) return;
-  chosen = here ? std::nullopt : std::optional(number);
-  if (!here) context.edits.ask(&Commands::look_at_change, number);
+  if (header.button({"exchange revisions", Icon::exchange, "Take B for the former one"}))
+    context.edits.ask(&Commands::exchange_revisions);
+  if (!context.state.revisions.awaited) return;
+  constexpr float k_cancel_width = 64.0F;
+  header.place(ui.px(k_cancel_width));
+  if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
+    context.edits.ask(&Commands::cancel_revisions);
+  ui.memory->controls["cancel revisions"] = {from_im(ImGui::GetItemRectMin()),
+                                             from_im(ImGui::GetItemRectMax())};
+}
+
+}  // namespace
+
+void draw_revisions_bar(const PanelContext& context, TableBar& bar) {
+  const RevisionState& revisions = context.state.revisions;
+  if (!revisions.on()) return;
+  TableBarParts parts{.name = "Revisions",
+                      .fold = "fold revisions",
+                      .options = "revision options",
+                      .options_hint = "How they are compared",
+                      .news = revisions_news(revisions),
+                      .settings = [&] { draw_revision_settings(context); }};
+  parts.before = [&](BottomHeader& header) {
+    if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
+      context.edits.ask(&Commands::leave_revisions);
+  };
+  parts.after = [&](BottomHeader& header, bool) { draw_revision_buttons(context, header); };
+  if (revisions.result) parts.table = [&](RowCursor& cursor) { draw_changes(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

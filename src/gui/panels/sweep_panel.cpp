@@ -12,7 +12,6 @@
 #include "gui/panels/panels.hpp"
 #include "gui/panels/verdict.hpp"
 #include "gui/panels/workspace.hpp"
-#include "gui/view/direction.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/sweep_stages.hpp"
 #include "sweep/sweep_texts.hpp"

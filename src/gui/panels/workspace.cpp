@@ -13,10 +13,10 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       draw_regions_panel(context);
       draw_look_panel(context);
       sweep_.draw(context, textures.candidates);
-      actions_.draw(context);
-      mold_.draw(context);
+      draw_actions_bar(context, actions_);
+      draw_mold_bar(context, mold_);
       draft_.draw(context);
-      revisions_.draw(context);
+      draw_revisions_bar(context, revisions_);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }

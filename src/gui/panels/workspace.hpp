@@ -10,7 +10,6 @@
 
 #include "gui/panels/batch_panel.hpp"
 #include "gui/panels/draft_panel.hpp"
-#include "gui/panels/mold_panel.hpp"
 #include "gui/panels/panels.hpp"
 #include "sweep/direction_figures.hpp"
 
@@ -44,38 +43,6 @@ class SweepPanel {
   RowCursor cursor_;                           // its row is a place among rows_
   bool options_ = false, expanded_ = false;
   bool asked_for_ = false;  // the table of a sweep that ran by itself
-};
-
-/// The undercuts along the bottom, a row each, with the side actions that release them.
-class ActionsPanel {
- public:
-  /// Nothing for a part without undercuts.
-  void draw(const PanelContext& context);
-
- private:
-  void draw_header(const PanelContext& context, bool open);
-  void draw_settings(const PanelContext& context) const;
-  void draw_table(const PanelContext& context);
-  void draw_row(const PanelContext& context, std::size_t undercut);
-
-  RowCursor cursor_;
-  bool settings_ = false;
-};
-
-/// What differs between the part and another revision of it, along the bottom: a row a change.
-class RevisionsPanel {
- public:
-  /// Nothing where nothing is compared.
-  void draw(const PanelContext& context);
-
- private:
-  void draw_header(const PanelContext& context, bool open);
-  void draw_settings(const PanelContext& context) const;
-  void draw_table(const PanelContext& context);
-  void draw_row(const PanelContext& context, std::size_t change);
-
-  RowCursor cursor_;
-  bool settings_ = false;
 };
 
 /// The window's own file browser: no dialog program of the desktop is needed.
@@ -187,10 +154,8 @@ class Workspace {
  private:
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
-  ActionsPanel actions_;
-  MoldPanel mold_;
+  TableBar actions_, mold_, revisions_;
   DraftPanel draft_;
-  RevisionsPanel revisions_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;
