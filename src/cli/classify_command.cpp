@@ -1,6 +1,4 @@
 // moldlight classify: the mold-piece regions of a part for one parting direction.
-#include <algorithm>
-#include <iterator>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -10,9 +8,7 @@
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "classify/write_outputs.hpp"
-#include "cli/baseline.hpp"
-#include "cli/flags.hpp"
-#include "cli/report_flags.hpp"
+#include "cli/study_command.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "parting/draft/draft_picture.hpp"
@@ -23,36 +19,28 @@ namespace moldlight::cli {
 
 namespace {
 
-struct ClassifyFlags {
-  PartFlags part;
-  Query query;
-  bool best_direction = false;
+struct ClassifyFlags : StudyFlags {
   OutputPaths files;  // JSON is among the part's flags
-  std::string image;
   bool compare_maps = false;
   DraftSettings draft_settings;
   std::string draft;  // CSV
-  BaselineFlags baseline;
-  ReportFlags report;
-  StillSettings still;
+
+  /// Exact regions need no GL, the maps do.
+  [[nodiscard]] bool looks_at_maps() const { return query.method.readout != Readout::exact || compare_maps; }
 };
 
 void check_files(const ClassifyFlags& flags) {
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
-  std::vector<NamedPath> written = {{"--json", flags.part.json_file()},
-                                    {"--facets", files.facets},
-                                    {"--faces", files.faces},
-                                    {"--draft", flags.draft},
-                                    {"--mesh", files.mesh},
-                                    {"--mesh (its colours)", material_library_path(files.mesh)},
-                                    {"--borders", files.borders},
-                                    {"--image", flags.image}};
-  std::ranges::copy(flags.report.files(), std::back_inserter(written));
-  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
-                 .files = written,
-                 .folder = {"--split-dir", files.split_folder}});
+  check_outputs(flags,
+                {{"--facets", files.facets},
+                 {"--faces", files.faces},
+                 {"--draft", flags.draft},
+                 {"--mesh", files.mesh},
+                 {"--mesh (its colours)", material_library_path(files.mesh)},
+                 {"--borders", files.borders}},
+                {"--split-dir", files.split_folder});
 }
 
 void log_result(const Classification& result, Console& console) {
@@ -62,28 +50,20 @@ void log_result(const Classification& result, Console& console) {
 }
 
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
-  Query query = flags.query;
-  validate(query.method);
+  validate(flags.query.method);
   check_files(flags);
-  Baseline baseline(flags.baseline, "classify");
-  const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  validate(query.method, model->frame.diagonal);
-  std::optional<BestDirection> best;
-  if (flags.best_direction) {
-    best = found_direction(model, query.method, console, progress);
-    query.direction = best->direction;
-  }
-  // Exact regions need no GL, the maps and pictures do.
-  const bool looks_at_maps = query.method.readout != Readout::exact || flags.compare_maps;
+  Baseline baseline(flags.baseline, flags.command);
+  // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
-  const bool drawn = !flags.image.empty() || flags.report.any();
-  if (looks_at_maps || drawn) context = create_context(query.method.backend);
-  const double required_deg = flags.draft_settings.required_deg;
-  const bool with_split = required_deg > 0.0 || drawn || flags.files.need_split() || flags.compare_maps;
-  Study study(model, {.query = query, .best = best, .required_draft_deg = required_deg});
-  if (looks_at_maps) {
+  if (flags.looks_at_maps() || flags.drawn()) context = create_context(flags.query.method.backend);
+  auto [model, questions] = asked_part(flags, console, progress);
+  const double required_deg = questions.required_draft_deg = flags.draft_settings.required_deg;
+  const bool with_split =
+      required_deg > 0.0 || flags.drawn() || flags.files.need_split() || flags.compare_maps;
+  Study study(model, questions);
+  if (flags.looks_at_maps()) {
     Classifier classifier(*context, model);
-    Classification by_maps = classifier.classify(query, progress, with_split);
+    Classification by_maps = classifier.classify(questions.query, progress, with_split);
     if (flags.compare_maps) classifier.compare_maps(by_maps, progress);
     study.keep(std::make_shared<const Classification>(std::move(by_maps)));
   }
@@ -101,21 +81,12 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     write_png(flags.image,
               draft != nullptr ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
-  const auto json_report = [&] { return classify_json(study, progress); };
-  baseline.compare(json_report);
-  if (flags.report.any()) {
-    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::classify_report(for_report, study));
-  }
-  baseline.put_report(console, flags.part.json, json_report, [&] {
-    return to_text(report::classify_report({model, progress}, study), {.colour = console.colour()});
-  });
-  return baseline.exit_code(console);
+  return put_report(flags, study, {classify_json, report::classify_report}, context.get(), baseline, console,
+                    progress);
 }
 
 nlohmann::ordered_json settings(const ClassifyFlags& flags) {
-  nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
-  json.update(options_json(reading_options(), flags.part.reading));
+  nlohmann::ordered_json json = study_settings(flags);
   json["compare_maps"] = flags.compare_maps;
   json.update(options_json(draft_options(), flags.draft_settings));
   return json;
@@ -128,9 +99,7 @@ void add_classify_command(CLI::App& program, Request& request) {
       "classify",
       "Find out for a parting direction which surface each mold half forms and what is an undercut");
   const auto flags = std::make_shared<ClassifyFlags>();
-  add_part_flags(*command, flags->part, request);
-  add_direction_flag(*command, {flags->query.direction, flags->best_direction}, "required")->required();
-  add_baseline_flags(*command, flags->baseline, "classify");
+  add_study_flags(*command, *flags, request);
   add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;
   add_file_flag(*command, files.facets,
@@ -159,12 +128,10 @@ void add_classify_command(CLI::App& program, Request& request) {
                  "Write a table of the walls with too little draft: how far to turn each about which line of "
                  "its foot, and the thickness that it takes"})
       ->needs(required);
-  add_report_flags(*command, flags->report, request);
-  CLI::Option* image = add_file_flag(
-      *command, flags->image,
-      {"--image", "FILE.png",
-       "Draw the part in the colours of its regions, with a legend, and write the picture to this file"});
-  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  CLI::Option* image =
+      add_report_flags(*command, *flags, request,
+                       "Draw the part in the colours of its regions, with a legend, and write the picture to "
+                       "this file");
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }

@@ -1,15 +1,11 @@
 // moldlight mold: the parting line of one direction, and the two mold halves.
-#include <algorithm>
-#include <iterator>
 #include <memory>
 
 #include <nlohmann/json.hpp>
 
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
-#include "cli/baseline.hpp"
-#include "cli/flags.hpp"
-#include "cli/report_flags.hpp"
+#include "cli/study_command.hpp"
 #include "io/png.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
@@ -19,45 +15,26 @@ namespace moldlight::cli {
 
 namespace {
 
-struct MoldFlags {
-  PartFlags part;
-  Query query;
-  bool best_direction = false;
+struct MoldFlags : StudyFlags {
   MoldSettings settings;
   std::vector<std::string> lines;
   std::string folder;
   bool as_3mf = false, with_actions = false;
-  std::string image;
-  StillSettings still;
-  BaselineFlags baseline;
-  ReportFlags report;
 };
 
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
-  Query query = flags.query;
-  validate(query.method);
-  std::vector<NamedPath> files = {{"--json", flags.part.json_file()}};
+  validate(flags.query.method);
+  std::vector<NamedPath> lines;
   for (const std::string& path : flags.lines) {
     check_line_extension(path);
-    files.push_back({"--lines", path});
+    lines.push_back({"--lines", path});
   }
-  files.push_back({"--image", flags.image});
-  std::ranges::copy(flags.report.files(), std::back_inserter(files));
-  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
-                 .files = files,
-                 .folder = {"--out", flags.folder}});
-  Baseline baseline(flags.baseline, "mold");
-  const auto model = load_part(flags.part.part, flags.part.reading, progress);
-  validate(query.method, model->frame.diagonal);
-  std::optional<BestDirection> best;
-  if (flags.best_direction) {
-    best = found_direction(model, query.method, console, progress);
-    query.direction = best->direction;
-  }
+  check_outputs(flags, lines, {"--out", flags.folder});
+  Baseline baseline(flags.baseline, flags.command);
+  // Before long work, which would be for nothing where there is none.
+  const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
+  auto [model, questions] = asked_part(flags, console, progress);
   for (const std::string& warning : model->warnings) console.warning(warning);
-  Questions questions;
-  questions.query = query;
-  questions.best = best;
   questions.with_actions = flags.with_actions;
   questions.mold = flags.settings;
   Study study(model, questions);
@@ -71,29 +48,19 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     write_mold(flags.folder, flags.as_3mf, model->part.unit, halves.written);
     study.keep(std::make_shared<const MoldHalves>(std::move(halves)));  // with the files' names
   }
-  std::unique_ptr<gl::Context> context;
-  if (!flags.image.empty() || flags.report.any()) context = create_context(query.method.backend);
   if (!flags.image.empty()) {
     const MoldScene scene{*model, assignment, line, study.find<MoldHalves>(progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
-  if (flags.report.any()) {
-    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::mold_report(for_report, study));
-  }
-  const auto json_report = [&] { return mold_json(study, progress); };
-  baseline.compare(json_report);
-  baseline.put_report(console, flags.part.json, json_report, [&] {
-    return to_text(report::mold_report({model, progress}, study), {.colour = console.colour()});
-  });
-  if (flags.folder.empty() || refusal.empty()) return baseline.exit_code(console);
+  const int code =
+      put_report(flags, study, {mold_json, report::mold_report}, context.get(), baseline, console, progress);
+  if (flags.folder.empty() || refusal.empty()) return code;
   console.failure(refusal);
   return k_criterion_failed;
 }
 
 nlohmann::ordered_json settings(const MoldFlags& flags) {
-  nlohmann::ordered_json json = query_json(flags.query, flags.best_direction);
-  json.update(options_json(reading_options(), flags.part.reading));
+  nlohmann::ordered_json json = study_settings(flags);
   json.update(options_json(mold_options(), flags.settings));
   json["actions"] = flags.with_actions;
   return json;
@@ -106,8 +73,7 @@ void add_mold_command(CLI::App& program, Request& request) {
       "mold",
       "Find the parting line of a direction: where the mold's halves meet, and what closes its holes");
   const auto flags = std::make_shared<MoldFlags>();
-  add_part_flags(*command, flags->part, request);
-  add_direction_flag(*command, {flags->query.direction, flags->best_direction}, "required")->required();
+  add_study_flags(*command, *flags, request);
   add_option_flags(*command, mold_options(), flags->settings);
   command
       ->add_option("--lines", flags->lines,
@@ -124,13 +90,9 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->needs(folder);
   command->add_flag("--actions", flags->with_actions,
                     "Find the side actions, and list which inserts they move instead of leaving them loose");
-  add_baseline_flags(*command, flags->baseline, "mold");
-  add_report_flags(*command, flags->report, request);
-  CLI::Option* image = add_file_flag(
-      *command, flags->image,
-      {"--image", "FILE.png",
-       "Draw the part with its parting line and the opened halves, and write the picture to this file"});
-  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  CLI::Option* image = add_report_flags(
+      *command, *flags, request,
+      "Draw the part with its parting line and the opened halves, and write the picture to this file");
   for (const std::string_view key : {"view", "theme"})
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
   add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look);
