@@ -41,21 +41,13 @@ using SharedActions = std::shared_ptr<PythonActions>;
 
 SharedActions find_side_actions(const PythonPart& self, const py::object& direction,
                                 const py::kwargs& keywords) {
-  const AskedDirection asked(direction);
-  Given given("actions", keywords);
-  Questions questions{.with_actions = true};
-  given.take(action_options(), questions.actions);
-  given.take(questions.query.method);
-  const py::object progress_given = given.take("progress");
-  given.end();
-  validate(questions.query.method, self.model->frame.diagonal);
-  return watched(progress_given, [&](const Progress& progress) {
-    asked.put(self.model, questions, progress);
-    Study study(self.model, questions);
-    static_cast<void>(actions_report(study, progress));
-    static_cast<void>(study.verdict(progress));
-    return std::make_shared<PythonActions>(std::move(study));
-  });
+  const auto take = [](Given& given, Questions& questions) {
+    questions.with_actions = true;
+    given.take(action_options(), questions.actions);
+  };
+  return std::make_shared<PythonActions>(study_of(
+      {"actions", self, direction, keywords}, take,
+      [](Study& study, const Progress& progress) { static_cast<void>(actions_report(study, progress)); }));
 }
 
 py::list bodies_of_actions(const PythonActions& self, const py::object& progress_given) {

@@ -1,6 +1,7 @@
 // The classes of the Python module, one file each, and what they share.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -88,15 +89,16 @@ auto report_member(const char* key) {
   };
 }
 
-/// A direction, or that it is to be found. Throws UsageError.
-struct AskedDirection {
-  explicit AskedDirection(const pybind11::handle& given);
-  /// Asks along it; for the best one of all, runs a sweep.
-  void put(const std::shared_ptr<const PartModel>& model, Questions& questions,
-           const Progress& progress) const;
-  bool best = false;
-  Direction given;
+/// A call that asks for the study of one direction.
+struct StudyCall {
+  const char* name;
+  const PythonPart& part;
+  const pybind11::object& direction;
+  const pybind11::kwargs& keywords;
 };
+/// The study with all that `find` finds, and its verdict; `take` takes the settings that are the call's own.
+[[nodiscard]] Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
+                             const std::function<void(Study&, const Progress&)>& find);
 
 /// What a call for a picture asks for: size and settings.
 [[nodiscard]] StillSettings picture_settings(const pybind11::kwargs& keywords, pybind11::object& progress);

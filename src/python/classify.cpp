@@ -72,34 +72,30 @@ struct PythonSplit {
 
 SharedClassification classify(const PythonPart& self, const py::object& direction,
                               const py::kwargs& keywords) {
-  const AskedDirection asked(direction);
-  Given given("classify", keywords);
-  Questions questions;
-  Query& query = questions.query;
-  DraftSettings draft_settings;
-  given.take(query.method);
-  given.take(draft_options(), draft_settings);
-  const bool compares = given.take_switch("compare_maps"), splits = given.take_switch("split");
-  const py::object progress_given = given.take("progress");
-  given.end();
-  validate(query.method, self.model->frame.diagonal);
-  return watched(progress_given, [&](const Progress& progress) {
-    asked.put(self.model, questions, progress);
-    questions.required_draft_deg = draft_settings.required_deg;
-    Study study(self.model, questions);
-    if (query.method.readout != Readout::exact || compares) {
-      const auto context = create_context(query.method.backend);
+  bool compares = false, splits = false;
+  const auto take = [&](Given& given, Questions& questions) {
+    DraftSettings draft;
+    given.take(draft_options(), draft);
+    questions.required_draft_deg = draft.required_deg;
+    compares = given.take_switch("compare_maps");
+    splits = given.take_switch("split");
+  };
+  const auto find = [&](Study& study, const Progress& progress) {
+    const Questions& questions = study.questions();
+    const MethodSettings& method = questions.query.method;
+    if (method.readout != Readout::exact || compares) {
+      const auto context = create_context(method.backend);
       Classifier classifier(*context, self.model);
-      Classification by_maps = classifier.classify(query, progress, splits || compares);
+      Classification by_maps = classifier.classify(questions.query, progress, splits || compares);
       if (compares) classifier.compare_maps(by_maps, progress);
       study.keep(std::make_shared<const Classification>(std::move(by_maps)));
     }
     if (splits) study.find<SplitRegions>(progress);
     study.find<Classification>(progress);
-    if (draft_settings.required_deg > 0.0) study.find<DraftCheck>(progress);
-    static_cast<void>(study.verdict(progress));
-    return std::make_shared<PythonClassification>(std::move(study));
-  });
+    if (questions.required_draft_deg > 0.0) study.find<DraftCheck>(progress);
+  };
+  return std::make_shared<PythonClassification>(
+      study_of({"classify", self, direction, keywords}, take, find));
 }
 
 /// m x 4: shares, or shares of the facets' areas.

@@ -45,22 +45,13 @@ struct PythonMold {
 using SharedMold = std::shared_ptr<PythonMold>;
 
 SharedMold find_mold(const PythonPart& self, const py::object& direction, const py::kwargs& keywords) {
-  const AskedDirection asked(direction);
-  Given given("mold", keywords);
-  Questions questions;
-  given.take(mold_options(), questions.mold);
-  given.take(questions.query.method);
-  questions.with_actions = given.take_switch("actions");
-  const py::object progress_given = given.take("progress");
-  given.end();
-  validate(questions.query.method, self.model->frame.diagonal);
-  return watched(progress_given, [&](const Progress& progress) {
-    asked.put(self.model, questions, progress);
-    Study study(self.model, questions);
-    static_cast<void>(mold_report(study, progress));
-    static_cast<void>(study.verdict(progress));
-    return std::make_shared<PythonMold>(std::move(study));
-  });
+  const auto take = [](Given& given, Questions& questions) {
+    given.take(mold_options(), questions.mold);
+    questions.with_actions = given.take_switch("actions");
+  };
+  return std::make_shared<PythonMold>(study_of(
+      {"mold", self, direction, keywords}, take,
+      [](Study& study, const Progress& progress) { static_cast<void>(mold_report(study, progress)); }));
 }
 
 py::list loops(const PythonMold& self) {

@@ -4,6 +4,7 @@
 
 #include "classify/classify_report.hpp"
 #include "python/bindings.hpp"
+#include "python/work.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::python {
@@ -12,14 +13,29 @@ namespace py = pybind11;
 
 py::str report_text(const nlohmann::ordered_json& json) { return py::str(json_text(json)); }
 
-AskedDirection::AskedDirection(const py::handle& direction) : best(is_best(direction)) {
-  if (!best) given = direction_of(direction, "direction");
-}
-
-void AskedDirection::put(const std::shared_ptr<const PartModel>& model, Questions& questions,
-                         const Progress& progress) const {
-  if (best) questions.best = best_direction(model, questions.query.method, progress);
-  questions.query.direction = best ? Direction(questions.best->direction) : given;
+Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
+               const std::function<void(Study&, const Progress&)>& find) {
+  const auto& model = call.part.model;
+  Questions questions;
+  MethodSettings& method = questions.query.method;
+  const bool best = is_best(call.direction);
+  if (!best) questions.query.direction = direction_of(call.direction, "direction");
+  Given given(call.name, call.keywords);
+  take(given, questions);
+  given.take(method);
+  const py::object progress_given = given.take("progress");
+  given.end();
+  validate(method, model->frame.diagonal);
+  return watched(progress_given, [&](const Progress& progress) {
+    if (best) {
+      questions.best = best_direction(model, method, progress);
+      questions.query.direction = Direction(questions.best->direction);
+    }
+    Study study(model, questions);
+    find(study, progress);
+    static_cast<void>(study.verdict(progress));
+    return study;
+  });
 }
 
 StillSettings picture_settings(const py::kwargs& keywords, py::object& progress) {
