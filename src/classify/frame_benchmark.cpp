@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/latest_job.hpp"
+#include "base/job.hpp"
 #include "base/median.hpp"
 #include "base/stopwatch.hpp"
 #include "classify/classifier.hpp"
@@ -73,12 +73,14 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
       rest_ms.push_back(rest);
       rest_ratio.push_back(plain / rest);
     }
-    LatestJob<glm::dvec3, ExactAreas> beside({.work = measure, .pause_s = figure_pause_s});
+    Job<ExactAreas> beside({.pause_s = figure_pause_s});
     const Stopwatch stopwatch;
     for (int turn = -k_warm_up; turn < k_turns; ++turn) {
       Query moved = asked;
       moved.direction = glm::dvec3(0.02 * (k_turns * round + turn), 0.1, 1.0);
-      beside.request(moved.direction.unit());
+      beside.follow([&measure, direction = moved.direction.unit()](const Progress& measuring) {
+        return measure(direction, measuring);
+      });
       const double change = frame_ms([&] {
         changing.draw_moving(moved);
         draw(changing, turn, ColourMode::regions);

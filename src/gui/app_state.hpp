@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.hpp"
 #include "gui/jobs/actions_state.hpp"
-#include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/mold_state.hpp"
 #include "gui/jobs/revision_state.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "classify/view_choice.hpp"
 #include "gui/app.hpp"
 #include "gui/jobs/window_study.hpp"
@@ -94,8 +95,7 @@ void Commands::export_mold(const MoldPaths& paths) {
     for (const WrittenBody& body : written.bodies) {
       if (!body.file.empty()) names.push_back(body.file);
     }
-    const std::size_t count = names.size();
-    return fmt::format("Exported {} file{} of the mold to {}", count, count == 1 ? "" : "s",
+    return fmt::format("Exported {} of the mold to {}", plural(names.size(), "file"),
                        names.empty() ? "" : fs::path(names.front()).parent_path().string());
   });
 }

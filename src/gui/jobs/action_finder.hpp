@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
+#include "base/job.hpp"
 #include "gui/app_state.hpp"
-#include "gui/jobs/job.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::gui {
@@ -14,7 +14,8 @@ namespace moldlight::gui {
 class ActionFinder {
  public:
   /// `wake` is called from the finder's thread when there is something new.
-  explicit ActionFinder(const std::function<void()>& wake) : job_(wake, true), changes_(wake) {}
+  explicit ActionFinder(const std::function<void()>& wake)
+      : job_({.wake = wake, .wake_for_progress = true}), changes_({.wake = wake}) {}
 
   /// Call it every frame, after the figures were updated. `moving`: a hand is at settings, whose actions are
   /// not wanted yet.

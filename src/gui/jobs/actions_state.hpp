@@ -9,7 +9,7 @@
 
 #include "actions/side_action.hpp"
 #include "actions/to_be_free.hpp"
-#include "gui/jobs/job.hpp"
+#include "base/job.hpp"
 #include "render/view_body.hpp"
 
 namespace moldlight::gui {

@@ -1,12 +1,10 @@
 #include "gui/jobs/measurer.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <limits>
 #include <utility>
 
 #include "actions/undercut.hpp"
-#include "base/error.hpp"
 #include "classify/classifier.hpp"
 #include "classify/figure_pace.hpp"
 
@@ -29,23 +27,19 @@ class Measurer::Worker {
   explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
 
   Outcome measure(const Request& request, const Progress& progress) {
-    Outcome outcome{.request = request, .classification = {}, .undercuts = {}, .samples = {}, .error = {}};
-    try {
-      outcome.classification =
-          request.query.method.readout == Readout::exact
-              ? classify_exact(*request.model, request.query, progress, request.with_split)
-              : classifier(request).classify(request.query, progress, request.with_split);
-      const PartModel& model = *request.model;
-      if (const auto& split = outcome.classification->split) {
-        outcome.undercuts =
-            totals_of(find_undercuts(model, *split, exact_query(model, request.query), progress));
-        outcome.samples =
-            std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
-      }
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const std::exception& error) {
-      outcome.error = error.what();
+    Outcome outcome{
+        .request = request,
+        .classification = request.query.method.readout == Readout::exact
+                              ? classify_exact(*request.model, request.query, progress, request.with_split)
+                              : classifier(request).classify(request.query, progress, request.with_split),
+        .undercuts = {},
+        .samples = {}};
+    const PartModel& model = *request.model;
+    if (const auto& split = outcome.classification.split) {
+      outcome.undercuts =
+          totals_of(find_undercuts(model, *split, exact_query(model, request.query), progress));
+      outcome.samples =
+          std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
     }
     return outcome;
   }
@@ -73,16 +67,15 @@ class Measurer::Worker {
 };
 
 Measurer::Measurer(MakeContext make_context, std::function<void()> wake)
-    : job_({.work = [worker = std::make_shared<Worker>(std::move(make_context))](
-                        const Request& request,
-                        const Progress& progress) { return worker->measure(request, progress); },
-            .wake = std::move(wake),
-            .pause_s = figure_pause_s}) {}
+    : worker_(new Worker(std::move(make_context))),
+      job_({.wake = std::move(wake), .pause_s = figure_pause_s, .at_end = [worker = worker_] {
+              delete worker;
+            }}) {}
 
 void Measurer::update(const AppState& state, Figures& figures, double now_s, bool moving) {
   wake_s_ = std::numeric_limits<double>::infinity();
   if (wanted_.model != state.model) {
-    job_.cancel();
+    job_.give_up();
     requested_.reset();
     figures = {.revision = figures.revision};
   }
@@ -94,7 +87,10 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
   if (!state.model) return;
 
   if (auto outcome = job_.take()) {
-    take(std::move(*outcome), figures);
+    figures.error = std::move(outcome->error);
+    figures.shown.reset();
+    ++figures.revision;
+    if (outcome->result) take(std::move(*outcome->result), figures);
     fresh_s_ = now_s;
   }
   if (split_of_ != exact_query(*state.model, wanted_.query)) {
@@ -105,9 +101,14 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
   if (!still) wake_s_ = changed_s_ + k_rest_s;
   wanted_.with_split = !figures.split && (still || !moving);
   if (wanted_.query.method.readout == Readout::exact || (still && !moving)) {
-    if (!requested_ || !requested_->covers(wanted_)) job_.request(*(requested_ = wanted_));
+    if (!requested_ || !requested_->covers(wanted_)) {
+      requested_ = wanted_;
+      job_.follow([worker = worker_, request = wanted_](const Progress& progress) {
+        return worker->measure(request, progress);
+      });
+    }
   } else if (requested_) {
-    job_.cancel();
+    job_.give_up();
     requested_.reset();
   }
   figures.stale = figures.error.empty() && !(figures.shown && figures.shown->answers(wanted_.query));
@@ -119,9 +120,6 @@ void Measurer::update(const AppState& state, Figures& figures, double now_s, boo
 
 void Measurer::take(Outcome outcome, Figures& figures) {
   figures.shown = std::move(outcome.classification);
-  figures.error = std::move(outcome.error);
-  ++figures.revision;
-  if (!figures.shown) return;
   const ExactQuery inputs = exact_query(*outcome.request.model, outcome.request.query);
   if (figures.shown->split) {
     figures.split = figures.shown->split;

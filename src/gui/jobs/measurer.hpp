@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "base/latest_job.hpp"
+#include "base/job.hpp"
 #include "gl/context.hpp"
 #include "gui/app_state.hpp"
 
@@ -26,7 +26,7 @@ class Measurer {
   /// Call it every frame. `moving`: a hand is at settings whose split mesh is not wanted yet, or a flight.
   void update(const AppState& state, Figures& figures, double now_s, bool moving);
   /// Gives up what runs.
-  void cancel() { job_.cancel(); }
+  void cancel() { job_.give_up(); }
   /// When update() wants to be called next without any input; infinity for not at all.
   [[nodiscard]] double wake_s() const { return wake_s_; }
 
@@ -43,15 +43,15 @@ class Measurer {
   };
   struct Outcome {
     Request request;
-    std::optional<Classification> classification;
+    Classification classification;
     std::optional<UndercutTotals> undercuts;      // of the split mesh
     std::shared_ptr<const PieceSamples> samples;  // with a split mesh
-    std::string error;                            // one line, where there is no classification
   };
   class Worker;
   void take(Outcome outcome, Figures& figures);
 
-  LatestJob<Request, Outcome> job_;
+  Worker* worker_;  // lives on the job's thread
+  Job<Outcome> job_;
   Request wanted_;  // of the settings that were seen last
   std::optional<Request> requested_;
   ExactQuery split_of_;  // for which there is a split mesh

@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
+#include "base/job.hpp"
 #include "gui/app_state.hpp"
-#include "gui/jobs/job.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::gui {
@@ -15,7 +15,9 @@ class MoldFinder {
  public:
   /// `wake` is called from the finder's threads when there is something new.
   explicit MoldFinder(const std::function<void()>& wake)
-      : line_job_(wake, true), solids_job_(wake, true), inserts_job_(wake) {}
+      : line_job_({.wake = wake, .wake_for_progress = true}),
+        solids_job_({.wake = wake, .wake_for_progress = true}),
+        inserts_job_({.wake = wake}) {}
 
   /// A hand at settings: lines follow it one after the other, halves wait. `solids`: the halves are looked
   /// at.

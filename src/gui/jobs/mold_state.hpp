@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.hpp"
 #include "classify/settings.hpp"
-#include "gui/jobs/job.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/insert_actions.hpp"
 #include "parting/loops.hpp"

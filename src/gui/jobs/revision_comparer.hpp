@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "base/job.hpp"
 #include "gui/app_state.hpp"
 #include "gui/jobs/file_watch.hpp"
-#include "gui/jobs/job.hpp"
 
 namespace moldlight::gui {
 
@@ -17,7 +17,9 @@ class RevisionComparer {
  public:
   /// `wake` is called from other threads when there is something new.
   explicit RevisionComparer(const std::function<void()>& wake)
-      : prepare_job_(wake, true), compare_job_(wake, true), file_watch_(wake) {}
+      : prepare_job_({.wake = wake, .wake_for_progress = true}),
+        compare_job_({.wake = wake, .wake_for_progress = true}),
+        file_watch_(wake) {}
 
   /// From the next update on.
   void start(const std::string& path, RevisionState& revisions);

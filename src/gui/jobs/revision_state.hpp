@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.hpp"
 #include "compare/lit_surface.hpp"
-#include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "render/part_view.hpp"
 

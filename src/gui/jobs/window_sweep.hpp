@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/job.hpp"
 #include "gui/app_state.hpp"
-#include "gui/jobs/job.hpp"
 
 namespace moldlight::gui {
 
 class WindowSweep {
  public:
-  explicit WindowSweep(std::function<void()> wake) : job_(std::move(wake)) {}
+  explicit WindowSweep(std::function<void()> wake) : job_({.wake = std::move(wake)}) {}
 
   /// Starts the sweep that the choices ask for, of the part that is shown, with its method. What an earlier
   /// one found goes. One that nobody asked for finds no side actions, whatever the choices.

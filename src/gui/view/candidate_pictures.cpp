@@ -62,11 +62,7 @@ CandidatePictures::CandidatePictures(const gl::Context& context, const LoadedPar
       result_(std::move(result)),
       scene_(context, part),
       small_(result_->candidates.size()),
-      job_({.work =
-                [model = part.model](const Query& query, const Progress& progress) {
-                  return Split{query, split_mesh(*model, query, progress)};
-                },
-            .wake = std::move(wake)}) {}
+      job_({.wake = std::move(wake)}) {}
 
 bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& size_px) {
   const bool fits = std::all_of(small_.begin(), small_.end(),
@@ -107,9 +103,11 @@ bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settin
   settings.view.marks = {};
   if (wanted_ != settings.query) {
     wanted_ = settings.query;
-    job_.request(settings.query);
+    job_.follow([model = scene_.part().model, query = settings.query](const Progress& progress) {
+      return Split{query, split_mesh(*model, query, progress)};
+    });
   }
-  if (auto found = job_.take()) split_ = std::move(found);
+  if (auto found = job_.take(); found && found->result) split_ = std::move(found->result);
   settings.split = split_ && split_->of == settings.query ? split_->mesh : nullptr;
   static_cast<void>(beside(split.size));
   return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);

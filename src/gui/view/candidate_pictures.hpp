@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/latest_job.hpp"
+#include "base/job.hpp"
 #include "gl/colour_target.hpp"
 #include "gui/draw/ui.hpp"
 #include "gui/view/scene.hpp"
@@ -65,7 +65,7 @@ class CandidatePictures {
   Palette palette_ = Palette::paper;
   std::optional<Query> wanted_;
   std::optional<Split> split_;
-  LatestJob<Query, Split> job_;
+  Job<Split> job_;
 };
 
 }  // namespace moldlight::gui

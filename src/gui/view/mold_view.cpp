@@ -105,16 +105,11 @@ std::array<std::string, 2> loop_lines(const AppState& state, std::size_t number)
 
 std::vector<glm::vec3> block_corners(const AppState& state) {
   const MoldFrame frame = mold_frame(state.settings.direction.unit());
-  const Bounds box = mold_box(state);
   const double margin =
       block_margin(state.settings.mold, state.model->frame.diagonal) / state.model->frame.diagonal;
   std::vector<glm::vec3> corners;
-  for (unsigned k = 0; k < 8; ++k) {
-    const auto end = [&](int axis) {
-      return (k >> axis & 1U) != 0 ? box.max[axis] + margin : box.min[axis] - margin;
-    };
-    corners.emplace_back(frame.to_part({end(0), end(1), end(2)}));
-  }
+  for (const glm::dvec3& corner : mold_box(state).widened(margin).corners())
+    corners.emplace_back(frame.to_part(corner));
   return corners;
 }
 

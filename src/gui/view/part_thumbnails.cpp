@@ -32,7 +32,10 @@ void draw_thumbnail(const gl::Context& context, const LoadedPart& part, Theme th
 
 PartThumbnails::PartThumbnails(const gl::Context& context, std::vector<std::string> parts,
                                std::function<void()> wake)
-    : context_(&context), parts_(std::move(parts)), pictures_(parts_.size()), job_(std::move(wake), true) {}
+    : context_(&context),
+      parts_(std::move(parts)),
+      pictures_(parts_.size()),
+      job_({.wake = std::move(wake), .wake_for_progress = true}) {}
 
 void PartThumbnails::update(int size_px, Theme theme) {
   if (size_px != size_px_ || theme != theme_) {

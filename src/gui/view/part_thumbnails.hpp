@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/job.hpp"
 #include "gl/colour_target.hpp"
 #include "gl/context.hpp"
-#include "gui/jobs/job.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "render/view_settings.hpp"
 
