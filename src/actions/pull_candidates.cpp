@@ -10,7 +10,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "actions/release.hpp"
-#include "classify/map_comparison.hpp"
 #include "mold/round_wall.hpp"
 
 namespace moldlight {

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
 

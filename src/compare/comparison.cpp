@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/numbers.hpp"
 #include "classify/figure_table.hpp"
 #include "classify/figures.hpp"
 #include "compare/criteria.hpp"
@@ -57,10 +58,6 @@ std::string changes_text(const std::vector<MatchedChange>& changes) {
     if (count > 0) counts.push_back(fmt::format("{} {}", count, change_name(kind)));
   }
   return fmt::format("{}", fmt::join(counts, ", "));
-}
-
-std::string count_text(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// Whether they are the same to the bit, so that whatever holds of one holds of the other.
@@ -206,7 +203,7 @@ std::string comparison_verdict(const Comparison& comparison) {
     facts.push_back(scale_text(*comparison.scale));
   else if (!surface.places.empty())
     facts.push_back(fmt::format("{} changed, {} of surface gone and {} new",
-                                count_text(surface.places.size(), "place"), area(surface.gone.area),
+                                plural(surface.places.size(), "place"), area(surface.gone.area),
                                 area(surface.fresh.area)));
   if (!surface.regions.empty()) {
     double other = 0.0;

@@ -14,6 +14,13 @@ glm::dvec3 Bounds::center() const { return min.x > max.x ? glm::dvec3(0.0) : 0.5
 
 double Bounds::diagonal() const { return min.x > max.x ? 0.0 : glm::length(max - min); }
 
+std::array<glm::dvec3, 8> Bounds::corners() const {
+  std::array<glm::dvec3, 8> corners{};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    for (int axis = 0; axis < 3; ++axis) corners[k][axis] = (k >> axis & 1U) != 0 ? max[axis] : min[axis];
+  return corners;
+}
+
 Bounds bounds(const TriangleMesh& mesh) {
   Bounds box;
   for (const auto& facet : mesh.facets) {

@@ -38,6 +38,10 @@ struct Bounds {
   [[nodiscard]] glm::dvec3 center() const;
   /// Length of the box's diagonal; 0 for a mesh without facets.
   [[nodiscard]] double diagonal() const;
+  /// Its eight corners.
+  [[nodiscard]] std::array<glm::dvec3, 8> corners() const;
+  /// The box that is larger by this length to every side.
+  [[nodiscard]] Bounds widened(double length) const { return {min - length, max + length}; }
 };
 
 /// Box of the vertices that facets use.

@@ -185,10 +185,9 @@ std::vector<std::string> half_faults(const PartModel& model, const MoldHalves& h
   if (!halves.made()) return faults;
   for (const auto& [name, half] : {std::pair("core", &halves.core), {"cavity", &halves.cavity}}) {
     if (half->crossed_facets > 0)
-      faults.push_back(fmt::format("{} facet{} of the {} cross{} others by rounding, near {}",
-                                   half->crossed_facets, half->crossed_facets == 1 ? "" : "s", name,
-                                   half->crossed_facets == 1 ? "es" : "",
-                                   FigureStyle(model).point(*half->crossed_at)));
+      faults.push_back(fmt::format(
+          "{} of the {} cross{} others by rounding, near {}", plural(half->crossed_facets, "facet"), name,
+          half->crossed_facets == 1 ? "es" : "", FigureStyle(model).point(*half->crossed_at)));
     if (half->crowded_edges > 0)
       faults.push_back(fmt::format("the {} touches itself in {}", name, plural(half->crowded_edges, "edge")));
   }

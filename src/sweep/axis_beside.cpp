@@ -8,7 +8,6 @@
 #include "classify/figures.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_words.hpp"
-#include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
 

@@ -13,7 +13,6 @@
 #include "classify/figures.hpp"
 #include "mold/direction_words.hpp"
 #include "mold/measure.hpp"
-#include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
 

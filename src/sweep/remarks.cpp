@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "classify/figures.hpp"
 #include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
@@ -95,8 +96,7 @@ std::string extent_of_open(const SweepProof& proof) {
   double widest = 0.0;
   for (const OpenCap& open : proof.open) widest = std::max(widest, open.cap.radius_deg);
   const std::size_t count = proof.open.size();
-  return fmt::format("{} cap{} of {}{:.1f}°", count, count == 1 ? "" : "s", count == 1 ? "" : "up to ",
-                     widest);
+  return fmt::format("{} of {}{:.1f}°", plural(count, "cap"), count == 1 ? "" : "up to ", widest);
 }
 
 std::string grade_text(const PartModel& model, const SweepProof& proof) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "classify/figures.hpp"
 #include "io/png.hpp"
 #include "mold/direction_words.hpp"
@@ -54,15 +55,11 @@ std::string picture_text(std::string_view key, const PartModel& model, const Swe
   return with_minus(fmt::format("{:.3g}", *figure_value(row, candidate)));
 }
 
-std::string counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 SphereContent sphere_content(const PartModel& model, const SweepResult& result) {
   SphereContent content;
   content.title = part_name(model.part);
   content.lines = {
-      fmt::format("Undercut by parting direction: {} scored{}", counted(result.evaluated.size(), "direction"),
+      fmt::format("Undercut by parting direction: {} scored{}", plural(result.evaluated.size(), "direction"),
                   result.complete ? "" : ", not complete"),
       fmt::format("{} facets, surface {} {}, near-vertical below {}°", model.health.facets,
                   figure(model.geometry.total_area), powered_unit(model.part, 2),
@@ -140,7 +137,7 @@ Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& setti
                      .palette = settings.look.palette};
   sheet.line = shown == 0 ? "No direction was measured to the end."
                           : fmt::format("The best {} of {} scored{}, all seen from the same side",
-                                        counted(shown, "parting direction"), result.evaluated.size(),
+                                        plural(shown, "parting direction"), result.evaluated.size(),
                                         result.complete ? "" : ", not complete");
   StillPainter painter(sweep.context, sweep.model);
   std::vector<Classification> split;

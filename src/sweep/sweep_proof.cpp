@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "classify/method_options.hpp"
 #include "mold/direction.hpp"
 #include "mold/surface_samples.hpp"
 

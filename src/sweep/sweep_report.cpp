@@ -10,7 +10,6 @@
 #include "io/atomic_file.hpp"
 #include "mold/direction_words.hpp"
 #include "sweep/direction_figures.hpp"
-#include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
 

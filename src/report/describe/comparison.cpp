@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "actions/actions_report.hpp"
 #include "base/numbers.hpp"
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"

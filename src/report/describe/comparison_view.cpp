@@ -19,12 +19,8 @@ FigureColumn area_column(const Comparison& comparison) {
 /// Half of what the part takes along an axis, about the centre of the view.
 double half_extent(const PartModel& model, const glm::dvec3& centre, const glm::dvec3& axis) {
   double most = 0.0;
-  const Bounds& box = model.health.bounds;
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec3 point;
-    for (int k = 0; k < 3; ++k) point[k] = (corner >> k & 1) != 0 ? box.max[k] : box.min[k];
-    most = std::max(most, std::abs(glm::dot(point - centre, axis)));
-  }
+  for (const glm::dvec3& corner : model.health.bounds.corners())
+    most = std::max(most, std::abs(glm::dot(corner - centre, axis)));
   return most;
 }
 

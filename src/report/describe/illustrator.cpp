@@ -70,13 +70,8 @@ Image Illustrator::undercut(const Undercut& undercut) {
   still.look.arrows = false;
   const std::shared_ptr<const SplitMesh> shown = alone;
   still.seen_from = revealing_orientation(*context_->model, {&shown, 1}, result_->direction);
-  const double room = std::max(k_around * glm::length(box.max - box.min), k_least_around);
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec3 point;
-    for (int axis = 0; axis < 3; ++axis)
-      point[axis] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 * room : box.min[axis] - 0.5 * room;
-    still.focus.emplace_back(point);
-  }
+  const double room = std::max(k_around * box.diagonal(), k_least_around);
+  for (const glm::dvec3& corner : box.widened(0.5 * room).corners()) still.focus.emplace_back(corner);
   return painter_->draw(*result_, still, context_->progress);
 }
 

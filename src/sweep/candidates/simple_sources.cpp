@@ -11,7 +11,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "mesh/symmetric_eigen.hpp"
-#include "mold/map_frame.hpp"
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
 
