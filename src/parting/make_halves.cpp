@@ -41,7 +41,7 @@ constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sh
 
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
-constexpr double k_least_contact = 1e-6, k_least_missed = 1e-5;
+constexpr double k_least_contact = 1.1e-4, k_least_missed = 1e-5;
 /// Facets with a smaller height, as a share of the diagonal, are reported as needles.
 constexpr double k_needle = 1e-7;
 
@@ -115,6 +115,12 @@ std::vector<LinePiece> line_pieces(const PartingLine* line, const SheetFrame& fr
   return pieces;
 }
 
+ShelfShape shelf_shape(const MoldSettings& settings, double diagonal) {
+  return {.ramp = std::tan(glm::radians(std::min(settings.ramp_deg, settings.slope_deg))),
+          .slope = std::tan(glm::radians(settings.slope_deg)),
+          .land = land_width(settings, diagonal) / diagonal};
+}
+
 Bounds box_of(const Sheets& sheets) {
   Bounds box;
   for (const SheetFacet& facet : sheets.facets) {
@@ -163,17 +169,19 @@ class Trial {
     const SurfaceWish wish{.low = on_grid(glm::dvec2(box.min) - margin),
                            .high = on_grid(glm::dvec2(box.max) + margin),
                            .height = (asked_.place.height - middle) / diagonal,
-                           .slope = std::tan(glm::radians(asked_.settings.slope_deg)),
+                           .shape = shelf_shape(asked_.settings, diagonal),
                            .tolerance = attempt_.tolerance,
                            .cone_margin = asked_.settings.registration ? margin : 0.0,
                            .walls = hand_.walls,
                            .line = line};
-    ForcedSlope forced;
-    if (auto fault = add_parting_surface(sheets_, wish, forced, progress)) return fault;
+    PartingSurface surface;
+    if (auto fault = add_parting_surface(sheets_, wish, surface, progress)) return fault;
     const Bounds all = box_of(sheets_);
     block_ = {.low = all.min.z - margin, .high = all.max.z + margin};
-    rectangle_ = (wish.high.x - wish.low.x) * (wish.high.y - wish.low.y);
-    tell_surface(forced);
+    rectangle_ = (surface.high.x - surface.low.x) * (surface.high.y - surface.low.y);
+    halves_.margin = diagonal * std::max({box.min.x - surface.low.x, box.min.y - surface.low.y,
+                                          surface.high.x - box.max.x, surface.high.y - box.max.y});
+    tell_surface(surface.forced);
     return std::nullopt;
   }
 

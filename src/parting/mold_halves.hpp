@@ -82,6 +82,7 @@ struct MoldHalves {
   double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
 
   SurfaceFigures surface;
+  double margin = 0.0;  // the most between the part's box and the block's sides
   /// How steep the part's own outline is, where that is more than was asked: less than that no parting
   /// surface can be that meets it, so that the halves touch on upright walls there. 90 at steps, 0: nowhere.
   double forced_deg = 0.0;

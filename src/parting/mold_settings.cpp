@@ -13,6 +13,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_margin_share = 0.15;  // of the part's diagonal
+constexpr double k_land_share = 0.02;
 constexpr double k_most_margin = 100.0;  // diagonals: points of a wider plane would have too few digits
 
 /// "core:1,2".
@@ -66,12 +67,20 @@ std::span<const Option<MoldSettings>> mold_options() {
                          s.cosmetic = text;
                        }}},
       {"margin", "--margin", "Margin", "part's unit",
-       "Steel around the part, on all sides; 15 % of the part's diagonal unless given.",
+       "Least steel around the part, on all sides; 15 % of the part's diagonal unless given. It grows until "
+       "the block's edge is flat.",
        PositiveKind<S>{[](S& s) -> double& { return s.margin; }}},
       {"shrink_pct", "--shrink", "Shrinkage", "%",
        "Shrinkage of the molded part against the mold: the mold is larger by 1 / (1 - shrinkage).",
        RealKind<S>{&S::shrink_pct, 0.0, 20.0, 0.1}},
-      {"slope_deg", "--slope", "Slope", "deg", "The parting surface is at most so steep.",
+      {"ramp_deg", "--ramp", "Ramp", "deg",
+       "Slope of the ramps that join the parting surface's shelf to a line that leaves it.",
+       RealKind<S>{&S::ramp_deg, 15.0, 80.0, 5.0}},
+      {"land", "--land", "Land", "part's unit",
+       "Width of the level land between the line and a ramp; 2 % of the part's diagonal unless given.",
+       PositiveKind<S>{[](S& s) -> double& { return s.land; }}},
+      {"slope_deg", "--slope", "Slope", "deg",
+       "The parting surface is at most so steep, where the part's outline is steeper than a ramp.",
        RealKind<S>{&S::slope_deg, 15.0, 85.0, 5.0}},
       {"fill_undercut", "--fill-undercut", "Fill undercuts", "",
        "Leave what the halves cannot form to loose inserts.", SwitchKind<S>{&S::fill_undercut}},
@@ -121,6 +130,10 @@ void validate(const MoldSettings& settings, double diagonal) {
     throw UsageError(
         fmt::format("--margin: {:g} is more than {:g} times the part, {:g} from corner to corner",
                     settings.margin, k_most_margin, diagonal));
+}
+
+double land_width(const MoldSettings& settings, double diagonal) {
+  return settings.land > 0.0 ? settings.land : k_land_share * diagonal;
 }
 
 double block_margin(const MoldSettings& settings, double diagonal) {

@@ -19,6 +19,8 @@ struct MoldSettings {
   std::string cosmetic;                  // "core:1,2/cavity:3": faces that each half must form
   double margin = 0.0;                   // of the block around the part; unset: 15 % of the part's diagonal
   double shrink_pct = 0.0;               // of the molded part against the mold, [0, 20]
+  double ramp_deg = 30.0;                // of the parting surface beside its shelf, [15, 80]
+  double land = 0.0;                     // level outward from the line; unset: 2 % of the part's diagonal
   double slope_deg = 60.0;               // the parting surface is at most so steep, [15, 85]
   bool fill_undercut = false;
   bool registration = false;
@@ -42,6 +44,9 @@ struct CosmeticFaces {
 
 /// Throws UsageError for a margin of more than a hundred diagonals of the part, in its unit.
 void validate(const MoldSettings& settings, double diagonal);
+
+/// Land beside the line of a part of this diagonal, both in the same unit.
+[[nodiscard]] double land_width(const MoldSettings& settings, double diagonal);
 
 /// Margin of a block around a part of this diagonal, both in the same unit.
 [[nodiscard]] double block_margin(const MoldSettings& settings, double diagonal);

@@ -14,7 +14,6 @@ namespace moldlight {
 namespace {
 
 constexpr int k_most_rounds = 8;
-constexpr double k_least_segment = 4e-3;  // of the part's diagonal: shorter ones are not halved
 
 struct Outline {
   std::vector<std::array<Column, 2>> segments;
@@ -94,8 +93,8 @@ std::set<std::array<std::uint32_t, 2>> outline_sides(const PlaneMesh& mesh) {
   return sides;
 }
 
-/// Columns for the points of the outline from number `before` on: halves of its segments.
-std::vector<SegmentCut> columns_of_halves(Sheets& sheets, std::size_t before, OutlinePlane& plane) {
+/// Columns for the points of the outline from number `before` on.
+std::vector<SegmentCut> columns_of_parts(Sheets& sheets, std::size_t before, OutlinePlane& plane) {
   const auto sides = outline_sides(plane.mesh);
   // Chains of new points between two that had a column.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> next;
@@ -138,7 +137,10 @@ std::optional<MoldFault> lay_outline(Sheets& sheets, double tolerance, double he
     if (auto fault = find_outline(sheets, outline)) return fault;
     plane = empty;
     const std::vector<SegmentCut> cuts = triangulate(sheets, outline, plane);
-    if (cuts.empty()) return std::nullopt;
+    if (cuts.empty()) {
+      plane.mesh.find_inside();
+      return std::nullopt;
+    }
     if (round == k_most_rounds) {
       return MoldFault{"the outline crosses itself", k_mend_surface,
                        glm::dvec3(sheets.columns[cuts.front().at], height)};
@@ -148,13 +150,9 @@ std::optional<MoldFault> lay_outline(Sheets& sheets, double tolerance, double he
   }
 }
 
-void refine_outside(Sheets& sheets, double tolerance, OutlinePlane& plane) {
-  plane.mesh.find_inside();
-  const std::size_t before = plane.mesh.points().size();
-  plane.mesh.refine(
-      {.least_angle_deg = 20.0, .least_segment = k_least_segment, .most_points = 2000 + 12 * before});
+void put_in_columns(Sheets& sheets, std::size_t before, double tolerance, OutlinePlane& plane) {
   plane.column_of.resize(plane.mesh.points().size(), k_no_column);
-  const std::vector<SegmentCut> cuts = columns_of_halves(sheets, before, plane);
+  const std::vector<SegmentCut> cuts = columns_of_parts(sheets, before, plane);
   if (cuts.empty()) return;
   cut_segments(sheets, cuts);
   sheets.weld_columns(tolerance);

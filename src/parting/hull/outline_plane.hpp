@@ -23,7 +23,7 @@ struct OutlinePlane {
 [[nodiscard]] std::optional<MoldFault> lay_outline(Sheets& sheets, double tolerance, double height,
                                                    OutlinePlane& plane);
 
-/// Refines the mesh outside, and puts what that adds to the outline into columns.
-void refine_outside(Sheets& sheets, double tolerance, OutlinePlane& plane);
+/// Puts the points from number `before` on that divide the outline into columns.
+void put_in_columns(Sheets& sheets, std::size_t before, double tolerance, OutlinePlane& plane);
 
 }  // namespace moldlight

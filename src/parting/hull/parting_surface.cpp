@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -12,7 +11,9 @@
 #include <glm/geometric.hpp>
 
 #include "parting/hull/outline_plane.hpp"
+#include "parting/hull/outline_rims.hpp"
 #include "parting/hull/segment_cuts.hpp"
+#include "parting/hull/shelf_layout.hpp"
 
 namespace moldlight {
 
@@ -21,11 +22,6 @@ namespace {
 constexpr int k_most_surface_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;
-/// How far in the plane the line, which may be a little off the surface, is from the outline, in diagonals of
-/// the part.
-constexpr double k_line_reach = 1.5e-4;
-/// Ramps are somewhat less steep than they may be, and no shorter than a share of their segment.
-constexpr double k_ramp_slope = 0.99, k_least_ramp = 0.02;
 
 /// Between what heights the surface has to stay at the outline, so that the halves touch nowhere else.
 std::unordered_map<Column, HeightRange> outline_ranges(const Sheets& sheets) {
@@ -45,67 +41,15 @@ std::unordered_map<Column, HeightRange> outline_ranges(const Sheets& sheets) {
   return ranges;
 }
 
-/// One a point of the plane; no range inside.
-std::vector<OutlinePoint> outline_points(const Sheets& sheets, const OutlinePlane& plane) {
+/// One a point of the plane; all heights where it is not on the outline.
+std::vector<HeightRange> point_ranges(const Sheets& sheets, const OutlinePlane& plane) {
   const auto ranges = outline_ranges(sheets);
-  std::vector<OutlinePoint> points;
-  for (std::size_t point = 0; point < plane.column_of.size(); ++point) {
-    points.push_back({plane.mesh.points()[point], {}});
-    if (const auto found = ranges.find(plane.column_of[point]); found != ranges.end())
-      points.back().part = found->second;
+  std::vector<HeightRange> of_points;
+  for (const Column column : plane.column_of) {
+    const auto found = ranges.find(column);
+    of_points.push_back(found == ranges.end() ? HeightRange{} : found->second);
   }
-  return points;
-}
-
-HeightWishes wishes_at(const std::vector<OutlinePoint>& outline, const SurfaceWish& wish,
-                       const Progress& progress) {
-  HeightWishes wishes{.height = wish.height,
-                      .slope = wish.slope,
-                      .line = line_ranges(outline, wish.line, k_line_reach, progress),
-                      .hand = wall_ranges(outline, wish.walls, k_wall_reach * wish.tolerance),
-                      .part = part_ranges(outline)};
-  if (wish.line.empty() && wish.walls.empty()) return wishes;
-  // All of the outline has its height then, so that shut-offs are level where it is.
-  for (std::size_t point = 0; point < outline.size(); ++point) {
-    if (!outline[point].on_outline()) continue;
-    auto& [low, high] = wishes.line[point];
-    if (!std::isfinite(low)) low = high = wish.height;
-    for (const HeightRange& range : {wishes.hand[point], wishes.part[point]}) {
-      low = std::max(range.low, std::min(low, range.high));
-      high = std::max(range.low, std::min(high, range.high));
-    }
-  }
-  return wishes;
-}
-
-/// Where the surface may be level again beside points of the outline between which wishes differ, so that it
-/// climbs no longer way than it has to.
-std::vector<SegmentCut> ramp_ends(Sheets& sheets, const OutlinePlane& plane, const SurfaceWish& wish,
-                                  const Progress& progress) {
-  const HeightWishes wishes = wishes_at(outline_points(sheets, plane), wish, progress);
-  const auto height_at = [&](std::uint32_t point) {
-    double z = wishes.height;
-    for (const auto* ranges : {&wishes.line, &wishes.hand, &wishes.part}) {
-      const auto [low, high] = (*ranges)[point];
-      z = low <= high ? std::clamp(z, low, high) : 0.5 * (low + high);
-    }
-    return z;
-  };
-  std::vector<SegmentCut> cuts;
-  std::set<std::array<std::uint32_t, 2>> done;
-  for (const PlaneMesh::Triangle& t : plane.mesh.triangles()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(t.corners[k], t.corners[(k + 1) % 3]);
-      if (t.fixed[k] != PlaneMesh::k_outline || !done.insert({a, b}).second) continue;
-      const glm::dvec2 &from = plane.mesh.points()[a], &to = plane.mesh.points()[b];
-      const double share =
-          std::abs(height_at(a) - height_at(b)) / (k_ramp_slope * wish.slope) / glm::distance(from, to);
-      if (share <= k_least_ramp || share >= 1.0 - k_least_ramp) continue;
-      for (const double at : {share, 1.0 - share})
-        cuts.push_back({plane.column_of[a], plane.column_of[b], sheets.add_column(glm::mix(from, to, at))});
-    }
-  }
-  return cuts;
+  return of_points;
 }
 
 /// A frustum by which the upper half reaches into the lower one.
@@ -120,17 +64,17 @@ struct Cone {
 };
 
 /// In the rectangle's corners, clear of the part; one is smaller, so that the halves fit in one way only.
-std::vector<Cone> register_cones(const SurfaceWish& wish) {
+std::vector<Cone> register_cones(const SurfaceWish& wish, const PartingSurface& surface) {
   constexpr double k_foot = 0.36, k_top = 0.16, k_smaller = 0.8, k_least_slope = 0.9;
   std::vector<Cone> cones;
   if (wish.cone_margin <= 0.0) return cones;
   const double m = wish.cone_margin;
   for (int k = 0; k < 4; ++k) {
     const double size = k == 0 ? k_smaller * m : m;
-    const glm::dvec2 centre(k % 2 == 0 ? wish.low.x + 0.5 * m : wish.high.x - 0.5 * m,
-                            k / 2 == 0 ? wish.low.y + 0.5 * m : wish.high.y - 0.5 * m);
+    const glm::dvec2 centre(k % 2 == 0 ? surface.low.x + 0.5 * m : surface.high.x - 0.5 * m,
+                            k / 2 == 0 ? surface.low.y + 0.5 * m : surface.high.y - 0.5 * m);
     cones.push_back(
-        {centre, k_foot * size, k_top * size, k_least_slope * wish.slope * (k_foot - k_top) * size});
+        {centre, k_foot * size, k_top * size, k_least_slope * wish.shape.slope * (k_foot - k_top) * size});
   }
   return cones;
 }
@@ -152,40 +96,68 @@ void add_circles(PlaneMesh& mesh, const std::vector<Cone>& cones) {
   }
 }
 
-/// Vertices of the sheet at the points, and its facets.
-void add_sheet(Sheets& sheets, const OutlinePlane& plane, const std::vector<double>& z, double tolerance) {
-  std::unordered_map<Column, std::vector<SheetVertex>> standing;
-  for (const Column column : plane.column_of) {
-    if (column != k_no_column) standing[column];
-  }
-  for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
-    if (const auto found = standing.find(sheets.column_of[v]); found != standing.end())
-      found->second.push_back(v);
-  }
-  std::vector<SheetVertex> vertex(plane.mesh.points().size(), PlaneMesh::k_none);
-  const auto vertex_at = [&](std::uint32_t point) {
-    if (vertex[point] != PlaneMesh::k_none) return vertex[point];
-    const Column column = plane.column_of[point];
-    if (column == k_no_column) {
-      sheets.vertices.emplace_back(plane.mesh.points()[point].x, plane.mesh.points()[point].y, z[point]);
-      sheets.column_of.push_back(k_no_column);
-      return vertex[point] = static_cast<SheetVertex>(sheets.vertices.size() - 1);
-    }
-    SheetVertex nearest = PlaneMesh::k_none;
-    for (const SheetVertex v : standing[column]) {
-      const double away = std::abs(sheets.vertices[v].z - z[point]);
-      if (away <= tolerance &&
-          (nearest == PlaneMesh::k_none || away < std::abs(sheets.vertices[nearest].z - z[point])))
-        nearest = v;
-    }
-    return vertex[point] = nearest != PlaneMesh::k_none ? nearest : sheets.add_vertex(column, z[point]);
-  };
-  for (const PlaneMesh::Triangle& t : plane.mesh.triangles()) {
+/// One a point; of one where regions touch, the first region's.
+std::vector<double> heights_at(const PlaneMesh& mesh, const std::vector<ShelfField>& fields) {
+  std::vector<double> z(mesh.points().size(), NAN);
+  for (const PlaneMesh::Triangle& t : mesh.triangles()) {
     if (t.inside) continue;
-    sheets.facets.push_back(
-        {{vertex_at(t.corners[0]), vertex_at(t.corners[1]), vertex_at(t.corners[2])}, Sheet::parting});
+    for (const std::uint32_t point : t.corners) {
+      if (std::isnan(z[point])) z[point] = fields[t.region].at(mesh.points()[point]);
+    }
   }
+  return z;
 }
+
+/// Vertices of the sheet at the points, and its facets.
+class SheetBuilder {
+ public:
+  SheetBuilder(Sheets& sheets, const OutlinePlane& plane, double tolerance)
+      : sheets_(sheets), plane_(plane), tolerance_(tolerance) {
+    for (const Column column : plane.column_of) {
+      if (column != k_no_column) standing_[column];
+    }
+    for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
+      if (const auto found = standing_.find(sheets.column_of[v]); found != standing_.end())
+        found->second.push_back(v);
+    }
+  }
+
+  /// `z`: one a point.
+  void run(const std::vector<double>& z) {
+    for (const PlaneMesh::Triangle& t : plane_.mesh.triangles()) {
+      if (t.inside) continue;
+      SheetFacet facet{{}, Sheet::parting};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [entry, fresh] = vertex_.try_emplace(t.corners[k], 0U);
+        if (fresh) entry->second = vertex_at(t.corners[k], z[t.corners[k]]);
+        facet.corners[k] = entry->second;
+      }
+      sheets_.facets.push_back(facet);
+    }
+  }
+
+ private:
+  SheetVertex vertex_at(std::uint32_t point, double z) {
+    const Column column = plane_.column_of[point];
+    if (column == k_no_column) {
+      sheets_.vertices.emplace_back(plane_.mesh.points()[point], z);
+      sheets_.column_of.push_back(k_no_column);
+      return static_cast<SheetVertex>(sheets_.vertices.size() - 1);
+    }
+    std::optional<SheetVertex> nearest;
+    for (const SheetVertex v : standing_[column]) {
+      const double away = std::abs(sheets_.vertices[v].z - z);
+      if (away <= tolerance_ && (!nearest || away < std::abs(sheets_.vertices[*nearest].z - z))) nearest = v;
+    }
+    return nearest ? *nearest : sheets_.add_vertex(column, z);
+  }
+
+  Sheets& sheets_;
+  const OutlinePlane& plane_;
+  double tolerance_;
+  std::unordered_map<Column, std::vector<SheetVertex>> standing_;
+  std::unordered_map<std::uint32_t, SheetVertex> vertex_;  // by point
+};
 
 /// Where edges over a segment change their order; edges of hidden surface and of what is seen do not meet in
 /// one body, but a column too many does no harm.
@@ -221,32 +193,41 @@ std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
 
 }  // namespace
 
-std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish, ForcedSlope& forced,
-                                             const Progress& progress) {
+std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish,
+                                             PartingSurface& surface, const Progress& progress) {
   const auto go_on = [&] { progress.report(k_halves_stage, 0.0); };
-  OutlinePlane plane(wish.low, wish.high);
-  const OutlinePlane empty = plane;
+  surface.low = wish.low;
+  surface.high = wish.high;
+  const RimWishes wishes{wish.height, wish.walls, wish.line, wish.tolerance};
+  OutlinePlane plane(surface.low, surface.high);
   if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
-  if (const std::vector<SegmentCut> ramps = ramp_ends(sheets, plane, wish, progress); !ramps.empty()) {
-    cut_segments(sheets, ramps);
-    sheets.weld_columns(wish.tolerance);
-    plane = empty;
+  RegionRims rims = outline_rims(sheets, plane);
+  for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
+  std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape);
+  const LevelOutside level = level_outside(rims[0], fields[0].shelf().height, wish.shape);
+  surface.low = on_grid(glm::min(wish.low, level.low));
+  surface.high = on_grid(glm::max(wish.high, level.high));
+  if (surface.low != wish.low || surface.high != wish.high) {
+    plane = OutlinePlane(surface.low, surface.high);
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
+    rims = outline_rims(sheets, plane);
+    for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
+    fields = shelf_fields(rims, wishes, wish.shape);
   }
   go_on();
-  const std::vector<Cone> cones = register_cones(wish);
+  const std::vector<Cone> cones = register_cones(wish, surface);
   add_circles(plane.mesh, cones);
-  refine_outside(sheets, wish.tolerance, plane);
+  lay_shelf(sheets, fields, wish.tolerance, plane);
   go_on();
-  const std::vector<OutlinePoint> outline = outline_points(sheets, plane);
-  const MeetingHeights found = meeting_heights(plane.mesh, wishes_at(outline, wish, progress), k_narrow);
-  go_on();
-  forced = found.forced;
-  std::vector<double> z = found.z;
+  plane.column_of.resize(plane.mesh.points().size(), k_no_column);
+  const std::vector<HeightRange> ranges = point_ranges(sheets, plane);
+  surface.forced = forced_slope(plane.mesh, ranges, wish.shape.slope);
+  std::vector<double> z = heights_at(plane.mesh, fields);
+  keep_slope(plane.mesh, ranges, wish.shape.slope, k_narrow, z);
   for (std::size_t point = 0; point < z.size(); ++point) {
     for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }
-  add_sheet(sheets, plane, z, wish.tolerance);
+  SheetBuilder(sheets, plane, wish.tolerance).run(z);
   for (int round = 0; round < k_most_surface_rounds; ++round) {
     go_on();
     const std::vector<SegmentCut> crossings = find_crossings(sheets, wish.tolerance);

@@ -6,34 +6,38 @@
 
 #include <glm/vec2.hpp>
 
-#include "parting/hull/meeting_heights.hpp"
 #include "parting/hull/mold_fault.hpp"
 #include "parting/hull/sheets.hpp"
+#include "parting/hull/shelf_field.hpp"
+#include "parting/hull/slope_limit.hpp"
 #include "parting/hull/wished_walls.hpp"
 
 namespace moldlight {
 
 /// Facets of the surface narrower than this share of the part's diagonal are rounding, whatever their slope.
 inline constexpr double k_narrow = 1e-5;
-/// How far in the plane upright walls may be from where their ends stand, in tolerances.
-inline constexpr double k_wall_reach = 4.0;
 
 /// In the mold's frame.
 struct SurfaceWish {
-  glm::dvec2 low{0.0}, high{0.0};  // the block's rectangle, on the grid of columns
-  double height = 0.0;             // where the halves are to meet if they can
-  double slope = 1.7320508;        // tangent of the greatest slope
+  glm::dvec2 low{0.0}, high{0.0};  // the block's least rectangle, on the grid of columns
+  double height = 0.0;             // where the halves are to meet if nothing else tells
+  ShelfShape shape = {};
   double tolerance = 1e-7;
   double cone_margin = 0.0;                // over 0: cones in the corners, sized for a block with this margin
   std::span<const WishedWall> walls = {};  // what a half is to form
   std::span<const LinePiece> line = {};    // where the halves are to meet otherwise
 };
 
+struct PartingSurface {
+  glm::dvec2 low{0.0}, high{0.0};  // the block's rectangle: as large as it has to be for a level rim
+  ForcedSlope forced;
+};
+
 /// Adds the sheet `parting` between the block's rectangle and the outline of the sheet `upper`, which stand
-/// in columns. Its heights keep between what is below and what is above at the outline where the slope
-/// allows, and give walls to the halves that are to form them where that does, too. Edges that would cross
-/// others over a segment get a vertex there. Throws Cancelled.
+/// in columns: a shelf with land and ramps that keep between what is below and what is above at the outline
+/// where the slope allows, and give walls to the halves that are to form them where that does, too. Edges
+/// that would cross others over a segment get a vertex there. Throws Cancelled.
 [[nodiscard]] std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish,
-                                                           ForcedSlope& forced, const Progress& progress);
+                                                           PartingSurface& surface, const Progress& progress);
 
 }  // namespace moldlight

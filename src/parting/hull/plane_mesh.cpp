@@ -119,7 +119,8 @@ void PlaneMesh::split_triangle(std::uint32_t triangle, std::uint32_t point, std:
     triangles_[numbers[k]] = {{t.corners[k], t.corners[next(k)], point},
                               {t.across[k], numbers[next(k)], numbers[last(k)]},
                               {t.fixed[k], 0, 0},
-                              t.inside};
+                              t.inside,
+                              t.region};
     set_across(t.across[k] == k_none ? k_none : t.across[k], triangle, numbers[k]);
     edges.push_back({numbers[k], 0});
   }
@@ -142,9 +143,13 @@ void PlaneMesh::split_side(const Edge& edge, std::uint32_t point, std::vector<Ed
     triangles_[number] = {{a, point, tip},
                           {other_fresh, fresh, t.across[last(side)]},
                           {fixed, 0, t.fixed[last(side)]},
-                          t.inside};
-    triangles_[fresh] = {
-        {point, b, tip}, {other, t.across[next(side)], number}, {fixed, t.fixed[next(side)], 0}, t.inside};
+                          t.inside,
+                          t.region};
+    triangles_[fresh] = {{point, b, tip},
+                         {other, t.across[next(side)], number},
+                         {fixed, t.fixed[next(side)], 0},
+                         t.inside,
+                         t.region};
     set_across(t.across[next(side)], number, fresh);
     edges.push_back({number, 2});
     edges.push_back({fresh, 1});
@@ -179,11 +184,13 @@ void PlaneMesh::flip(const Edge& edge) {
   triangles_[here] = {{tip, a, far},
                       {t.across[last(edge.side)], u.across[next(back)], there},
                       {t.fixed[last(edge.side)], u.fixed[next(back)], 0},
-                      t.inside};
+                      t.inside,
+                      t.region};
   triangles_[there] = {{far, b, tip},
                        {u.across[last(back)], t.across[next(edge.side)], here},
                        {u.fixed[last(back)], t.fixed[next(edge.side)], 0},
-                       t.inside};
+                       t.inside,
+                       t.region};
   set_across(u.across[next(back)], there, here);
   set_across(t.across[next(edge.side)], here, there);
   note(here);
@@ -314,6 +321,28 @@ std::optional<PlaneMesh::Obstacle> PlaneMesh::add_segment(std::uint32_t a, std::
     if (const auto again = edge_between(p, q)) legalize({*again});
   }
   return std::nullopt;
+}
+
+std::uint32_t PlaneMesh::divide_segment(std::uint32_t a, std::uint32_t b, const glm::dvec2& at) {
+  const std::optional<Edge> edge = edge_between(a, b);
+  if (!edge || triangles_[edge->triangle].fixed[edge->side] == 0 || at == points_[a] || at == points_[b])
+    return k_none;
+  // It may lie beside the segment by a cell of the grid, which must not turn a triangle over.
+  for (const std::uint32_t number : {edge->triangle, triangles_[edge->triangle].across[edge->side]}) {
+    if (number == k_none) continue;
+    const Triangle& t = triangles_[number];
+    const std::uint32_t side = number == edge->triangle ? edge->side : side_towards(number, edge->triangle);
+    const glm::dvec2 &from = points_[t.corners[side]], &to = points_[t.corners[next(side)]],
+                     &tip = points_[t.corners[last(side)]];
+    if (side_of(at, to, tip) <= 0 || side_of(from, at, tip) <= 0) return k_none;
+  }
+  const auto point = static_cast<std::uint32_t>(points_.size());
+  points_.push_back(at);
+  triangle_at_.push_back(edge->triangle);
+  std::vector<Edge> edges;
+  split_side(*edge, point, edges);
+  legalize(std::move(edges));
+  return point;
 }
 
 }  // namespace moldlight

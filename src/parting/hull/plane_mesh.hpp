@@ -21,6 +21,7 @@ class PlaneMesh {
     std::array<std::uint32_t, 3> across{};   // triangle across side k, from corner k to k + 1
     std::array<std::uint8_t, 3> fixed{};     // not 0: side k is a segment, of this kind
     bool inside = false;                     // as find_inside() found it
+    std::uint32_t region = 0;                // of the plane outside
   };
   static constexpr std::uint8_t k_rim = 1, k_outline = 2;  // kinds of segments; the rectangle's sides are rim
 
@@ -38,18 +39,15 @@ class PlaneMesh {
   /// Makes the segment an edge; nothing where it became one.
   [[nodiscard]] std::optional<Obstacle> add_segment(std::uint32_t a, std::uint32_t b, std::uint8_t kind);
 
-  /// Marks the triangles that lie inside of the outline: an odd number of its segments away from the
-  /// rectangle's sides. What is added later keeps to it.
-  void find_inside();
+  /// Divides a segment at a point that is on it but for rounding; its number, or none where that would turn a
+  /// triangle over.
+  [[nodiscard]] std::uint32_t divide_segment(std::uint32_t a, std::uint32_t b, const glm::dvec2& at);
 
-  /// Adds points outside of the outline and halves segments longer than `least_segment` until triangles there
-  /// have no angle below `least_angle_deg`, up to 20.7, as far as `most_points` and sharp corners of the
-  /// outline allow (Ruppert 1995).
-  struct Refinement {
-    double least_angle_deg = 20.0, least_segment = 0.0;
-    std::size_t most_points = 0;
-  };
-  void refine(const Refinement& refinement);
+  /// Marks the triangles that lie inside of the outline: an odd number of its segments away from the
+  /// rectangle's sides; numbers the regions outside, the one at the rectangle first. What is added later
+  /// keeps to it.
+  void find_inside();
+  [[nodiscard]] std::size_t region_count() const { return regions_; }
 
   [[nodiscard]] const std::vector<glm::dvec2>& points() const { return points_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -77,14 +75,12 @@ class PlaneMesh {
   void visit_around(std::uint32_t point, const Visit& visit) const;
   [[nodiscard]] std::optional<Edge> edge_between(std::uint32_t a, std::uint32_t b) const;
   void note(std::uint32_t triangle);
-  [[nodiscard]] std::optional<Edge> segment_towards(std::uint32_t triangle, const glm::dvec2& at) const;
-  [[nodiscard]] bool halve(const Edge& edge, double least_segment);
-  template <typename Visit>
-  void for_each_around(std::uint32_t point, const Visit& visit) const;
+  void number_regions();
 
   std::vector<glm::dvec2> points_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> triangle_at_;  // one of each point
+  std::size_t regions_ = 1;
   mutable std::uint32_t last_ = 0;
 };
 

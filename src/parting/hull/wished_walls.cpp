@@ -141,12 +141,6 @@ MetPart met_part(const FlatWall& wall, bool core, const OutlineWall& over) {
 
 }  // namespace
 
-std::vector<HeightRange> part_ranges(std::span<const OutlinePoint> points) {
-  std::vector<HeightRange> ranges;
-  for (const OutlinePoint& point : points) ranges.push_back(point.part);
-  return ranges;
-}
-
 std::vector<HeightRange> wall_ranges(std::span<const OutlinePoint> points, std::span<const WishedWall> walls,
                                      double reach) {
   std::vector<HeightRange> ranges(points.size());

@@ -12,13 +12,15 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.hpp"
-#include "parting/hull/meeting_heights.hpp"
+#include "parting/hull/height_range.hpp"
 #include "parting/hull/sheets.hpp"
 
 namespace moldlight {
 
 /// What the progress of all that makes the halves is called.
 inline constexpr std::string_view k_halves_stage = "making the halves";
+/// How far in the plane upright walls may be from where their ends stand, in tolerances.
+inline constexpr double k_wall_reach = 4.0;
 
 /// Upright surface that one half is to form.
 struct WishedWall {
@@ -36,8 +38,6 @@ struct OutlinePoint {
   [[nodiscard]] bool on_outline() const { return std::isfinite(part.low) && std::isfinite(part.high); }
 };
 
-/// The ranges of the part.
-[[nodiscard]] std::vector<HeightRange> part_ranges(std::span<const OutlinePoint> points);
 /// Ranges in these at which the walls are formed as wished; where walls want the opposite, the middle.
 /// Points farther from a wall than `reach` in the plane are not on it.
 [[nodiscard]] std::vector<HeightRange> wall_ranges(std::span<const OutlinePoint> points,

@@ -190,8 +190,8 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
   square(Sheet::upper, 1.0, true, twice);
   square(Sheet::upper, 2.0, true, twice);
   ASSERT_FALSE(twice.stand_in_columns(1e-7).has_value());
-  ForcedSlope forced;
-  const auto over = add_parting_surface(twice, wish, forced, Progress{});
+  PartingSurface surface;
+  const auto over = add_parting_surface(twice, wish, surface, Progress{});
   ASSERT_TRUE(over.has_value());
   EXPECT_NE(over->what.find("over itself"), std::string::npos) << over->what;
   EXPECT_TRUE(on_rim(over->place));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -96,23 +97,39 @@ TEST(PlaneMesh, KeepsSegments) {
     };
     EXPECT_NEAR(inside(), expected, 1e-12);
     expect_sound(mesh, 4.0, true);
-    mesh.refine({.least_angle_deg = 20.0, .least_segment = 1e-3, .most_points = 5000});
+    // Each side of the star divided somewhere near it.
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      const std::uint32_t from = star[k], to = star[(k + 1) % star.size()];
+      const glm::dvec2 at =
+          on_grid(glm::mix(mesh.points()[from], mesh.points()[to], random.between(0.2, 0.8)));
+      const std::uint32_t point = mesh.divide_segment(from, to, at);
+      ASSERT_EQ(point + 1, mesh.points().size());
+      EXPECT_EQ(mesh.divide_segment(from, to, at), PlaneMesh::k_none);
+    }
     EXPECT_NEAR(inside(), expected, 1e-9);
     expect_sound(mesh, 4.0, true);
-    std::size_t needles = 0, outside = 0;
-    for (const Triangle& t : mesh.triangles()) {
-      if (t.inside) continue;
-      ++outside;
-      double least = M_PI;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec2 p = mesh.points()[t.corners[k]], q = mesh.points()[t.corners[(k + 1) % 3]],
-                         r = mesh.points()[t.corners[(k + 2) % 3]];
-        least = std::min(least, std::acos(glm::dot(glm::normalize(q - p), glm::normalize(r - p))));
-      }
-      needles += least < 19.0 * M_PI / 180.0;
-    }
-    EXPECT_LT(needles, outside / 10);
   }
+}
+
+TEST(PlaneMesh, NumbersTheRegionsOutside) {
+  PlaneMesh mesh({-2, -2}, {2, 2});
+  const auto frame = [&](double size) {
+    std::array<std::uint32_t, 4> corners{};
+    for (std::size_t k = 0; k < 4; ++k)
+      corners[k] = mesh.add_point(size * glm::dvec2(k == 0 || k == 3 ? -1 : 1, k < 2 ? -1 : 1));
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_FALSE(mesh.add_segment(corners[k], corners[(k + 1) % 4], PlaneMesh::k_outline).has_value());
+  };
+  frame(1.0);
+  frame(0.5);
+  mesh.find_inside();
+  ASSERT_EQ(mesh.region_count(), 2U);
+  std::array<double, 2> areas{};
+  for (const Triangle& t : mesh.triangles()) {
+    if (!t.inside) areas[t.region] += area(mesh, t);
+  }
+  EXPECT_NEAR(areas[0], 12.0, 1e-12);
+  EXPECT_NEAR(areas[1], 1.0, 1e-12);
 }
 
 TEST(PlaneMesh, TellsWhatIsInTheWay) {

@@ -1,7 +1,8 @@
-#include "parting/hull/meeting_heights.hpp"
+#include "parting/hull/slope_limit.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -16,9 +17,10 @@ namespace moldlight {
 namespace {
 
 /// Facets steeper than this share of the slope are brought down to another one, which is less, so that this
-/// ends: to that with which they lie least outside of the ranges.
-constexpr double k_most_share = 0.9995;
-constexpr double k_slope_shares[] = {0.998, 0.85, 0.7};
+/// ends.
+constexpr double k_most_share = 0.9995, k_held_share = 0.998, k_free_share = 0.85;
+/// So often each facet is brought down at most, on average.
+constexpr std::size_t k_rounds = 20;
 /// How much easier a point is moved that no range holds.
 constexpr double k_free_mobility = 4.0;
 constexpr int k_most_steeper = 30, k_most_newton = 12;
@@ -87,33 +89,6 @@ Envelopes envelopes(const Around& around, const std::vector<HeightRange>& ranges
     from_high.push_back(range.high);
   }
   return {spread(around, std::move(from_low), slope), spread(around, std::move(from_high), slope)};
-}
-
-/// The greatest slope that two ranges ask for, divided by the way between them (Dinkelbach 1967).
-ForcedSlope forced_slope(const PlaneMesh& mesh, const Around& around, const std::vector<HeightRange>& ranges,
-                         double slope) {
-  ForcedSlope forced;
-  for (int round = 0; round < k_most_steeper; ++round) {
-    const Envelopes found = envelopes(around, ranges, slope);
-    double most = 0.0;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < ranges.size(); ++k) {
-      const HeightRange range = found.at(k);
-      if (range.low - range.high <= most) continue;
-      most = range.low - range.high;
-      at = k;
-    }
-    const std::uint32_t high = found.low.source[at], low = found.high.source[at];
-    const double rise = ranges[high].low - ranges[low].high;
-    const double way = (rise - most) / slope;
-    if (most <= 1e-9 * (1.0 + std::abs(rise))) return forced;
-    forced = {.tangent = high == low || way <= 1e-12 ? INFINITY : rise / way,
-              .high = glm::dvec3(mesh.points()[high], ranges[high].low),
-              .low = glm::dvec3(mesh.points()[low], ranges[low].high)};
-    if (!std::isfinite(forced.tangent)) return forced;
-    slope = forced.tangent;
-  }
-  return forced;
 }
 
 /// A facet's slope as a linear map of its corners' heights.
@@ -250,21 +225,6 @@ class Flattener {
   double slope_ = 0.0;
 };
 
-/// Brings heights into what the ranges leave at the slope; ranges that others do not leave become empty.
-void keep_to(const Envelopes& found, std::vector<double>& z, std::vector<HeightRange>& ranges) {
-  for (std::size_t k = 0; k < z.size(); ++k) {
-    const auto [least, greatest] = found.at(k);
-    z[k] = least <= greatest ? std::clamp(z[k], least, greatest) : 0.5 * (least + greatest);
-    if (least > greatest) ranges[k] = {INFINITY, -INFINITY};
-  }
-}
-
-/// What is tried one after the other: heights held in all ranges, in those of the part, in none.
-std::array<Hold, 3> holds_of(const std::vector<HeightRange>& hand, const std::vector<HeightRange>& part) {
-  const double full = k_slope_shares[0];
-  return {{{&hand, 20, full}, {&part, 20, full}, {nullptr, 20, 0.85}}};
-}
-
 /// What is left too steep becomes about level, and all else no steeper than before: the middle of the two
 /// envelopes of the heights, over edges that may climb only so much that no facet at them can be too steep.
 void level_rest(const std::vector<SlopedFacet>& facets, Around around, double slope, std::vector<double>& z) {
@@ -289,50 +249,41 @@ void level_rest(const std::vector<SlopedFacet>& facets, Around around, double sl
   }
 }
 
-/// The middle of what the ranges leave, where they leave anything in particular.
-void interpolate(const Envelopes& found, std::vector<double>& z) {
-  for (std::size_t k = 0; k < z.size(); ++k) {
-    const auto [least, greatest] = found.at(k);
-    if (std::isfinite(least) && std::isfinite(greatest)) z[k] = 0.5 * (least + greatest);
-  }
-}
-
-/// How far heights lie outside of their ranges, summed up.
-double outside_of(const std::vector<HeightRange>& ranges, const std::vector<double>& z) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < z.size(); ++k)
-    sum += std::max({0.0, ranges[k].low - z[k], z[k] - ranges[k].high});
-  return sum;
-}
-
 }  // namespace
 
-MeetingHeights meeting_heights(const PlaneMesh& mesh, const HeightWishes& wishes, double narrow) {
+ForcedSlope forced_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, double slope) {
   const Around around = ways_outside(mesh);
-  const Flattener flattener(mesh, wishes.part, wishes.slope, narrow);
-  MeetingHeights heights;
-  double least = INFINITY;
-  for (const double share : k_slope_shares) {
-    std::vector<double> z(mesh.points().size(), wishes.height);
-    std::vector<HeightRange> hand = wishes.hand, part = wishes.part;
-    interpolate(envelopes(around, wishes.line, share * wishes.slope), z);
-    keep_to(envelopes(around, hand, share * wishes.slope), z, hand);
-    keep_to(envelopes(around, part, share * wishes.slope), z, part);
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const HeightRange both{std::max(hand[k].low, part[k].low), std::min(hand[k].high, part[k].high)};
-      hand[k] = both.low <= both.high ? both : part[k];
+  ForcedSlope forced;
+  for (int round = 0; round < k_most_steeper; ++round) {
+    const Envelopes found = envelopes(around, ranges, slope);
+    double most = 0.0;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      const HeightRange range = found.at(k);
+      if (range.low - range.high <= most) continue;
+      most = range.low - range.high;
+      at = k;
     }
-    const auto holds = holds_of(hand, part);
-    if (std::ranges::none_of(holds, [&](const Hold& hold) { return flattener.run(hold, z); }))
-      level_rest(flattener.facets(), around, wishes.slope, z);
-    const double outside = outside_of(wishes.part, z);
-    if (outside >= least) continue;
-    least = outside;
-    heights.z = std::move(z);
-    if (outside <= 0.0) break;
+    const std::uint32_t high = found.low.source[at], low = found.high.source[at];
+    const double rise = ranges[high].low - ranges[low].high;
+    const double way = (rise - most) / slope;
+    if (most <= 1e-9 * (1.0 + std::abs(rise))) return forced;
+    forced = {.tangent = high == low || way <= 1e-12 ? INFINITY : rise / way,
+              .high = glm::dvec3(mesh.points()[high], ranges[high].low),
+              .low = glm::dvec3(mesh.points()[low], ranges[low].high)};
+    if (!std::isfinite(forced.tangent)) return forced;
+    slope = forced.tangent;
   }
-  heights.forced = forced_slope(mesh, around, wishes.part, wishes.slope);
-  return heights;
+  return forced;
+}
+
+void keep_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, double slope, double narrow,
+                std::vector<double>& z) {
+  const Flattener flattener(mesh, ranges, slope, narrow);
+  if (flattener.run({&ranges, k_rounds, k_held_share}, z) ||
+      flattener.run({nullptr, k_rounds, k_free_share}, z))
+    return;
+  level_rest(flattener.facets(), ways_outside(mesh), slope, z);
 }
 
 }  // namespace moldlight

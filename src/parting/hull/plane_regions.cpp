@@ -1,0 +1,56 @@
+// Which triangles of a plane mesh lie inside of its outline, and the regions outside.
+#include <deque>
+
+#include "parting/hull/plane_mesh.hpp"
+
+namespace moldlight {
+
+void PlaneMesh::find_inside() {
+  std::vector<std::uint8_t> depth(triangles_.size(), 2);
+  std::deque<std::uint32_t> queue;
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+    const auto& across = triangles_[k].across;
+    if (across[0] != k_none && across[1] != k_none && across[2] != k_none) continue;
+    depth[k] = 0;
+    queue.push_back(k);
+  }
+  while (!queue.empty()) {
+    const std::uint32_t here = queue.front();
+    queue.pop_front();
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const std::uint32_t there = triangles_[here].across[side];
+      if (there == k_none || depth[there] != 2) continue;
+      depth[there] = triangles_[here].fixed[side] == k_outline ? 1 - depth[here] : depth[here];
+      queue.push_back(there);
+    }
+  }
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) triangles_[k].inside = depth[k] == 1;
+  number_regions();
+}
+
+void PlaneMesh::number_regions() {
+  std::vector<std::uint8_t> done(triangles_.size(), 0);
+  regions_ = 0;
+  const auto flood = [&](std::uint32_t start) {
+    std::vector<std::uint32_t> waiting = {start};
+    done[start] = 1;
+    while (!waiting.empty()) {
+      const std::uint32_t here = waiting.back();
+      waiting.pop_back();
+      triangles_[here].region = static_cast<std::uint32_t>(regions_);
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        const std::uint32_t there = triangles_[here].across[side];
+        if (there == k_none || done[there] != 0 || triangles_[here].fixed[side] == k_outline) continue;
+        done[there] = 1;
+        waiting.push_back(there);
+      }
+    }
+    ++regions_;
+  };
+  flood(triangle_at_[0]);
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+    if (done[k] == 0 && !triangles_[k].inside) flood(k);
+  }
+}
+
+}  // namespace moldlight
