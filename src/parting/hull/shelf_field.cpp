@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include <glm/common.hpp>
@@ -13,6 +14,8 @@ namespace {
 
 /// What is met but for this much, in diagonals of the part, is met: a line that is planar to this is planar.
 constexpr double k_slack = 1e-4;
+/// How far behind a segment a place may be by rounding.
+constexpr double k_behind = 1e-9;
 /// Segments of the outline that are looked at together.
 constexpr std::size_t k_group = 16;
 
@@ -48,6 +51,30 @@ double land_of(const Envelope::Source& source, double land) {
   const double climb = std::abs(source.heights[1] - source.heights[0]) /
                        std::max(glm::distance(source.ends[0], source.ends[1]), 1e-300);
   return land * std::clamp(1.0 - climb / k_most_land_climb, 0.0, 1.0);
+}
+
+/// Corners of the sources, as high as the higher of the two that meet there, in front of either; where more
+/// meet, everywhere.
+std::vector<Envelope::Source> corners_of(const std::vector<Envelope::Source>& sources) {
+  std::map<std::pair<double, double>, std::pair<Envelope::Source, int>> corners;
+  for (const Envelope::Source& source : sources) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const glm::dvec2& at = source.ends[end];
+      auto& [corner, count] = corners[{at.x, at.y}];
+      if (count == 0) corner = {{at, at}, {-INFINITY, -INFINITY}, 0.0, {}};
+      corner.heights[0] = corner.heights[1] = std::max(corner.heights[0], source.heights[end]);
+      corner.land = std::max(corner.land, source.land);
+      if (count < 2) corner.fronts[static_cast<std::size_t>(count)] = source.fronts[0];
+      if (count >= 2) corner.fronts = {};
+      ++count;
+    }
+  }
+  std::vector<Envelope::Source> found;
+  for (auto& [place, entry] : corners) {
+    if (entry.second == 1) entry.first.fronts[1] = entry.first.fronts[0];
+    found.push_back(entry.first);
+  }
+  return found;
 }
 
 /// Lengths by height: how much is at or below one.
@@ -106,7 +133,10 @@ double Envelope::at(const glm::dvec2& place, double least) const {
     const double way = glm::distance(place, glm::clamp(place, group.low, group.high));
     if (group.most - slope_ * std::max(0.0, way - group.land) <= most) continue;
     for (std::size_t k = group.first; k < group.last; ++k) {
-      most = std::max(most, reached(sources_[k], place, slope_));
+      const Source& source = sources_[k];
+      const glm::dvec2 away = place - source.ends[0];
+      if (std::max(cross(source.fronts[0], away), cross(source.fronts[1], away)) < -k_behind) continue;
+      most = std::max(most, reached(source, place, slope_));
     }
   }
   return most;
@@ -130,15 +160,23 @@ ShelfField::Side ShelfField::side_of(const std::vector<RimSegment>& rims, double
   for (const RimSegment& rim : rims) most = std::max({most, above(rim, 0, true), above(rim, 1, true)});
   std::vector<Envelope::Source> pull, hold;
   for (const RimSegment& rim : rims) {
-    Envelope::Source low{rim.ends, {above(rim, 0, true), above(rim, 1, true)}},
-        high{rim.ends, {-above(rim, 0, false), -above(rim, 1, false)}};
-    if (std::max(low.heights[0], low.heights[1]) > k_slack) {
-      low.land = land_of(low, shape_.land);
-      pull.push_back(low);
-    }
-    if (std::max(high.heights[0], high.heights[1]) > -most) hold.push_back(high);
+    const glm::dvec2 along = (rim.ends[1] - rim.ends[0]) / std::max(rim.length(), 1e-300);
+    Envelope::Source low{rim.ends, {above(rim, 0, true), above(rim, 1, true)}, 0.0, {along, along}},
+        high{rim.ends, {-above(rim, 0, false), -above(rim, 1, false)}, 0.0, {along, along}};
+    low.land = land_of(low, shape_.land);
+    pull.push_back(low);
+    hold.push_back(high);
   }
-  return {Envelope(std::move(pull), shape_.ramp), Envelope(std::move(hold), shape_.slope)};
+  const auto matter = [](std::vector<Envelope::Source> sources, double least) {
+    const std::vector<Envelope::Source> corners = corners_of(sources);
+    sources.insert(sources.end(), corners.begin(), corners.end());
+    std::erase_if(sources, [&](const Envelope::Source& source) {
+      return std::max(source.heights[0], source.heights[1]) <= least;
+    });
+    return sources;
+  };
+  return {Envelope(matter(std::move(pull), k_slack), shape_.ramp),
+          Envelope(matter(std::move(hold), -most), shape_.slope)};
 }
 
 /// How far the surface is beyond the shelf.

@@ -40,13 +40,15 @@ struct ShelfPlane {
   [[nodiscard]] bool meets(const std::vector<RimSegment>& rims, double slack) const;
 };
 
-/// The greatest, over segments with heights, of height − slope · max(0, distance − land).
+/// The greatest, over segments and corners with heights, of height − slope · max(0, distance − land), over
+/// what lies in front of them, so that it does not reach through the part.
 class Envelope {
  public:
   struct Source {
     std::array<glm::dvec2, 2> ends{};
     std::array<double, 2> heights{};
     double land = 0.0;
+    std::array<glm::dvec2, 2> fronts{};  // it counts on the left of one of these directions, or on them
   };
   Envelope() = default;
   Envelope(std::vector<Source> sources, double slope);
