@@ -95,11 +95,12 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims) {
   }
 }
 
-std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes,
-                                     const ShelfShape& shape) {
+std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes, const ShelfShape& shape,
+                                     const Progress& progress) {
   std::vector<ShelfField> fields;
   for (const std::vector<RimSegment>& region : rims) {
-    const auto of_line = line_ranges(points_within(region, 0.25 * k_line_reach), wishes.line, k_line_reach);
+    const auto of_line =
+        line_ranges(points_within(region, 0.25 * k_line_reach), wishes.line, k_line_reach, progress);
     std::vector<double> line;
     for (std::size_t k = 0; k < region.size(); ++k)
       line.push_back(0.5 * (of_line[2 * k].middle() + of_line[2 * k + 1].middle()));

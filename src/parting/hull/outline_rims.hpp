@@ -28,6 +28,6 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims);
 
 /// The field of each region: where a level meets all of an outline, or a hole's is in one plane, it is that.
 [[nodiscard]] std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes,
-                                                   const ShelfShape& shape);
+                                                   const ShelfShape& shape, const Progress& progress);
 
 }  // namespace moldlight

@@ -193,8 +193,8 @@ std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
 
 }  // namespace
 
-std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish,
-                                             PartingSurface& surface, const Progress& progress) {
+std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& wish, PartingSurface& surface,
+                                             const Progress& progress) {
   const auto go_on = [&] { progress.report(k_halves_stage, 0.0); };
   surface.low = wish.low;
   surface.high = wish.high;
@@ -203,7 +203,7 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
   RegionRims rims = outline_rims(sheets, plane);
   for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-  std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape);
+  std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape, progress);
   const LevelOutside level = level_outside(rims[0], fields[0].shelf().height, wish.shape);
   surface.low = on_grid(glm::min(wish.low, level.low));
   surface.high = on_grid(glm::max(wish.high, level.high));
@@ -212,7 +212,7 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
     rims = outline_rims(sheets, plane);
     for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-    fields = shelf_fields(rims, wishes, wish.shape);
+    fields = shelf_fields(rims, wishes, wish.shape, progress);
   }
   go_on();
   const std::vector<Cone> cones = register_cones(wish, surface);

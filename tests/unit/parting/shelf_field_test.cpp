@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parting/mold_halves.hpp"
+#include "parting/make_halves.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
 #include "unit/parting/certified_halves.hpp"
