@@ -181,6 +181,7 @@ class Trial {
     rectangle_ = (surface.high.x - surface.low.x) * (surface.high.y - surface.low.y);
     halves_.margin = diagonal * std::max({box.min.x - surface.low.x, box.min.y - surface.low.y,
                                           surface.high.x - box.max.x, surface.high.y - box.max.y});
+    halves_.land = wish.shape.land * diagonal;
     tell_surface(surface.forced);
     return std::nullopt;
   }

@@ -83,6 +83,7 @@ struct MoldHalves {
 
   SurfaceFigures surface;
   double margin = 0.0;  // the most between the part's box and the block's sides
+  double land = 0.0;    // width of what is level between the line and a ramp
   /// How steep the part's own outline is, where that is more than was asked: less than that no parting
   /// surface can be that meets it, so that the halves touch on upright walls there. 90 at steps, 0: nowhere.
   double forced_deg = 0.0;

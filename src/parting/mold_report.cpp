@@ -110,19 +110,6 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
   json["unreleased"] = of_insert.unreleased;
 }
 
-/// How a toolmaker cuts the surface around the part: its plane, what leads from there to the line, and how
-/// much the block's edge rises.
-Json surface_json(const MoldReport& report) {
-  const SurfaceFigures& surface = report.halves.surface;
-  return {{"shelf", {{"height", surface.shelf_height}, {"share", surface.shelf_share()}}},
-          {"ramps", surface.ramp_area},
-          {"land", land_width(report.settings, report.model.frame.diagonal)},
-          {"rise", surface.high - surface.low},
-          {"rim_range", surface.rim_high - surface.rim_low},
-          {"faces", surface.faces},
-          {"margin", report.halves.margin}};
-}
-
 /// Halves, surfaces, inserts; null where there are none.
 void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
@@ -131,7 +118,6 @@ void add_halves(const MoldReport& report, Json& json) {
   json["inserts"] = Json::array();
   json["refused"] = refusal_json(report);
   if (!halves.made()) return;
-  json["surface"] = surface_json(report);
   put_figures(found_figures(halves_figures(), halves), json);
   Json& surfaces = json["surfaces"];
   surfaces["contacts"] = contacts_json(halves);

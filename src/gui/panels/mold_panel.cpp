@@ -48,7 +48,7 @@ std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure
   std::string line;
   for (const FoundFigure& figure : figures) {
     if (figure.title.empty() || figure.value.value_or(0.0) == 0.0) continue;
-    if (figure.key.starts_with("surfaces") != of_surfaces) continue;
+    if (figure.key.starts_with("surface") != of_surfaces) continue;
     const std::string unit = style.unit(figure.kind);
     line += fmt::format("{}{} {}{}{}", line.empty() ? "" : " · ", figure.title, grouped(style.text(figure)),
                         unit.empty() ? "" : " ", unit);

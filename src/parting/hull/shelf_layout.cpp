@@ -16,9 +16,9 @@ namespace moldlight {
 namespace {
 
 /// Facets may be off by so much, in diagonals of the part; points are no nearer to each other than that.
-constexpr double k_most_off = 4e-4, k_least_apart = 1e-3;
-constexpr int k_most_rounds = 8;
-constexpr std::size_t k_most_points = 4000;
+constexpr double k_most_off = 1e-3, k_least_apart = 2e-3;
+constexpr int k_most_rounds = 6;
+constexpr std::size_t k_most_points = 1500;
 /// Places at which an edge is looked at.
 constexpr std::size_t k_samples = 8;
 
