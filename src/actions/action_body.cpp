@@ -15,6 +15,7 @@
 #include "mesh/health.hpp"
 #include "mesh/open_surface.hpp"
 #include "mesh/polygon_triangulation.hpp"
+#include "mold/surface_samples.hpp"
 
 namespace moldlight {
 
@@ -33,11 +34,14 @@ constexpr std::uint64_t k_cap_work = 2'000'000;
 
 class BodyMaker {
  public:
-  BodyMaker(const PartModel& model, const Classification& result, const ActionPlan& plan, std::size_t number)
+  BodyMaker(const PartModel& model, const Classification& result, const ActionPlan& plan, std::size_t number,
+            double thickness)
       : model_(model),
-        split_(*result.split),
+        vertices_(result.split->vertices),
         action_(plan.actions[number]),
+        thickness_(k_thickness * thickness),
         release_(model, exact_query(model, result.query())) {
+    const SplitMesh& split = *result.split;
     std::set<FacetIndex> formed;
     for (const std::size_t patch : action_.patches) {
       const UndercutReport& noted = plan.patches[patch];
@@ -45,11 +49,12 @@ class BodyMaker {
       if (!action_.about && action_of(plan, patch) == &action_)
         formed.insert(noted.formed.begin(), noted.formed.end());
     }
-    for (std::uint32_t piece = 0; piece < split_.pieces.size(); ++piece) {
+    for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
       const bool own = plan.action_of_piece[piece] == static_cast<std::int32_t>(number);
-      if (!own && !formed.contains(split_.pieces[piece].facet)) continue;
-      triangles_.push_back(split_.pieces[piece].corners);
+      if (!own && !formed.contains(split.pieces[piece].facet)) continue;
+      triangles_.push_back(split.pieces[piece].corners);
     }
+    if (!action_.about) leave_out_blocked();
   }
 
   std::optional<TriangleMesh> make() {
@@ -58,7 +63,7 @@ class BodyMaker {
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
     const bool leaves = is_slide(action_.kind);
     const double diagonal = model_.frame.diagonal;
-    double length = k_thickness * diagonal;
+    double length = thickness_ * diagonal;
     if (leaves) {
       length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
     } else if (std::isfinite(action_.clear_to)) {
@@ -70,15 +75,89 @@ class BodyMaker {
     TriangleMesh solid = solid_between(surface, shifted(surface, way));
     const double area = total_area(surface.mesh);
     if (signed_volume(solid) > k_flat * std::pow(area, 1.5)) return solid;
-    return solid_between(surface, thickened(surface, normal));
+    // It gets its thickness off the surface.
+    std::vector<glm::dvec3> image = surface.mesh.vertices;
+    const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
+    for (std::size_t k = 0; k < image.size(); ++k)
+      image[k] += thickness_ * diagonal * (normal != glm::dvec3(0.0) ? normal : curved[k]);
+    return solid_between(surface, image);
   }
 
  private:
+  /// Triangles are divided until each leaves whole, or has little of the surface; then those that do not go.
+  void leave_out_blocked() {
+    constexpr std::size_t k_most = 8'000;
+    constexpr double k_little = 0.01;
+    std::vector<std::array<VertexIndex, 3>> free;
+    for (bool fine = false; !fine; fine = fine || !divide(k_most)) {
+      free.clear();
+      fine = true;
+      double all = 0.0;
+      for (const auto& corners : triangles_) all += glm::length(area_of(corners));
+      for (const auto& corners : triangles_) {
+        const double share = all > 0.0 ? glm::length(area_of(corners)) / all : 0.0;
+        const double leaves = share_that_leaves(corners, share);
+        if (leaves == 1.0) free.push_back(corners);
+        fine = fine && (leaves == 0.0 || leaves == 1.0 || share <= k_little);
+      }
+    }
+    if (!free.empty()) triangles_ = std::move(free);
+  }
+
+  /// Each into four; not where that would be more than `most`.
+  bool divide(std::size_t most) {
+    if (4 * triangles_.size() > most) return false;
+    std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> middles;
+    const auto middle = [&](VertexIndex a, VertexIndex b) {
+      const auto [at, added] = middles.try_emplace(std::pair(std::min(a, b), std::max(a, b)),
+                                                   static_cast<VertexIndex>(vertices_.size()));
+      if (added) vertices_.push_back(0.5 * (vertices_[a] + vertices_[b]));
+      return at->second;
+    };
+    std::vector<std::array<VertexIndex, 3>> finer;
+    for (const auto& [a, b, c] : triangles_) {
+      const VertexIndex ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    triangles_ = std::move(finer);
+    return true;
+  }
+
+  /// Of a triangle, along its normal.
+  [[nodiscard]] glm::dvec3 area_of(const std::array<VertexIndex, 3>& corners) const {
+    const glm::dvec3& a = vertices_[corners[0]];
+    return 0.5 * glm::cross(vertices_[corners[1]] - a, vertices_[corners[2]] - a);
+  }
+
+  /// Of places near its corners and on it, the more the larger its share of the surface is, how many the
+  /// action frees.
+  [[nodiscard]] double share_that_leaves(const std::array<VertexIndex, 3>& corners, double share) const {
+    constexpr double k_inward = 0.02, k_places = 300.0;  // for the whole surface
+    const glm::dvec3 area = area_of(corners);
+    if (area == glm::dvec3(0.0)) return 1.0;  // it goes with its neighbours
+    const glm::dvec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
+    const glm::dvec3 middle = (a + b + c) / 3.0;
+    std::vector<glm::dvec3> places = {middle, glm::mix(a, middle, k_inward), glm::mix(b, middle, k_inward),
+                                      glm::mix(c, middle, k_inward)};
+    for (std::uint64_t k = 0; static_cast<double>(k) < share * k_places; ++k)
+      places.push_back(triangle_place(k).in(a, b, c));
+    const LifterWay way{action_.direction, action_.core_side ? release_.direction() : -release_.direction(),
+                        action_.travel / model_.frame.diagonal};
+    const auto count = std::ranges::count_if(places, [&](const glm::dvec3& at) {
+      const UndercutSample sample{model_.frame.to_unit(at), glm::normalize(area), 0.0};
+      if (action_.kind == ActionKind::lifter) return release_.clears(sample, way);
+      if (release_.free_length(sample, way.pull) != k_never) return false;
+      if (action_.kind == ActionKind::insert) return !release_.covered(sample, way.pull);
+      return release_.clear(sample, way.pull, way.length, way.side);
+    });
+    return static_cast<double>(count) / static_cast<double>(places.size());
+  }
+
   /// Where fans of triangles meet in a point they are drawn back from it, each into itself, so that the walls
   /// over them do not share an edge.
   [[nodiscard]] OpenSurface surface_of_triangles() const {
     constexpr double k_back = 1e-3;  // of the triangles' size
-    OpenSurface surface = open_surface(split_.vertices, triangles_);
+    OpenSurface surface = open_surface(vertices_, triangles_);
     std::map<VertexIndex, int> uses;
     for (const VertexIndex source : surface.sources) ++uses[source];
     const std::vector<glm::dvec3> corners = surface.mesh.vertices;
@@ -121,91 +200,63 @@ class BodyMaker {
     return image;
   }
 
-  /// Adds caps where the surface, seen against the pull, has a hole that leads on through the part, and the
-  /// cap can be pulled out, too. The corners of a cap are those of the border.
+  /// Adds caps where the surface, seen against the pull, has a hole that leads on through the part, or where
+  /// it goes part of the way round such a hole, and the cap can be pulled out, too. The corners of a cap are
+  /// those of the border.
   bool close_far_ends(const OpenSurface& surface) {
-    PolygonTriangulator triangulator(k_cap_work);
+    constexpr double k_end = 1e-3;  // of the diagonal, along the pull
     const std::size_t before = triangles_.size();
+    const double square = model_.frame.diagonal * model_.frame.diagonal;
     for (const std::vector<VertexIndex>& border : surface.borders) {
-      const double seen = glm::dot(enclosed_area(surface, border), action_.direction);
-      if (border.size() < 3 || seen > -1e-9 * model_.frame.diagonal * model_.frame.diagonal) continue;
-      std::vector<glm::dvec3> outline;
-      for (auto at = border.rbegin(); at != border.rend(); ++at)
-        outline.push_back(surface.mesh.vertices[*at]);
-      std::vector<std::array<std::uint32_t, 3>> cap;
-      if (triangulator.triangulate(outline, cap) == PolygonCut::fan_of_odd) continue;
-      const bool free = std::ranges::all_of(cap, [&](const auto& corners) {
-        const glm::dvec3 middle = (outline[corners[0]] + outline[corners[1]] + outline[corners[2]]) / 3.0;
-        const UndercutSample sample{model_.frame.to_unit(middle), action_.direction, 0.0};
-        return release_.free_length(sample, action_.direction) == k_never;
-      });
-      if (!free) continue;
-      for (const auto& corners : cap) {
-        std::array<VertexIndex, 3> triangle{};
-        for (std::size_t k = 0; k < 3; ++k)
-          triangle[k] = surface.sources[border[border.size() - 1 - corners[k]]];
-        triangles_.push_back(triangle);
+      if (glm::dot(enclosed_area(surface, border), action_.direction) < -1e-9 * square) {
+        add_cap(surface, border);
+        continue;
+      }
+      const auto reach = [&](VertexIndex vertex) {
+        return glm::dot(surface.mesh.vertices[vertex], action_.direction);
+      };
+      double least = k_never;
+      for (const VertexIndex vertex : border) least = std::min(least, reach(vertex));
+      const auto is_far = [&](VertexIndex vertex) {
+        return reach(vertex) <= least + k_end * model_.frame.diagonal;
+      };
+      // From where the border comes to its far end.
+      std::vector<VertexIndex> end = border;
+      const auto elsewhere = std::find_if_not(end.begin(), end.end(), is_far);
+      std::rotate(end.begin(), std::find_if(elsewhere, end.end(), is_far), end.end());
+      end.erase(std::find_if_not(end.begin(), end.end(), is_far), end.end());
+      // Lips may curl past the mouth.
+      const std::size_t least_size = end.size() / 2;
+      while (end.size() < border.size() && end.size() > std::max<std::size_t>(4, least_size) &&
+             glm::dot(enclosed_area(surface, end), action_.direction) < -k_end * k_end * square &&
+             !add_cap(surface, end)) {
+        end.pop_back();
+        end.erase(end.begin());
       }
     }
     return triangles_.size() > before;
   }
 
-  /// The image of a body that gets its thickness off the surface: as much as there is room for, along the
-  /// mean normal, or where that leaves none, along the normals of the vertices.
-  [[nodiscard]] std::vector<glm::dvec3> thickened(const OpenSurface& surface,
-                                                  const glm::dvec3& normal) const {
-    constexpr double k_thinner = 0.6;
-    const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
-    std::vector<std::vector<glm::dvec3>> ways;
-    if (normal != glm::dvec3(0.0)) ways.emplace_back(surface.mesh.vertices.size(), normal);
-    ways.push_back(curved);
-    std::vector<glm::dvec3> image = surface.mesh.vertices;
-    const auto move = [&](const std::vector<glm::dvec3>& outward, double thickness) {
-      for (std::size_t k = 0; k < image.size(); ++k)
-        image[k] += thickness * model_.frame.diagonal * outward[k];
-    };
-    for (const std::vector<glm::dvec3>& outward : ways) {
-      for (double thickness = k_thickness; thickness > k_least_thickness; thickness *= k_thinner) {
-        if (!has_room(surface.mesh, outward, thickness)) continue;
-        move(outward, thickness);
-        return image;
-      }
+  /// Not where the border crosses itself, or something is in the way.
+  bool add_cap(const OpenSurface& surface, const std::vector<VertexIndex>& border) {
+    if (border.size() < 3) return false;
+    std::vector<glm::dvec3> outline;
+    for (auto at = border.rbegin(); at != border.rend(); ++at) outline.push_back(surface.mesh.vertices[*at]);
+    std::vector<std::array<std::uint32_t, 3>> cap;
+    if (PolygonTriangulator(k_cap_work).triangulate(outline, cap) == PolygonCut::fan_of_odd) return false;
+    const bool free = std::ranges::all_of(cap, [&](const auto& corners) {
+      const glm::dvec3 middle = (outline[corners[0]] + outline[corners[1]] + outline[corners[2]]) / 3.0;
+      const UndercutSample sample{model_.frame.to_unit(middle), action_.direction, 0.0};
+      return release_.free_length(sample, action_.direction) == k_never;
+    });
+    if (!free) return false;
+    for (const auto& corners : cap) {
+      std::array<VertexIndex, 3> triangle{};
+      for (std::size_t k = 0; k < 3; ++k)
+        triangle[k] = surface.sources[border[border.size() - 1 - corners[k]]];
+      triangles_.push_back(triangle);
     }
-    move(curved, k_least_thickness);
-    return image;
-  }
-
-  /// Whether the body has so much thickness (share of the diagonal) outside the part, and stays so as it
-  /// moves: at the middles of facets and near their corners.
-  [[nodiscard]] bool has_room(const TriangleMesh& mesh, const std::vector<glm::dvec3>& outward,
-                              double thickness) const {
-    constexpr double k_inward = 0.05;
-    const double travel = action_.travel / model_.frame.diagonal;
-    double all = 0.0, blocked = 0.0;
-    for (const auto& facet : mesh.facets) {
-      const auto& [a, b, c] = facet;
-      const glm::dvec3 middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
-      const glm::dvec3 across =
-          glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
-      const double area = glm::length(across);
-      all += area;
-      if (area <= 0.0) continue;
-      const auto fits = [&](const glm::dvec3& at, const glm::dvec3& outward_there) {
-        const double length = glm::length(outward_there);
-        if (length <= 0.0) return true;  // where facets without area meet
-        const glm::dvec3 way = outward_there / length;
-        const UndercutSample base{model_.frame.to_unit(at), across / area, 0.0};
-        const UndercutSample top{model_.frame.to_unit(at + thickness * model_.frame.diagonal * way), way,
-                                 0.0};
-        return release_.free_length(base, way) > thickness &&
-               release_.free_length(top, action_.direction) >= travel;
-      };
-      bool free = fits(middle, outward[a] + outward[b] + outward[c]);
-      for (const VertexIndex vertex : facet)
-        free = free && fits(glm::mix(mesh.vertices[vertex], middle, k_inward), outward[vertex]);
-      blocked += free ? 0.0 : area;
-    }
-    return blocked <= k_blocked_share * all;
+    return true;
   }
 
   [[nodiscard]] static std::vector<glm::dvec3> vertex_normals(const TriangleMesh& mesh) {
@@ -251,17 +302,18 @@ class BodyMaker {
   }
 
   const PartModel& model_;
-  const SplitMesh& split_;
+  std::vector<glm::dvec3> vertices_;  // of the split mesh, and such as divide its pieces
   const SideAction& action_;
+  double thickness_;  // at most of a body that does not leave sideways, share of the diagonal
   Release release_;
-  std::vector<std::array<VertexIndex, 3>> triangles_;  // of the split mesh, with caps
+  std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
 };
 
 }  // namespace
 
-std::optional<TriangleMesh> action_body(const PartModel& model, const Classification& result,
-                                        const ActionPlan& plan, std::size_t action) {
-  return BodyMaker(model, result, plan, action).make();
+std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
+                                        const ActionPlan& plan, std::size_t action, double thickness) {
+  return BodyMaker(model, result, plan, action, thickness).make();
 }
 
 double turn_of(const SideAction& action, double share) {

@@ -10,13 +10,14 @@
 
 namespace moldlight {
 
-/// A closed, oriented solid beside the part, in its unit and place, that touches all undercut pieces that the
-/// action releases and the faces that it forms with them: as far out as the part reaches for a slide, and a
-/// slice of so much room as it has for what cannot leave sideways. Through holes are stopped at their far
-/// end. It does not reach into the part by more than the tolerances of the action's own rays. Nothing for
-/// what is stripped off, which has no body of its own.
-[[nodiscard]] std::optional<TriangleMesh> action_body(const PartModel& model, const Classification& result,
-                                                      const ActionPlan& plan, std::size_t action);
+/// The closed, oriented solid that an action moves, beside the part, in its unit and place. It touches the
+/// undercut pieces that the action releases and the faces that it forms with them, but for what of them it
+/// does not free. A slide's goes as far out as the part reaches; what cannot leave sideways is a slice, with
+/// this share (0, 1] of the usual thickness. Through holes are stopped at their far end. Nothing for what is
+/// stripped off, which has no body of its own.
+[[nodiscard]] std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
+                                                      const ActionPlan& plan, std::size_t action,
+                                                      double thickness);
 
 /// Where a body is at a share [0, 1] of its travel: points of the part's own unit and place.
 [[nodiscard]] glm::dmat4 action_motion(const SideAction& action, double share);

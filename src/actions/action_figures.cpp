@@ -37,6 +37,15 @@ constexpr FigureRow<SideAction> k_action_figures[] = {
      [](const SideAction& a) { return a.kind == ActionKind::lifter ? Found(a.room_needed) : std::nullopt; }},
 };
 
+constexpr FigureRow<SideAction> k_body_figures[] = {
+    {"body/volume", "body", Kind::volume,
+     [](const SideAction& a) { return a.body ? Found(a.body->volume) : std::nullopt; },
+     "Volume of the closed solid that moves."},
+    {"body/least_section", "section", Kind::area,
+     [](const SideAction& a) { return a.body ? Found(a.body->least_section) : std::nullopt; },
+     "Across its way, where it is greatest, of its thinnest piece."},
+};
+
 constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
     {"area", "area", Kind::area, [](const UndercutReport& u) -> Found { return u.undercut.area; }},
     {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
@@ -51,6 +60,7 @@ constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
 }  // namespace
 
 std::span<const FigureRow<SideAction>> action_figures() { return k_action_figures; }
+std::span<const FigureRow<SideAction>> body_figures() { return k_body_figures; }
 std::span<const FigureRow<UndercutReport>> undercut_figures() { return k_undercut_figures; }
 
 }  // namespace moldlight

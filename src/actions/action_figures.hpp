@@ -8,6 +8,8 @@ namespace moldlight {
 
 /// Keys are relative to "/actions/k" and "/patches/k".
 [[nodiscard]] std::span<const FigureRow<SideAction>> action_figures();
+/// Of the solid that it moves.
+[[nodiscard]] std::span<const FigureRow<SideAction>> body_figures();
 [[nodiscard]] std::span<const FigureRow<UndercutReport>> undercut_figures();
 
 }  // namespace moldlight

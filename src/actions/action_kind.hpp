@@ -18,6 +18,11 @@ inline constexpr std::size_t k_action_kinds = 6;
   return kind == ActionKind::slide || kind == ActionKind::inclined;
 }
 
+/// When it moves: 1 before the mold opens, 2 the halves, 3 with the ejection, 4 by hand.
+[[nodiscard]] constexpr int sequence_of(ActionKind kind) {
+  return kind == ActionKind::insert ? 4 : kind == ActionKind::lifter || kind == ActionKind::strip ? 3 : 1;
+}
+
 /// What else is said of a kind: the one place for it.
 struct ActionFacts {
   std::string_view name;              // in reports

@@ -87,13 +87,12 @@ std::vector<std::string> write_action_bodies(const std::string& folder, const st
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
-  std::vector<std::string> paths;
-  for (std::size_t k = 0; k < report.plan.actions.size(); ++k) {
-    const auto body = action_body(report.model, report.result, report.plan, k);
+  std::vector<std::string> paths(report.plan.actions.size());
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const auto& body = report.plan.actions[k].body;
     if (!body) continue;
-    paths.push_back(
-        (fs::path(folder) / fmt::format("{}_{}.stl", stem, action_name(report.plan, k))).string());
-    write_stl(paths.back(), *body, action_colour(k));
+    paths[k] = (fs::path(folder) / fmt::format("{}_{}.stl", stem, action_name(report.plan, k))).string();
+    write_stl(paths[k], *body->solid, action_colour(k));
   }
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -111,10 +110,9 @@ std::vector<StillBody> pulled_bodies(const ActionsReport& report) {
   std::vector<StillBody> bodies;
   const ActionPlan& plan = report.plan;
   for (std::size_t k = 0; k < plan.actions.size(); ++k) {
-    auto body = action_body(report.model, report.result, plan, k);
-    if (!body) continue;
     const SideAction& action = plan.actions[k];
-    bodies.push_back({std::move(*body), action_motion(action, 1.0), action_colour(k),
+    if (!action.body) continue;
+    bodies.push_back({*action.body->solid, action_motion(action, 1.0), action_colour(k),
                       fmt::format("{} {}: {:.3g} {}", facts(action.kind).singular, k + 1, action.travel,
                                   length_unit(report.model.part))});
   }

@@ -19,7 +19,7 @@ namespace moldlight {
 void write_action_mesh(const std::string& path, const ActionsReport& report, Palette palette);
 
 /// Writes the body of each action that has one to <folder>/<stem>_<name>.stl, making the folder; a former
-/// file of such a name that is not written again goes. Returns the paths.
+/// file of such a name that is not written again goes. Returns the path of each action's, empty without one.
 std::vector<std::string> write_action_bodies(const std::string& folder, const std::string& stem,
                                              const ActionsReport& report);
 

@@ -73,17 +73,13 @@ Json patch_json(const Part& part, const UndercutReport& patch, std::size_t numbe
   return json;
 }
 
-/// When it moves: 1 before the mold opens, 2 the halves, 3 with the ejection, 4 by hand.
-int sequence_of(ActionKind kind) {
-  switch (kind) {
-    case ActionKind::lifter:
-    case ActionKind::strip:
-      return 3;
-    case ActionKind::insert:
-      return 4;
-    default:
-      return 1;
-  }
+/// True where nothing is hit.
+Json hit_json(const std::optional<BodyHit>& hit) {
+  if (!hit) return true;
+  return {{"hits", hit->action ? Json(*hit->action + 1) : Json("part")},
+          {"depth", hit->depth},
+          {"place", vector_json(hit->place)},
+          {"when", stage_text(hit->stage)}};
 }
 
 Json action_json(const SideAction& action) {
@@ -100,8 +96,11 @@ Json action_json(const SideAction& action) {
                {"side", side_name(action.core_side)},
                {"has_room", has_room(action)},
                {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
-               {"meets", numbers_json(action.meets)}};
+               {"meets", numbers_json(action.meets)},
+               {"body", {{"file", Json()}}},
+               {"clear", action.body ? hit_json(action.body->hit) : Json()}};
   put_figures(found_figures(action_figures(), action), json);
+  put_figures(found_figures(body_figures(), action), json);
   return json;
 }
 
@@ -110,8 +109,8 @@ Json saving_json(const SavingChange& change, const ActionsReport& report) {
   Json todo = Json::array();
   for (const std::size_t patch : change.patches) {
     if (patch < report.changes.size())
-      todo.push_back(change_text(report.changes[patch], length_unit(report.model.part),
-                                 powered_unit(report.model.part, 2)));
+      todo.push_back(mouth_text(report.model, report.settings, report.plan, patch) +
+                     change_text(report.model, report.changes[patch]));
   }
   return {{"patches", numbers_json(change.patches)},
           {"actions", numbers_json(change.actions)},
@@ -135,16 +134,29 @@ double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value
 
 }  // namespace
 
-std::string change_text(const ToBeFree& change, const std::string& unit, const std::string& area_unit) {
+std::string change_text(const PartModel& model, const ToBeFree& change) {
+  const FigureStyle style(model);
+  const std::string unit = length_unit(model.part);
   std::string text;
   if (change.depth) text = fmt::format("cut back by {} {}", rounded(*change.depth), unit);
   if (const auto& window = change.window) {
     const std::string least = rounded(window->least_thickness), greatest = rounded(window->thickness);
-    text += fmt::format("{}opened towards {} by a window of {} {} through {}{} {}",
-                        text.empty() ? "" : ", or ", side_name(window->core_side), rounded(window->area),
-                        area_unit, least == greatest ? "" : least + " to ", greatest, unit);
+    text += fmt::format("{}open {} towards {} at {}, through {}{} {}", text.empty() ? "" : ", or ",
+                        style.with_unit(FigureKind::area, window->area), side_name(window->core_side),
+                        style.point(window->place), least == greatest ? "" : least + " to ", greatest, unit);
   }
   return text.empty() ? "-" : text;
+}
+
+std::string mouth_text(const PartModel& model, const ActionSettings& settings, const ActionPlan& plan,
+                       std::size_t patch) {
+  const auto found = std::ranges::find(plan.rejected, patch, &RejectedAction::patch);
+  if (found == plan.rejected.end() || found->reason != RejectReason::no_room) return "";
+  const std::string unit = length_unit(model.part);
+  const double needed = settings.lifter_room_mm * unit_per_mm(model.part);
+  return fmt::format("recess {} {} deep with a {} {} mouth: widen the mouth to {} {}, or ",
+                     rounded(found->travel), unit, rounded(found->travel + found->room), unit,
+                     rounded(found->travel + needed), unit);
 }
 
 std::string freedom_text(const SideAction& action, const std::string& unit) {
@@ -190,6 +202,17 @@ std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
   if (rows.empty()) return "";
   return fmt::format("Lifters that cannot be built, for undercuts: {}{}.", rows,
                      plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
+}
+
+std::string clear_text(const SideAction& action, const ActionPlan& plan, const std::string& unit) {
+  if (!action.body) return "-";
+  const auto& hit = action.body->hit;
+  if (!hit) return "clear";
+  return fmt::format(
+      "{} {} deep in {} {}", rounded(hit->depth), unit,
+      hit->action ? fmt::format("{} {}", facts(plan.actions[*hit->action].kind).singular, *hit->action + 1)
+                  : "the part",
+      stage_text(hit->stage));
 }
 
 nlohmann::ordered_json actions_json(const ActionsReport& report) {

@@ -26,14 +26,21 @@ struct ActionsReport {
 
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
-/// "cut back by 2.4 mm, or opened towards core by a window of 47.9 mm² through 1.5 to 2 mm"; "-" for neither.
-[[nodiscard]] std::string change_text(const ToBeFree& change, const std::string& unit,
-                                      const std::string& area_unit);
+/// "cut back by 2.4 mm, or open 47.9 mm² towards core at 1, 2, 3, through 1.5 to 2 mm"; "-" for neither.
+[[nodiscard]] std::string change_text(const PartModel& model, const ToBeFree& change);
+/// What goes before that for an undercut whose lifter lacks room: "recess 3 mm deep with a 1 mm mouth: widen
+/// the mouth to 6 mm, or "; else empty.
+[[nodiscard]] std::string mouth_text(const PartModel& model, const ActionSettings& settings,
+                                     const ActionPlan& plan, std::size_t patch);
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
 /// Lifters without the room that they need, likewise.
 [[nodiscard]] std::string crowded_text(const ActionPlan& plan, const std::string& unit);
+
+/// Of an action's body in the mold's sequence: "clear", "0.57 mm deep in the part at rest"; "-" without one.
+[[nodiscard]] std::string clear_text(const SideAction& action, const ActionPlan& plan,
+                                     const std::string& unit);
 
 /// A line a patch, with the action that releases it; a heading line names the columns.
 [[nodiscard]] std::string actions_csv(const ActionsReport& report);

@@ -18,6 +18,12 @@ std::string_view reject_text(RejectReason reason) {
                                          : "no way out along its half after its travel";
 }
 
+std::string_view stage_text(HitStage stage) {
+  return stage == HitStage::rest  ? "at rest"
+         : stage == HitStage::way ? "on its way"
+                                  : "as the part leaves its half";
+}
+
 const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
   const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
     return std::ranges::find(action.patches, patch) != action.patches.end();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "actions/release.hpp"
 #include "actions/undercut.hpp"
 #include "classify/classification.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {
 
@@ -32,6 +34,27 @@ struct Revolution {
 enum class RejectReason : std::uint8_t { no_room, no_way_out };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
+
+/// Where an action's body hits: where the mold is closed, as it moves, or as the part then leaves its half.
+enum class HitStage : std::uint8_t { rest, way, way_out };
+/// "at rest", …
+[[nodiscard]] std::string_view stage_text(HitStage stage);
+
+/// The deepest point of a body in something solid.
+struct BodyHit {
+  std::optional<std::size_t> action;  // whose body it is in; the part where there is none
+  double depth = 0.0;
+  glm::dvec3 place{0.0};  // of the point where the mold is closed
+  HitStage stage = HitStage::rest;
+};
+
+/// Of the closed solid that an action moves, in the part's unit.
+struct BodyFigures {
+  std::shared_ptr<const TriangleMesh> solid;  // not null
+  double volume = 0.0;
+  double least_section = 0.0;       // across its way, where greatest, of its thinnest piece
+  std::optional<BodyHit> hit = {};  // none where it is nowhere deeper than twice the lateral tolerance
+};
 
 /// Lengths and areas are in the part's unit.
 struct SideAction {
@@ -51,6 +74,7 @@ struct SideAction {
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
   std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
   std::string feature = {};                     // what it forms: "8 vents"
+  std::optional<BodyFigures> body = {};         // where measure_bodies() was asked, of what has one
 };
 
 /// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.

@@ -43,14 +43,20 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   progress.report("writing", 0.0);
   if (!flags.csv.empty()) write_file(flags.csv, actions_csv(found));
   if (!flags.mesh.empty()) write_action_mesh(flags.mesh, found, flags.still.look.palette);
+  std::vector<std::string> bodies(found.plan.actions.size());
   if (!flags.bodies.empty())
-    write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), found);
+    bodies =
+        write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), found);
   if (!flags.image.empty()) {
-    const auto bodies = pulled_bodies(found);
-    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress, bodies));
+    const auto pulled = pulled_bodies(found);
+    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress, pulled));
   }
-  return put_report(flags, study, {actions_json, report::actions_report}, context.get(), baseline, console,
-                    progress);
+  const auto add_files = [&](nlohmann::ordered_json& json) {
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (!bodies[k].empty()) json["actions"][k]["body"]["file"] = bodies[k];
+  };
+  return put_report(flags, study, {actions_json, report::actions_report, add_files}, context.get(), baseline,
+                    console, progress);
 }
 
 nlohmann::ordered_json settings(const ActionsFlags& flags) {

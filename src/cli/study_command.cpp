@@ -48,7 +48,11 @@ AskedPart asked_part(const StudyFlags& flags, Console& console, const Progress& 
 
 int put_report(const StudyFlags& flags, Study& study, const StudyReport& report, const gl::Context* context,
                Baseline& baseline, Console& console, const Progress& progress) {
-  const auto json = [&] { return report.json(study, progress); };
+  const auto json = [&] {
+    nlohmann::ordered_json found = report.json(study, progress);
+    if (report.add) report.add(found);
+    return found;
+  };
   baseline.compare(json);
   if (flags.report.any()) {
     const auto for_report =

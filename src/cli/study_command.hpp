@@ -2,6 +2,7 @@
 // picture, and the report with its baseline.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct AskedPart {
 struct StudyReport {
   nlohmann::ordered_json (*json)(Study&, const Progress&);
   report::Report (*people)(const report::ReportContext&, Study&);
+  std::function<void(nlohmann::ordered_json&)> add = {};  // to what is for programs
 };
 /// Compares it with the baseline and puts it out wherever the flags ask for it; `context` is needed for those
 /// that are drawn. The exit code of the criteria.

@@ -17,6 +17,7 @@
 
 #include "base/median.hpp"
 #include "compare/convex_polygon.hpp"
+#include "mesh/nearest_in_triangle.hpp"
 #include "mesh/symmetric_eigen.hpp"
 #include "mold/surface_samples.hpp"
 

@@ -43,8 +43,4 @@ enum class HullSide { inside, outside, across };
 /// Whether their rims come as near to each other as `reach`.
 [[nodiscard]] bool rims_touch(const ConvexPolygon& a, const ConvexPolygon& b, double reach);
 
-/// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
-[[nodiscard]] glm::dvec3 nearest_in_triangle(const glm::dvec3& point,
-                                             const std::array<glm::dvec3, 3>& corners);
-
 }  // namespace moldlight

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "compare/touching.hpp"
+#include "mesh/nearest_in_triangle.hpp"
 
 namespace moldlight {
 

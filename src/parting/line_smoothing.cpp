@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/nearest_in_triangle.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "parting/line_cost.hpp"
 
@@ -17,28 +18,6 @@ namespace {
 constexpr int k_most_smoothings = 12;
 constexpr double k_least_gain = 1e-3;   // of a loop's length with its climb
 constexpr double k_off_surface = 1e-4;  // of the diagonal
-
-/// The point of a triangle that is nearest to another (Ericson 2004, 5.1.5, by edges and plane).
-glm::dvec3 nearest_on(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
-  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double size = glm::dot(normal, normal);
-  bool inside = size > 0.0;
-  for (std::size_t k = 0; k < 3 && inside; ++k)
-    inside = glm::dot(glm::cross(t[(k + 1) % 3] - t[k], p - t[k]), normal) >= 0.0;
-  if (inside) return p - glm::dot(p - t[0], normal) / size * normal;
-  glm::dvec3 best = t[0];
-  double least = INFINITY;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec3 along = t[(k + 1) % 3] - t[k];
-    const double squared = glm::dot(along, along);
-    const double share = squared > 0.0 ? std::clamp(glm::dot(p - t[k], along) / squared, 0.0, 1.0) : 0.0;
-    const glm::dvec3 at = t[k] + share * along;
-    if (glm::distance(at, p) >= least) continue;
-    least = glm::distance(at, p);
-    best = at;
-  }
-  return best;
-}
 
 double cost_of(const std::vector<glm::dvec3>& points, const glm::dvec3& d) {
   double cost = 0.0;
@@ -84,9 +63,8 @@ LineSmoother::Nearest LineSmoother::nearest(std::span<const PieceIndex> pieces, 
   for (const PieceIndex piece : pieces) {
     const auto& corners = assignment_.mesh.pieces[piece].corners;
     const glm::dvec3 on =
-        nearest_on({assignment_.mesh.vertices[corners[0]], assignment_.mesh.vertices[corners[1]],
-                    assignment_.mesh.vertices[corners[2]]},
-                   at);
+        nearest_in_triangle(at, {assignment_.mesh.vertices[corners[0]], assignment_.mesh.vertices[corners[1]],
+                                 assignment_.mesh.vertices[corners[2]]});
     const double away = glm::distance(on, at);
     double& least = assignment_.free[piece] != 0 ? nearest.to_free : nearest.to_others;
     if (away >= least) continue;

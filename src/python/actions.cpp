@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "actions/action_body.hpp"
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "python/arrays.hpp"
@@ -50,19 +49,12 @@ SharedActions find_side_actions(const PythonPart& self, const py::object& direct
       [](Study& study, const Progress& progress) { static_cast<void>(actions_report(study, progress)); }));
 }
 
-py::list bodies_of_actions(const PythonActions& self, const py::object& progress_given) {
-  std::vector<std::optional<TriangleMesh>> meshes;
-  watch(progress_given, [&](const Progress& progress) {
-    const std::size_t count = self.plan().actions.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      progress.report("making bodies", static_cast<double>(k) / static_cast<double>(count));
-      meshes.push_back(action_body(self.model(), self.result(), self.plan(), k));
-    }
-  });
+py::list bodies_of_actions(const PythonActions& self, const py::object& /*progress*/) {
   py::list list;
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    if (!meshes[k]) continue;
-    const py::tuple mesh = mesh_arrays(*meshes[k]);
+  for (std::size_t k = 0; k < self.plan().actions.size(); ++k) {
+    const auto& body = self.plan().actions[k].body;
+    if (!body) continue;
+    const py::tuple mesh = mesh_arrays(*body->solid);
     py::dict entry;
     entry["name"] = action_name(self.plan(), k);
     entry["action"] = k;

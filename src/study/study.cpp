@@ -1,5 +1,6 @@
 #include "study/study.hpp"
 
+#include "actions/body_figures.hpp"
 #include "parting/make_halves.hpp"
 
 namespace moldlight {
@@ -75,8 +76,10 @@ Asked<ActionPlan>::Inputs Asked<ActionPlan>::inputs(const Study& study) {
   return {exact_inputs(study), study.questions().actions};
 }
 std::shared_ptr<const ActionPlan> Asked<ActionPlan>::find(Study& study, const Progress& progress) {
-  return shared(find_actions(study.model(), study.find<SplitRegions>(progress).result,
-                             study.questions().actions, progress));
+  const Classification& result = study.find<SplitRegions>(progress).result;
+  ActionPlan plan = find_actions(study.model(), result, study.questions().actions, progress);
+  measure_bodies(study.model(), result, progress, plan);
+  return shared(std::move(plan));
 }
 
 Asked<Changes>::Inputs Asked<Changes>::inputs(const Study& study) { return Asked<ActionPlan>::inputs(study); }

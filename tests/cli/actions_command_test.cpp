@@ -57,6 +57,10 @@ TEST_F(Actions, AreToldInJson) {
   EXPECT_NEAR(action["travel"].get<double>() - json["patches"][0]["depth"].get<double>(), 5.0, 1e-9);
   EXPECT_EQ(json["unreleased"]["area"], 0.0);
   EXPECT_TRUE(json["optimal"].get<bool>());
+  EXPECT_GT(action["body"]["volume"].get<double>(), 0.0);
+  EXPECT_GT(action["body"]["least_section"].get<double>(), 0.0);
+  EXPECT_TRUE(action["body"]["file"].is_null());
+  EXPECT_EQ(action["clear"], true);
   EXPECT_EQ(run_moldlight(actions({"--json", "-", "--clearance", "5"})).out, run.out)
       << "the same every time";
 }
@@ -73,15 +77,19 @@ TEST_F(Actions, AreToldInATableOfUndercuts) {
 TEST_F(Actions, AreWrittenAsMeshBodiesAndPicture) {
   const std::string mesh = part.output("actions.obj"), bodies = part.output("bodies"),
                     image = part.output("actions.png");
-  const auto run =
-      run_moldlight(actions({"--mesh", mesh, "--bodies", bodies, "--image", image, "--size", "320x200"}));
+  const auto run = run_moldlight(
+      actions({"--mesh", mesh, "--bodies", bodies, "--image", image, "--size", "320x200", "--json", "-"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(test::file_bytes(mesh).find("\nusemtl slide_1\n"), std::string::npos);
   const std::filesystem::path body =
       std::filesystem::path(bodies) / (std::filesystem::path(part.file()).stem().string() + "_slide_1.stl");
   const auto info = run_moldlight({"info", body.string(), "--json", "-"});
   ASSERT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_TRUE(json_of(info.out)["part"]["closed"].get<bool>()) << info.out;
+  const auto of_file = json_of(info.out)["part"], of_body = json_of(run.out)["actions"][0]["body"];
+  EXPECT_TRUE(of_file["closed"].get<bool>()) << info.out;
+  EXPECT_EQ(of_body["file"], body.string());
+  EXPECT_NEAR(of_body["volume"].get<double>(), of_file["volume"].get<double>(),
+              1e-4 * of_file["volume"].get<double>());
   const Image with = test::read_png(image);
   EXPECT_EQ(with.width, 320);
   ASSERT_EQ(run_moldlight({"classify", part.file(), "--direction", "z", "--unit", "mm", "--image", image,

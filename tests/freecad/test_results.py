@@ -56,13 +56,16 @@ class ResultsTest(DocumentCase):
         self.recompute()
         self.assertEqual([row[0] for row in actions.action_table(found)], ["lifter", "lifter"])
         self.assertEqual(actions.troubles(found), ([], []))
+        self.assertEqual(actions.hits(found), [])
 
     def test_actions(self):
         found = results.actions_of(self.regions)
         self.recompute()
         table = actions.action_table(found)
         self.assertEqual([row[0] for row in table], ["lifter", "lifter"])
-        for kind, direction, travel, stroke, area, undercuts in table:
+        for kind, direction, travel, stroke, area, body, undercuts in table:
+            self.assertGreater(body["volume"], 0)
+            self.assertGreater(body["least_section"], 0)
             self.assertLess((direction - FreeCAD.Vector(0, 1, 0)).Length, 1e-5)
             self.assertAlmostEqual(travel, models.CATCH, delta=1e-3)
             self.assertAlmostEqual(area, models.lid_undercut() / 2, delta=1e-6)

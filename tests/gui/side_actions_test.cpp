@@ -267,7 +267,7 @@ TEST_F(SideActions, ShowTheWindowThatWouldDoWithoutThem) {
   window.frames(60);
   const auto texts = window.app().texts();
   EXPECT_TRUE(std::ranges::any_of(texts, [](const DrawnText& each) {
-    return each.text.find("Without an action: cut back by 10 mm, or opened towards") != std::string::npos;
+    return each.text.find("Without an action: cut back by 10 mm, or open ") != std::string::npos;
   })) << "the row's tip";
   click("undercut 1");
   EXPECT_FALSE(window.app().controls().contains("undercut window"));

@@ -87,8 +87,8 @@ def arrow(start, direction, length, radius):
 
 
 def action_table(obj):
-    """A row an action, as the report has it: kind, direction or None, travel and stroke in mm or None, area in mm², the
-    undercuts that it releases."""
+    """A row an action, as the report has it: kind, direction or None, travel and stroke in mm or None, area in mm², its body
+    with volume in mm³ and least section in mm², or None each, the undercuts that it releases."""
     return [
         (
             action["kind"],
@@ -96,6 +96,7 @@ def action_table(obj):
             action["travel"],
             action["stroke"],
             action["area"],
+            action["body"],
             action["patches"],
         )
         for action in report(obj).get("actions", ())
@@ -107,3 +108,10 @@ def troubles(obj):
     found = report(obj).get("actions", ())
     meet = [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
     return meet, [row for row, action in enumerate(found, 1) if not action["has_room"]]
+
+
+def hits(obj):
+    """Rows of the table from 1 whose bodies are not clear, with "part" or the row that each reaches into, and how deep in
+    mm."""
+    found = [(row, action["clear"]) for row, action in enumerate(report(obj).get("actions", ()), 1)]
+    return [(row, clear["hits"], clear["depth"]) for row, clear in found if isinstance(clear, dict)]

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "actions/action_body.hpp"
 #include "actions/actions_files.hpp"
 #include "gui/jobs/window_study.hpp"
 
@@ -10,14 +9,11 @@ namespace moldlight::gui {
 
 ActionFinder::Found ActionFinder::find(Study study, const Progress& progress) {
   const ActionPlan& plan = study.find<ActionPlan>(progress);
-  const Classification& result = study.find<SplitRegions>(progress).result;
   ActionBodies bodies;
-  const std::size_t count = plan.actions.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    progress.report("shaping what moves", static_cast<double>(k) / static_cast<double>(count));
-    const auto body = action_body(study.model(), result, plan, k);
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const auto& body = plan.actions[k].body;
     if (!body) continue;
-    bodies.bodies.push_back(view_body(*body, study.model().frame, action_colour(k)));
+    bodies.bodies.push_back(view_body(*body->solid, study.model().frame, action_colour(k)));
     bodies.actions.push_back(k);
   }
   return {std::move(study), std::move(bodies)};

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
+#include "actions/action_figures.hpp"
 #include "actions/actions_files.hpp"
 #include "actions/actions_report.hpp"
 #include "classify/figure_table.hpp"
@@ -178,18 +179,26 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UndercutReport& patch = plan.patches[undercut];
   const std::string unit = length_unit(state.model->part);
-  std::string tip = FigureStyle(*state.model).with_unit(FigureKind::area, patch.undercut.area);
+  const FigureStyle style(*state.model);
+  std::string tip = style.with_unit(FigureKind::area, patch.undercut.area);
   if (const SideAction* action = action_of(plan, undercut)) {
     tip += fmt::format(
         " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
         with_minus(short_direction_text(action->direction)), action->travel, unit, detail_text(*action, unit),
         shared_text(*action, undercut) + others_text(plan, undercut, *action) + meetings_text(plan, *action));
+    for (const FoundFigure& figure : found_figures(body_figures(), *action)) {
+      if (figure.value)
+        tip += fmt::format("{}{} {}", figure.key == body_figures().front().key ? "\n" : " · ", figure.title,
+                           style.with_unit(figure.kind, *figure.value));
+    }
+    if (action->body) tip += " · " + clear_text(*action, plan, unit);
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
   if (const auto& changes = state.actions.changes) {
     const ToBeFree& change = (*changes)[undercut];
     if (change.depth || change.window)
-      tip += "\nWithout an action: " + change_text(change, unit, powered_unit(state.model->part, 2));
+      tip += "\nWithout an action: " + mouth_text(*state.model, state.settings.actions, plan, undercut) +
+             change_text(*state.model, change);
   }
   return tip + "\nClick to look at it and see its action move.";
 }

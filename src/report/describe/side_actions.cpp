@@ -54,6 +54,23 @@ Section plan_section(const ActionsReport& found) {
   return section;
 }
 
+/// The solids that the actions move, and whether they are clear in the mold's sequence.
+Section bodies_section(const ActionsReport& found) {
+  const FigureStyle style(found.model);
+  Table table{{{"action", true}}, {}};
+  add_columns(style, body_figures(), table);
+  table.columns.push_back({"in the mold's sequence", true});
+  for (std::size_t k = 0; k < found.plan.actions.size(); ++k) {
+    const SideAction& action = found.plan.actions[k];
+    if (!action.body) continue;
+    Row row{{{title(found.plan, k)}}, Mark{action_colour(k)}};
+    add_cells(style, found_figures(body_figures(), action), fmt::format("/actions/{}", k), row);
+    row.cells.push_back({clear_text(action, found.plan, length_unit(found.model.part))});
+    table.rows.push_back(std::move(row));
+  }
+  return {"Bodies", {std::move(table)}};
+}
+
 /// What would have to be changed of the part instead.
 Section changes_section(const ActionsReport& found) {
   Section section{"Without side actions", {}};
@@ -69,8 +86,8 @@ Section changes_section(const ActionsReport& found) {
   Table table{{{"#"}, {"change of the part", true}}, {}};
   for (std::size_t k = 0; k < found.changes.size(); ++k)
     table.rows.push_back({{{fmt::format("{}", k + 1)},
-                           {with_minus(change_text(found.changes[k], length_unit(found.model.part),
-                                                   powered_unit(found.model.part, 2)))}}});
+                           {with_minus(mouth_text(found.model, found.settings, found.plan, k) +
+                                       change_text(found.model, found.changes[k]))}}});
   section.blocks.emplace_back(std::move(table));
   return section;
 }
@@ -123,9 +140,8 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
     if (action == k_unreleased_piece) group = static_cast<std::uint16_t>(unreleased);
   }
   for (std::size_t k = 0; k < plan.actions.size(); ++k) {
-    auto body = action_body(found.model, found.result, plan, k);
-    if (!body) continue;
     const SideAction& action = plan.actions[k];
+    if (!action.body) continue;
     ViewGroup group{.name = title(plan, k),
                     .aside = fmt::format("{:.3g} {}", action.travel, length_unit(found.model.part)),
                     .colour = action_colour(k),
@@ -137,8 +153,8 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
     }
     const auto number_of_group = static_cast<std::uint16_t>(view.groups.size());
     view.groups.push_back(std::move(group));
-    std::vector<std::uint16_t> groups(body->facets.size(), number_of_group);
-    view.surfaces.push_back({std::move(*body), std::move(groups)});
+    const TriangleMesh& solid = *action.body->solid;
+    view.surfaces.push_back({solid, std::vector<std::uint16_t>(solid.facets.size(), number_of_group)});
   }
   return view;
 }
@@ -179,6 +195,7 @@ Report actions_report(const ReportContext& context, Study& study) {
     report.view = actions_view(context, found, pictures.to_viewer());
   }
   report.sections.push_back(plan_section(found));
+  if (!plan.actions.empty()) report.sections.push_back(bodies_section(found));
   if (!plan.patches.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
   if (!found.changes.empty()) report.sections.push_back(changes_section(found));
   Section regions = regions_section(context, found.result, std::nullopt);

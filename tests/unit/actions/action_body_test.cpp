@@ -7,8 +7,10 @@
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "actions/actions_files.hpp"
+#include "actions/body_figures.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/health.hpp"
 #include "support/random.hpp"
@@ -66,13 +68,22 @@ void expect_apart(const Planned& planned, const SideAction& action, const Triang
   EXPECT_GE(inside, 40) << "too thin to be tested";
 }
 
+Planned measured(Planned planned) {
+  measure_bodies(*planned.model, planned.result, Progress(), planned.plan);
+  return planned;
+}
+std::shared_ptr<const TriangleMesh> body_of(const Planned& planned) {
+  const auto body = measured(planned).plan.actions.front().body;
+  return body ? body->solid : nullptr;
+}
+
 TEST(ActionBody, OfAStraightHoleIsAPlugThroughIt) {
   for (const bool through : {true, false}) {
     for (const double azimuth_deg : {0.0, 33.0, 211.0}) {
       const Hole hole{.through = through};
       const Planned planned = plan_of(laid(block_with_hole(hole), azimuth_deg));
       ASSERT_EQ(planned.plan.actions.size(), 1U);
-      const auto body = action_body(*planned.model, planned.result, planned.plan, 0);
+      const auto body = body_of(planned);
       ASSERT_TRUE(body);
       expect_sound(*body);
       expect_apart(planned, planned.plan.actions.front(), *body);
@@ -92,21 +103,54 @@ TEST(ActionBody, UnderAHookMovesOutFromUnderIt) {
       {{2, 20}, {2, 16}, {5, 16}, {5, 14}, {2, 14}, {2, 2}, {38, 2}, {38, 20}}, {40, 20}, 30.0);
   const Planned planned = plan_of(mesh);
   ASSERT_EQ(planned.plan.actions.size(), 1U);
-  const auto body = action_body(*planned.model, planned.result, planned.plan, 0);
+  const auto body = body_of(planned);
   ASSERT_TRUE(body);
   expect_sound(*body);
   expect_apart(planned, planned.plan.actions.front(), *body);
 }
 
+TEST(BodyFigures, OfAPinAreItsVolumeItsSectionAndThatItIsClear) {
+  const Hole hole{.through = false};
+  const Planned planned = measured(plan_of(laid(block_with_hole(hole), 33.0)));
+  const auto& body = planned.plan.actions.front().body;
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->volume, signed_volume(*body->solid));
+  const double section =
+      0.5 * hole.sides * hole.radius * hole.radius * std::sin(2.0 * std::numbers::pi / hole.sides);
+  EXPECT_NEAR(body->least_section, section, 0.002 * section);
+  EXPECT_FALSE(body->hit);
+  EXPECT_EQ(clear_text(planned.plan.actions.front(), planned.plan, "mm"), "clear");
+}
+
+TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
+  Planned planned = plan_of(laid(block_with_hole({.through = false}), 0.0));
+  planned.plan.actions.front().direction *= -1.0;
+  planned = measured(planned);
+  const auto& body = planned.plan.actions.front().body;
+  ASSERT_TRUE(body);
+  ASSERT_TRUE(body->hit);
+  EXPECT_FALSE(body->hit->action) << "the part";
+  EXPECT_EQ(body->hit->stage, HitStage::way) << "where it is deepest";
+  EXPECT_GT(body->hit->depth, 2.0);
+  const ActionSettings settings;
+  const auto json = actions_json({*planned.model, planned.result, settings, planned.plan});
+  EXPECT_EQ(json["actions"][0]["clear"]["hits"], "part");
+  EXPECT_EQ(json["actions"][0]["clear"]["depth"], body->hit->depth);
+  EXPECT_EQ(json["actions"][0]["body"]["volume"], body->volume);
+  EXPECT_NE(clear_text(planned.plan.actions.front(), planned.plan, "mm").find("deep in the part on its way"),
+            std::string::npos);
+}
+
 TEST(ActionBody, OfEachActionIsAFileAndFormerOnesGo) {
   const test::ScratchFolder folder;
   const ActionSettings settings;
-  const Planned two = plan_of(block_with_pockets(60.0));
-  EXPECT_EQ(write_action_bodies(folder.file("bodies"), "block", {*two.model, two.result, settings, two.plan})
-                .size(),
-            2U);
+  const Planned two = measured(plan_of(block_with_pockets(60.0)));
+  const auto written =
+      write_action_bodies(folder.file("bodies"), "block", {*two.model, two.result, settings, two.plan});
+  ASSERT_EQ(written.size(), 2U);
+  EXPECT_EQ(written[1], folder.file("bodies/block_slide_2.stl"));
   EXPECT_TRUE(std::filesystem::exists(folder.file("bodies/block_slide_2.stl")));
-  const Planned one = plan_of(block_with_pockets(40.0));
+  const Planned one = measured(plan_of(block_with_pockets(40.0)));
   EXPECT_EQ(write_action_bodies(folder.file("bodies"), "block", {*one.model, one.result, settings, one.plan})
                 .size(),
             1U);

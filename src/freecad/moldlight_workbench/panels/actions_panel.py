@@ -15,7 +15,8 @@ class ActionsPanel(task.Panel):
         self.text(translate("Moldlight", "Side actions"))
         self.rows = self.table([translate("Moldlight", "Kind"), translate("Moldlight", "Direction"),
                                 translate("Moldlight", "Travel"), translate("Moldlight", "Stroke"),
-                                translate("Moldlight", "Area"), translate("Moldlight", "Undercuts")])
+                                translate("Moldlight", "Area"), translate("Moldlight", "Body"),
+                                translate("Moldlight", "Section"), translate("Moldlight", "Undercuts")])
         self.summary = self.text()
         self.text(translate("Moldlight", "Undercuts"))
         self.undercuts = self.table([translate("Moldlight", "No."), translate("Moldlight", "Area"),
@@ -27,13 +28,14 @@ class ActionsPanel(task.Panel):
         return (self.found,)
 
     def refresh(self):
-        def length(value):
-            return "–" if value is None else quantity(value, "length")
+        def length(value, unit="length"):
+            return "–" if value is None else quantity(value, unit)
 
         table = actions.action_table(self.found)
         rows = [(words.shown(kind), "–" if direction is None else directions.text_of(direction, 3), length(travel), length(stroke),
-                 quantity(area, "area"), ", ".join(str(number) for number in undercuts))
-                for kind, direction, travel, stroke, area, undercuts in table]
+                 quantity(area, "area"), length(body["volume"], "volume"), length(body["least_section"], "area"),
+                 ", ".join(str(number) for number in undercuts))
+                for kind, direction, travel, stroke, area, body, undercuts in table]
         task.fill(self.rows, rows, [actions.COLOURS.get(row[0], actions.OTHER_COLOUR) for row in table])
         found = actions.report(self.found)
         task.fill(self.undercuts, [(str(patch["id"]), quantity(patch["area"], "area"), length(patch["depth"]),
@@ -41,7 +43,7 @@ class ActionsPanel(task.Panel):
         self.summary.setText("\n".join(self._remarks()))
 
     def _remarks(self):
-        """The verdict, and a sentence on actions that meet and on lifters without room."""
+        """The verdict, and a sentence on actions that meet, on lifters without room and on bodies that hit."""
         sentences = [self.found.Verdict]
         meet, crowded = actions.troubles(self.found)
         if meet:
@@ -50,4 +52,8 @@ class ActionsPanel(task.Panel):
         if crowded:
             sentences.append(translate("Moldlight", "Lifters without room for their own thickness: rows {}.").format(
                 ", ".join(str(row) for row in crowded)))
+        for row, other, depth in actions.hits(self.found):
+            sentences.append(translate("Moldlight", "The body of row {} reaches {} into {}.").format(
+                row, quantity(depth, "length"), translate("Moldlight", "the part") if other == "part" else
+                translate("Moldlight", "that of row {}").format(other)))
         return sentences
