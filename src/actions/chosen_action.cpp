@@ -45,13 +45,14 @@ double reach_of(const Release& release, std::span<const UndercutSample> samples,
 
 double clear_length(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
   constexpr double k_resolved = 1e-7;
+  FreeLengths lengths(release, samples, way.pull);
   double bad = way.length;
   for (const double longer : {1.002, 1.01, 1.05}) {
     double good = way.length = longer * bad;
-    if (!release.clears(samples, way)) continue;
+    if (!release.clears(lengths, way)) continue;
     while (good - bad > k_resolved) {
       way.length = 0.5 * (good + bad);
-      (release.clears(samples, way) ? good : bad) = way.length;
+      (release.clears(lengths, way) ? good : bad) = way.length;
     }
     return good;
   }

@@ -131,6 +131,13 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   return false;
 }
 
+double FreeLengths::of(const UndercutSample& sample) {
+  const std::size_t place = place_of(sample);
+  if (place == known_.size()) return release_.free_length(sample, pull_);
+  if (known_[place] < 0.0) known_[place] = release_.free_length(sample, pull_);
+  return known_[place];
+}
+
 double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                           double length) const {
   double area = 0.0;
@@ -184,13 +191,14 @@ TurnInterval Release::lifter_turn(std::span<const UndercutSample> samples, const
     const double cosine = std::cos(glm::radians(angle_deg));
     LifterWay turned = way;
     turned.pull = turned_about(way.pull, axis, angle_deg);
+    FreeLengths lengths(*this, samples, turned.pull);
     if (cosine * k_longer >= 1.0) {
       turned.length = way.length / cosine + k_rounding;
-      if (clears(samples, turned)) return true;
+      if (clears(lengths, turned)) return true;
     }
     for (const double longer : {0.5 * (1.0 + k_longer), k_longer}) {
       turned.length = longer * way.length;
-      if (clears(samples, turned)) return true;
+      if (clears(lengths, turned)) return true;
     }
     return false;
   });
@@ -210,11 +218,19 @@ bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double
 }
 
 bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {
+  FreeLengths none(*this, {}, way.pull);
+  return clears(sample, way, room, none);
+}
+
+bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room,
+                     FreeLengths& lengths) const {
+  const double known = lengths.known(sample);
+  if (known >= 0.0 && known < way.length + room) return false;
   if (!clear(sample, way.pull, way.length, way.side)) return false;
   for (const double share : {0.5, 1.0}) {
     if (room > 0.0 && !clear(sample, way.pull, way.length + share * room, way.side)) return false;
   }
-  return free_length(sample, way.pull) >= way.length + room;
+  return lengths.of(sample) >= way.length + room;
 }
 
 double Release::cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
@@ -249,15 +265,16 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
   return beyond;
 }
 
-bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way, double room) const {
-  return all_but_specks(samples, [&](const UndercutSample& sample) { return clears(sample, way, room); });
+bool Release::clears(FreeLengths& lengths, const LifterWay& way, double room) const {
+  return all_but_specks(lengths.samples(),
+                        [&](const UndercutSample& sample) { return clears(sample, way, room, lengths); });
 }
 
-std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, LifterWay way) const {
+std::optional<double> Release::first_clear(FreeLengths& lengths, LifterWay way) const {
   constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
   const auto all_clear = [&](double length) {
     way.length = length;
-    return clears(samples, way);
+    return clears(lengths, way);
   };
   const double least = way.length;
   if (all_clear(least)) return least;
