@@ -33,12 +33,6 @@ constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, 
 constexpr double k_least_makeshift = 0.5;  // of an undercut: less is not worth a lifter without its room
 constexpr double k_worth_lifting = 1.1;    // what a lifter must free of it, of what a slide does
 
-double area_of(std::span<const UndercutSample> samples) {
-  double area = 0.0;
-  for (const UndercutSample& sample : samples) area += sample.area;
-  return area;
-}
-
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
 }
@@ -433,7 +427,7 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
     const ActionKind kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
     if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
     // Of equal ones that which comes first: it is better meant.
-    const double freed = release_.free_area(samples, candidate.direction, k_never);
+    const double freed = release_.free_area(samples, candidate.direction, k_never, most);
     if (freed <= most * (1.0 + 1e-9)) continue;
     most = freed;
     best = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
@@ -450,7 +444,7 @@ std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> 
     const PullCandidate* best = nullptr;
     double most = k_least_part * whole_area;
     for (const PullCandidate& candidate : tried) {
-      const double freed = release_.free_area(rest, candidate.direction, k_never);
+      const double freed = release_.free_area(rest, candidate.direction, k_never, most);
       if (freed <= most * (1.0 + 1e-9)) continue;
       most = freed;
       best = &candidate;

@@ -47,6 +47,12 @@ TurnInterval turn_while(const Free& free, double resolved_deg = k_exact_turn_deg
 
 }  // namespace
 
+double area_of(std::span<const UndercutSample> samples) {
+  double area = 0.0;
+  for (const UndercutSample& sample : samples) area += sample.area;
+  return area;
+}
+
 Release::Release(const PartModel& model, const ExactQuery& query, const Progress* progress)
     : model_(model),
       query_(query),
@@ -138,11 +144,14 @@ double FreeLengths::of(const UndercutSample& sample) {
   return known_[place];
 }
 
-double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                          double length) const {
-  double area = 0.0;
-  for (const UndercutSample& sample : samples)
+double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length,
+                          double most) const {
+  double area = 0.0, left = area_of(samples);
+  for (const UndercutSample& sample : samples) {
+    if (area + left <= most) break;
     area += free_length(sample, pull) >= length ? sample.area : 0.0;
+    left -= sample.area;
+  }
   return area;
 }
 
@@ -161,26 +170,40 @@ bool Release::is_speck(const UndercutSample& sample, const Free& free) const {
 }
 
 template <typename Free>
-bool Release::all_but_specks(std::span<const UndercutSample> samples, const Free& free) const {
-  double total = 0.0, blocked = 0.0;
-  for (const UndercutSample& sample : samples) total += sample.area;
-  for (const UndercutSample& sample : samples) {
-    if (free(sample)) continue;
-    blocked += sample.area;
-    if (blocked > k_blocked_share * total || sample.area <= 0.0 || !is_speck(sample, free)) return false;
+bool Release::all_but_specks(std::span<const UndercutSample> samples, const Free& free,
+                             std::size_t& first) const {
+  const auto most = [&] { return k_blocked_share * area_of(samples); };
+  const auto is_none = [&](const UndercutSample& sample) {
+    return sample.area <= 0.0 || sample.area > most() || !is_speck(sample, free);
+  };
+  if (first < samples.size() && !free(samples[first]) && is_none(samples[first])) return false;
+  double blocked = 0.0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (free(samples[k])) continue;
+    blocked += samples[k].area;
+    if (blocked <= most() && !is_none(samples[k])) continue;
+    first = k;
+    return false;
   }
   return true;
 }
 
 bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length) const {
-  return all_but_specks(samples,
-                        [&](const UndercutSample& sample) { return free_length(sample, pull) >= length; });
+  std::size_t first = samples.size();
+  return all_but_specks(
+      samples, [&](const UndercutSample& sample) { return free_length(sample, pull) >= length; }, first);
 }
 
 TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                 const glm::dvec3& axis, double resolved_deg) const {
+  std::size_t first = samples.size();
   return turn_while(
-      [&](double angle_deg) { return releases(samples, turned_about(pull, axis, angle_deg), k_never); },
+      [&](double angle_deg) {
+        const glm::dvec3 turned = turned_about(pull, axis, angle_deg);
+        return all_but_specks(
+            samples, [&](const UndercutSample& sample) { return free_length(sample, turned) == k_never; },
+            first);
+      },
       resolved_deg);
 }
 
@@ -214,7 +237,8 @@ double Release::reach(const glm::dvec3& direction) const {
 bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                     const glm::dvec3& side) const {
   const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);
-  return !model_.rays().first_hit(at, glm::vec3(side), true).has_value();
+  // Whatever it meets: without a normal the ray begins at the point itself.
+  return !model_.rays().surface_point_blocked(at, glm::vec3(0.0F), glm::vec3(side));
 }
 
 bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {
@@ -266,8 +290,9 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
 }
 
 bool Release::clears(FreeLengths& lengths, const LifterWay& way, double room) const {
-  return all_but_specks(lengths.samples(),
-                        [&](const UndercutSample& sample) { return clears(sample, way, room, lengths); });
+  return all_but_specks(
+      lengths.samples(), [&](const UndercutSample& sample) { return clears(sample, way, room, lengths); },
+      lengths.first_blocked());
 }
 
 std::optional<double> Release::first_clear(FreeLengths& lengths, LifterWay way) const {

@@ -27,6 +27,8 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
 /// How finely a turn is found where it is reported.
 inline constexpr double k_exact_turn_deg = 1e-4;
 
+[[nodiscard]] double area_of(std::span<const UndercutSample> samples);
+
 /// Degrees about an axis to both sides of a direction, [-180, 180].
 struct TurnInterval {
   double from_deg = 0.0, to_deg = 0.0;
@@ -72,9 +74,9 @@ class Release {
   /// Whether it gets away from the part along the parting direction or against it after a move of `depth`
   /// across it, or is in a slit narrower than that.
   [[nodiscard]] bool is_shallow(const UndercutSample& sample, double depth) const;
-  /// Area of the samples that move at least so far.
+  /// Area of the samples that move at least so far; where that is certainly no more than `most`, less of it.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                 double length) const;
+                                 double length, double most = 0.0) const;
   /// Whether all of them move so far but for specks, which make up k_blocked_share of their area at most;
   /// samples without area must move, too. Ends at the first that says no.
   [[nodiscard]] bool releases(std::span<const UndercutSample> samples, const glm::dvec3& pull,
@@ -119,8 +121,10 @@ class Release {
   /// Whether a blocked sample is within twice the lateral tolerance of a place of its plane that is free.
   template <typename Free>
   [[nodiscard]] bool is_speck(const UndercutSample& sample, const Free& free) const;
+  /// Begins with the `first`, which becomes what stays behind by itself: it is likely to do so once more.
   template <typename Free>
-  [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free) const;
+  [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free,
+                                    std::size_t& first) const;
 
   const PartModel& model_;
   ExactQuery query_;
@@ -142,6 +146,8 @@ class FreeLengths {
     return place < known_.size() ? known_[place] : k_unknown;
   }
   [[nodiscard]] double of(const UndercutSample& sample);
+  /// The place of a sample that stayed behind for some length.
+  [[nodiscard]] std::size_t& first_blocked() { return first_blocked_; }
 
  private:
   static constexpr double k_unknown = -1.0;
@@ -156,6 +162,7 @@ class FreeLengths {
   std::span<const UndercutSample> samples_;
   glm::dvec3 pull_;
   std::vector<double> known_;
+  std::size_t first_blocked_ = samples_.size();
 };
 
 /// `direction` turned about `axis`, both unit.

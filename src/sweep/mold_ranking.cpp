@@ -59,7 +59,8 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
   ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
                             k_effort_of_draft * without_draft - effort_on_its_side(formed),
                     .per_area = k_effort_of_formed / area,
-                    .worth = 0.01 * settings_.worth_pct * area};
+                    .worth = 0.01 * settings_.worth_pct * area,
+                    .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone.
   const double beside_deg = contender.canonical() ? k_same_place_deg : k_beside_deg;
