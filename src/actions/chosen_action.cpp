@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t k_corners = 64;        // deepest ones that a travel is found for
 constexpr std::size_t k_turned = 200;        // samples that show how far a lifter may turn
 constexpr double k_fine_step = 1.0 / 512.0;  // of travels, share of the diagonal
+constexpr double k_rank_turn_deg = 0.01;     // how finely a turn is found for a rank
 
 /// Where a travel is found: what lies farthest against the pull, and some of the rest.
 std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vector<Atom>& atoms,
@@ -45,13 +46,14 @@ double reach_of(const Release& release, std::span<const UndercutSample> samples,
 
 double clear_length(const Release& release, std::span<const UndercutSample> samples, LifterWay way) {
   constexpr double k_resolved = 1e-7;
+  FreeLengths lengths(release, samples, way.pull);
   double bad = way.length;
   for (const double longer : {1.002, 1.01, 1.05}) {
     double good = way.length = longer * bad;
-    if (!release.clears(samples, way)) continue;
+    if (!release.clears(lengths, way)) continue;
     while (good - bad > k_resolved) {
       way.length = 0.5 * (good + bad);
-      (release.clears(samples, way) ? good : bad) = way.length;
+      (release.clears(lengths, way) ? good : bad) = way.length;
     }
     return good;
   }
@@ -81,11 +83,13 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
     action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
     if (pull.lack) action.lack = pull.lack->reason;
     action.room_needed = context.pulls.lifter_room() * diagonal;
-    pull.interval =
-        release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);
+    if (context.detail == PlanDetail::whole)
+      pull.interval =
+          release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);
   } else if (is_slide(pull.kind)) {
+    const double resolved_deg = context.detail == PlanDetail::whole ? k_exact_turn_deg : k_rank_turn_deg;
     if (!pull.kept)
-      pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind, k_exact_turn_deg);
+      pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind, resolved_deg);
     context.pulls.set_travel(deepest(context, atoms, column, samples, pull.direction), k_fine_step, pull);
   }
   const double clearance = is_slide(pull.kind) ? context.settings.clearance_mm * context.unit_per_mm : 0.0;

@@ -15,6 +15,7 @@ struct ChosenContext {
   const PullFinder& pulls;
   const ActionSettings& settings;
   double unit_per_mm = 1.0;
+  PlanDetail detail = PlanDetail::whole;
 };
 
 /// The least travel of a lifter, from the way's own on, at which the samples are clear; the way's own where

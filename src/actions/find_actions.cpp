@@ -27,13 +27,14 @@ namespace {
 
 constexpr double k_samples = 6000.0;                              // over all undercuts
 constexpr double k_least_samples = 48.0, k_most_samples = 600.0;  // of one of them
+constexpr double k_rough = 0.25;                                  // of these
 constexpr double k_across = 0.7;      // cosine, at most, between a way and one across it
 constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its undercut
 
 class Finder {
  public:
   Finder(const PartModel& model, const Classification& result, const ActionSettings& settings,
-         const Progress& progress)
+         const Progress& progress, PlanDetail detail)
       : model_(model),
         split_(*result.split),
         settings_(settings),
@@ -41,11 +42,12 @@ class Finder {
         query_(exact_query(model, result.query())),
         undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
         pulls_(model, query_, undercuts_.axes, settings, progress),
-        faces_(part_faces(model.part, model.geometry, model.adjacency)),
-        unit_per_mm_(unit_per_mm(model.part)) {}
+        unit_per_mm_(unit_per_mm(model.part)),
+        detail_(detail) {}
 
   ActionPlan run() {
     sample();
+    find_candidates();
     find_pulls();
     progress_.report("looking for threads", 0.4);
     revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_, progress_}, atoms_);
@@ -53,13 +55,17 @@ class Finder {
     split_the_rest();
     find_inserts();
     std::vector<Column> columns = find_columns();
-    const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_};
+    const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_, detail_};
     ActionPlan plan = least_set(
         context, atoms_, std::move(columns), [&](std::size_t atom) { return ways_round(atom); }, progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
-    add_rejected(plan);
-    report(plan);
+    if (detail_ == PlanDetail::whole) {
+      add_rejected(plan);
+      report(plan);
+    } else {
+      for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
+    }
     return plan;
   }
 
@@ -69,7 +75,8 @@ class Finder {
     for (const Undercut& patch : undercuts_.patches) total += patch.area;
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       const Undercut& patch = undercuts_.patches[k];
-      const double wanted = std::clamp(k_samples * patch.area / total, k_least_samples, k_most_samples);
+      const double wanted = (detail_ == PlanDetail::rough ? k_rough : 1.0) *
+                            std::clamp(k_samples * patch.area / total, k_least_samples, k_most_samples);
       atoms_.push_back({k, sample_undercut(model_, split_, patch, static_cast<std::size_t>(wanted))});
       atoms_.back().pin = pin_of(settings_.pins, {atoms_.back().samples, patch.area}, model_.frame,
                                  k_pin_reach * model_.frame.diagonal);
@@ -135,11 +142,16 @@ class Finder {
     std::ranges::stable_sort(plan.specks, std::greater(), &Speck::area);
   }
 
-  [[nodiscard]] std::vector<PullCandidate> candidates(const Atom& atom) const {
-    auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], settings_);
+  void find_candidates() {
     const auto fan = pull_fan(undercuts_.axes);
-    tried.insert(tried.end(), fan.begin(), fan.end());
-    return tried;
+    tried_.resize(undercuts_.patches.size());
+    tbb::parallel_for(std::size_t{0}, tried_.size(), [&](std::size_t k) {
+      tried_[k] = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[k], settings_);
+      tried_[k].insert(tried_[k].end(), fan.begin(), fan.end());
+    });
+  }
+  [[nodiscard]] const std::vector<PullCandidate>& candidates(const Atom& atom) const {
+    return tried_[atom.patch];
   }
 
   /// Calls `work` for every atom, several at a time. Throws Cancelled.
@@ -330,6 +342,7 @@ class Finder {
   }
 
   void report(ActionPlan& plan) const {
+    const Faces faces = part_faces(model_.part, model_.geometry, model_.adjacency);
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
       UndercutReport noted;
@@ -341,7 +354,7 @@ class Finder {
         noted.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         noted.core_side = action->core_side;
       }
-      add_formed_surface({model_, split_, faces_, pulls_.release()}, action, noted);
+      add_formed_surface({model_, split_, faces, pulls_.release()}, action, noted);
       plan.patches.push_back(std::move(noted));
     }
     for (SideAction& action : plan.actions)
@@ -371,8 +384,9 @@ class Finder {
   ExactQuery query_;
   Undercuts undercuts_;
   PullFinder pulls_;
-  Faces faces_;
   double unit_per_mm_;
+  PlanDetail detail_;
+  std::vector<std::vector<PullCandidate>> tried_;  // by patch
   std::vector<Atom> atoms_;
   std::vector<Column> revolved_;  // threads and rings
   std::vector<Column> crowded_;   // lifters without the room that they need
@@ -381,8 +395,8 @@ class Finder {
 }  // namespace
 
 ActionPlan find_actions(const PartModel& model, const Classification& result, const ActionSettings& settings,
-                        const Progress& progress) {
-  return Finder(model, result, settings, progress).run();
+                        const Progress& progress, PlanDetail detail) {
+  return Finder(model, result, settings, progress, detail).run();
 }
 
 }  // namespace moldlight

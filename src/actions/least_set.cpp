@@ -56,7 +56,7 @@ class LeastSet {
         break;
       }
       Draft draft = draft_of(cover);
-      const std::size_t found = learn(draft);
+      const std::size_t found = context_.detail == PlanDetail::rough ? 0 : learn(draft);
       const double its_cost = cover.cost + k_meeting_cost * static_cast<double>(found);
       if (its_cost < best_cost) {
         best_cost = its_cost;

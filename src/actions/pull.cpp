@@ -33,12 +33,6 @@ constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, 
 constexpr double k_least_makeshift = 0.5;  // of an undercut: less is not worth a lifter without its room
 constexpr double k_worth_lifting = 1.1;    // what a lifter must free of it, of what a slide does
 
-double area_of(std::span<const UndercutSample> samples) {
-  double area = 0.0;
-  for (const UndercutSample& sample : samples) area += sample.area;
-  return area;
-}
-
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
 }
@@ -197,16 +191,17 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
   std::vector<Pull> found;
   for (const PullCandidate& candidate : tried) {
     if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
+    FreeLengths lengths(release_, few_of(samples), candidate.direction);
     for (const bool core_side : {true, false}) {
       const auto travel =
-          release_.first_clear(few_of(samples), {candidate.direction, side(core_side), least_travel_});
+          release_.first_clear(lengths, {candidate.direction, side(core_side), least_travel_});
       if (!travel) continue;
       found.push_back({.kind = ActionKind::lifter,
                        .direction = candidate.direction,
                        .source = candidate.source,
                        .travel = *travel,
                        .core_side = core_side});
-      set_lack(few_of(samples), found.back());
+      set_lack(lengths, found.back());
     }
   }
   // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
@@ -222,11 +217,12 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
       // Few samples may say that it can be built where all of them do not.
       if (pull.lack.has_value() == good || number == k_lifters || tries == k_most_tries) continue;
       ++tries;
+      FreeLengths lengths(release_, samples, pull.direction);
       const auto travel =
-          release_.first_clear(samples, {pull.direction, side(pull.core_side), least_travel_});
+          release_.first_clear(lengths, {pull.direction, side(pull.core_side), least_travel_});
       if (!travel) continue;
       pull.travel = *travel;
-      set_lack(samples, pull);
+      set_lack(lengths, pull);
       number += pull.lack.has_value() == good ? 0 : 1;
       pulls.push_back(pull);
     }
@@ -234,14 +230,15 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
   return pulls;
 }
 
-void PullFinder::set_lack(std::span<const UndercutSample> samples, Pull& lifter) const {
+void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {
   const LifterWay way{lifter.direction, lifter.core_side ? direction_ : -direction_, lifter.travel};
   lifter.lack.reset();
-  if (release_.clears(samples, way, lifter_room_)) return;
+  if (release_.clears(lengths, way, lifter_room_)) return;
   lifter.lack = Pull::Lack{.room = k_never};
-  for (const UndercutSample& sample : samples) {
-    const double room = release_.free_length(sample, lifter.direction) - lifter.travel;
-    if (room < 0.0 || release_.clears(sample, way, lifter_room_) || room >= lifter.lack->room) continue;
+  for (const UndercutSample& sample : lengths.samples()) {
+    const double room = lengths.of(sample) - lifter.travel;
+    if (room < 0.0 || release_.clears(sample, way, lifter_room_, lengths) || room >= lifter.lack->room)
+      continue;
     const bool short_of = room < lifter_room_;
     lifter.lack = Pull::Lack{.reason = short_of ? RejectReason::no_room : RejectReason::no_way_out,
                              .at = sample,
@@ -262,11 +259,19 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     const PullCandidate& candidate = tried[k];
     if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
     if (candidate.source == PullSource::even && k % k_every != 0) continue;
+    FreeLengths lengths(release_, few, candidate.direction);
+    const auto area_that = [&](const auto& gets_away) {
+      double area = 0.0;
+      for (const UndercutSample& sample : few) area += gets_away(sample) ? sample.area : 0.0;
+      return area;
+    };
     for (const bool core_side : {true, false}) {
-      const glm::dvec3 side = core_side ? direction_ : -direction_;
-      for (double length = k_first; length < longest_lifter_; length *= k_growth) {
-        if (release_.free_area(few, candidate.direction, length + room) <= most * (1.0 + 1e-9)) break;
-        const double cleared = release_.cleared_area(few, {candidate.direction, side, length}, room);
+      LifterWay way{candidate.direction, core_side ? direction_ : -direction_, k_first};
+      for (double& length = way.length; length < longest_lifter_; length *= k_growth) {
+        const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + room; };
+        if (area_that(reaches) <= most * (1.0 + 1e-9)) break;
+        const double cleared =
+            area_that([&](const UndercutSample& s) { return release_.clears(s, way, room, lengths); });
         if (cleared <= most * (1.0 + 1e-9)) continue;
         most = cleared;
         best = Pull{.kind = ActionKind::lifter,
@@ -363,9 +368,10 @@ std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samp
     }
     if (lifts) {
       const double longest = best.travel;
-      const auto least = release_.first_clear(part.samples, {best.direction, way.side, least_travel_});
+      FreeLengths lengths(release_, part.samples, best.direction);
+      const auto least = release_.first_clear(lengths, {best.direction, way.side, least_travel_});
       best.travel = std::min(least.value_or(longest), longest);
-      set_lack(part.samples, best);
+      set_lack(lengths, best);
     } else {
       best.interval = release_.free_turn(part.samples, best.direction, direction_, k_compared_turn_deg);
       estimate_travel(part.samples, best);
@@ -421,7 +427,7 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
     const ActionKind kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
     if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
     // Of equal ones that which comes first: it is better meant.
-    const double freed = release_.free_area(samples, candidate.direction, k_never);
+    const double freed = release_.free_area(samples, candidate.direction, k_never, most);
     if (freed <= most * (1.0 + 1e-9)) continue;
     most = freed;
     best = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
@@ -438,7 +444,7 @@ std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> 
     const PullCandidate* best = nullptr;
     double most = k_least_part * whole_area;
     for (const PullCandidate& candidate : tried) {
-      const double freed = release_.free_area(rest, candidate.direction, k_never);
+      const double freed = release_.free_area(rest, candidate.direction, k_never, most);
       if (freed <= most * (1.0 + 1e-9)) continue;
       most = freed;
       best = &candidate;

@@ -117,7 +117,7 @@ class PullFinder {
                                                std::span<const PullCandidate> tried) const;
   [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
                                                           std::span<const PullCandidate> others) const;
-  void set_lack(std::span<const UndercutSample> samples, Pull& lifter) const;
+  void set_lack(FreeLengths& lengths, Pull& lifter) const;
   /// The lifter that clears most of the samples with so much room, more than `least` of their area; none
   /// where there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,

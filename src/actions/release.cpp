@@ -47,6 +47,12 @@ TurnInterval turn_while(const Free& free, double resolved_deg = k_exact_turn_deg
 
 }  // namespace
 
+double area_of(std::span<const UndercutSample> samples) {
+  double area = 0.0;
+  for (const UndercutSample& sample : samples) area += sample.area;
+  return area;
+}
+
 Release::Release(const PartModel& model, const ExactQuery& query, const Progress* progress)
     : model_(model),
       query_(query),
@@ -131,11 +137,21 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   return false;
 }
 
-double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                          double length) const {
-  double area = 0.0;
-  for (const UndercutSample& sample : samples)
+double FreeLengths::of(const UndercutSample& sample) {
+  const std::size_t place = place_of(sample);
+  if (place == known_.size()) return release_.free_length(sample, pull_);
+  if (known_[place] < 0.0) known_[place] = release_.free_length(sample, pull_);
+  return known_[place];
+}
+
+double Release::free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length,
+                          double most) const {
+  double area = 0.0, left = area_of(samples);
+  for (const UndercutSample& sample : samples) {
+    if (area + left <= most) break;
     area += free_length(sample, pull) >= length ? sample.area : 0.0;
+    left -= sample.area;
+  }
   return area;
 }
 
@@ -154,26 +170,40 @@ bool Release::is_speck(const UndercutSample& sample, const Free& free) const {
 }
 
 template <typename Free>
-bool Release::all_but_specks(std::span<const UndercutSample> samples, const Free& free) const {
-  double total = 0.0, blocked = 0.0;
-  for (const UndercutSample& sample : samples) total += sample.area;
-  for (const UndercutSample& sample : samples) {
-    if (free(sample)) continue;
-    blocked += sample.area;
-    if (blocked > k_blocked_share * total || sample.area <= 0.0 || !is_speck(sample, free)) return false;
+bool Release::all_but_specks(std::span<const UndercutSample> samples, const Free& free,
+                             std::size_t& first) const {
+  const auto most = [&] { return k_blocked_share * area_of(samples); };
+  const auto is_none = [&](const UndercutSample& sample) {
+    return sample.area <= 0.0 || sample.area > most() || !is_speck(sample, free);
+  };
+  if (first < samples.size() && !free(samples[first]) && is_none(samples[first])) return false;
+  double blocked = 0.0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (free(samples[k])) continue;
+    blocked += samples[k].area;
+    if (blocked <= most() && !is_none(samples[k])) continue;
+    first = k;
+    return false;
   }
   return true;
 }
 
 bool Release::releases(std::span<const UndercutSample> samples, const glm::dvec3& pull, double length) const {
-  return all_but_specks(samples,
-                        [&](const UndercutSample& sample) { return free_length(sample, pull) >= length; });
+  std::size_t first = samples.size();
+  return all_but_specks(
+      samples, [&](const UndercutSample& sample) { return free_length(sample, pull) >= length; }, first);
 }
 
 TurnInterval Release::free_turn(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                 const glm::dvec3& axis, double resolved_deg) const {
+  std::size_t first = samples.size();
   return turn_while(
-      [&](double angle_deg) { return releases(samples, turned_about(pull, axis, angle_deg), k_never); },
+      [&](double angle_deg) {
+        const glm::dvec3 turned = turned_about(pull, axis, angle_deg);
+        return all_but_specks(
+            samples, [&](const UndercutSample& sample) { return free_length(sample, turned) == k_never; },
+            first);
+      },
       resolved_deg);
 }
 
@@ -184,13 +214,14 @@ TurnInterval Release::lifter_turn(std::span<const UndercutSample> samples, const
     const double cosine = std::cos(glm::radians(angle_deg));
     LifterWay turned = way;
     turned.pull = turned_about(way.pull, axis, angle_deg);
+    FreeLengths lengths(*this, samples, turned.pull);
     if (cosine * k_longer >= 1.0) {
       turned.length = way.length / cosine + k_rounding;
-      if (clears(samples, turned)) return true;
+      if (clears(lengths, turned)) return true;
     }
     for (const double longer : {0.5 * (1.0 + k_longer), k_longer}) {
       turned.length = longer * way.length;
-      if (clears(samples, turned)) return true;
+      if (clears(lengths, turned)) return true;
     }
     return false;
   });
@@ -206,15 +237,24 @@ double Release::reach(const glm::dvec3& direction) const {
 bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                     const glm::dvec3& side) const {
   const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);
-  return !model_.rays().first_hit(at, glm::vec3(side), true).has_value();
+  // Whatever it meets: without a normal the ray begins at the point itself.
+  return !model_.rays().surface_point_blocked(at, glm::vec3(0.0F), glm::vec3(side));
 }
 
 bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {
+  FreeLengths none(*this, {}, way.pull);
+  return clears(sample, way, room, none);
+}
+
+bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room,
+                     FreeLengths& lengths) const {
+  const double known = lengths.known(sample);
+  if (known >= 0.0 && known < way.length + room) return false;
   if (!clear(sample, way.pull, way.length, way.side)) return false;
   for (const double share : {0.5, 1.0}) {
     if (room > 0.0 && !clear(sample, way.pull, way.length + share * room, way.side)) return false;
   }
-  return free_length(sample, way.pull) >= way.length + room;
+  return lengths.of(sample) >= way.length + room;
 }
 
 double Release::cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
@@ -249,15 +289,17 @@ double Release::clear_beyond(std::span<const UndercutSample> samples, const glm:
   return beyond;
 }
 
-bool Release::clears(std::span<const UndercutSample> samples, const LifterWay& way, double room) const {
-  return all_but_specks(samples, [&](const UndercutSample& sample) { return clears(sample, way, room); });
+bool Release::clears(FreeLengths& lengths, const LifterWay& way, double room) const {
+  return all_but_specks(
+      lengths.samples(), [&](const UndercutSample& sample) { return clears(sample, way, room, lengths); },
+      lengths.first_blocked());
 }
 
-std::optional<double> Release::first_clear(std::span<const UndercutSample> samples, LifterWay way) const {
+std::optional<double> Release::first_clear(FreeLengths& lengths, LifterWay way) const {
   constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
   const auto all_clear = [&](double length) {
     way.length = length;
-    return clears(samples, way);
+    return clears(lengths, way);
   };
   const double least = way.length;
   if (all_clear(least)) return least;

@@ -1,9 +1,12 @@
 // Whether a straight pull sideways releases an undercut, how far it must go, and how far it may turn.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -24,6 +27,8 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
 /// How finely a turn is found where it is reported.
 inline constexpr double k_exact_turn_deg = 1e-4;
 
+[[nodiscard]] double area_of(std::span<const UndercutSample> samples);
+
 /// Degrees about an axis to both sides of a direction, [-180, 180].
 struct TurnInterval {
   double from_deg = 0.0, to_deg = 0.0;
@@ -41,6 +46,7 @@ struct LifterWay {
 /// tolerance it is parallel to it. Such a point is tested from beside it, by the lateral tolerance; one that
 /// meets such surface on its way goes on from beside that, so that it never goes deeper into the part than
 /// the lateral tolerance and the sine of tau times its way. Throws Cancelled from every question.
+class FreeLengths;
 class Release {
  public:
   /// `progress` may be null: nobody cancels.
@@ -68,9 +74,9 @@ class Release {
   /// Whether it gets away from the part along the parting direction or against it after a move of `depth`
   /// across it, or is in a slit narrower than that.
   [[nodiscard]] bool is_shallow(const UndercutSample& sample, double depth) const;
-  /// Area of the samples that move at least so far.
+  /// Area of the samples that move at least so far; where that is certainly no more than `most`, less of it.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
-                                 double length) const;
+                                 double length, double most = 0.0) const;
   /// Whether all of them move so far but for specks, which make up k_blocked_share of their area at most;
   /// samples without area must move, too. Ends at the first that says no.
   [[nodiscard]] bool releases(std::span<const UndercutSample> samples, const glm::dvec3& pull,
@@ -94,6 +100,8 @@ class Release {
                            const glm::dvec3& side) const;
   /// Whether it moves so far and is clear there, and so is what is `room` thick before it.
   [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room = 0.0) const;
+  [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room,
+                            FreeLengths& lengths) const;
   /// Area of the samples that do.
   [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
                                     double room = 0.0) const;
@@ -102,12 +110,10 @@ class Release {
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                     const glm::dvec3& side, double step) const;
   /// Whether all of them do; as releases().
-  [[nodiscard]] bool clears(std::span<const UndercutSample> samples, const LifterWay& way,
-                            double room = 0.0) const;
+  [[nodiscard]] bool clears(FreeLengths& lengths, const LifterWay& way, double room = 0.0) const;
   /// The least length, from that of the way on, at which all samples are clear at once and which they reach;
   /// none where there is no such length.
-  [[nodiscard]] std::optional<double> first_clear(std::span<const UndercutSample> samples,
-                                                  LifterWay way) const;
+  [[nodiscard]] std::optional<double> first_clear(FreeLengths& lengths, LifterWay way) const;
 
  private:
   /// How many bodies a point (unit frame) is in, by what a ray from it crosses.
@@ -115,13 +121,48 @@ class Release {
   /// Whether a blocked sample is within twice the lateral tolerance of a place of its plane that is free.
   template <typename Free>
   [[nodiscard]] bool is_speck(const UndercutSample& sample, const Free& free) const;
+  /// Begins with the `first`, which becomes what stays behind by itself: it is likely to do so once more.
   template <typename Free>
-  [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free) const;
+  [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free,
+                                    std::size_t& first) const;
 
   const PartModel& model_;
   ExactQuery query_;
   double sine_;  // of tau
   const Progress* progress_;
+};
+
+/// How far samples are free along one pull: what takes many rays is found once, when it is first asked for.
+class FreeLengths {
+ public:
+  /// All must outlive it; lifters that it goes with move along this pull.
+  FreeLengths(const Release& release, std::span<const UndercutSample> samples, const glm::dvec3& pull)
+      : release_(release), samples_(samples), pull_(pull), known_(samples.size(), k_unknown) {}
+
+  [[nodiscard]] std::span<const UndercutSample> samples() const { return samples_; }
+  /// Negative where it is not known yet, or for another sample.
+  [[nodiscard]] double known(const UndercutSample& sample) const {
+    const std::size_t place = place_of(sample);
+    return place < known_.size() ? known_[place] : k_unknown;
+  }
+  [[nodiscard]] double of(const UndercutSample& sample);
+  /// The place of a sample that stayed behind for some length.
+  [[nodiscard]] std::size_t& first_blocked() { return first_blocked_; }
+
+ private:
+  static constexpr double k_unknown = -1.0;
+  [[nodiscard]] std::size_t place_of(const UndercutSample& sample) const {
+    const std::less<> before;
+    const UndercutSample* const first = samples_.data();
+    if (before(&sample, first) || !before(&sample, first + samples_.size())) return samples_.size();
+    return static_cast<std::size_t>(&sample - first);
+  }
+
+  const Release& release_;
+  std::span<const UndercutSample> samples_;
+  glm::dvec3 pull_;
+  std::vector<double> known_;
+  std::size_t first_blocked_ = samples_.size();
 };
 
 /// `direction` turned about `axis`, both unit.

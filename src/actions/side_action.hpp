@@ -120,9 +120,14 @@ struct ActionPlan {
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
 
+/// What is found of a plan: for a rank among directions no more than what it comes to, without how far
+/// lifters may turn, what the undercuts are blocked by and what forms them.
+/// Roughly: from few samples, as if actions that meet did not.
+enum class PlanDetail : std::uint8_t { whole, rank, rough };
 /// `result` is a classification of the model that has its split mesh. Throws Cancelled.
 [[nodiscard]] ActionPlan find_actions(const PartModel& model, const Classification& result,
-                                      const ActionSettings& settings, const Progress& progress);
+                                      const ActionSettings& settings, const Progress& progress,
+                                      PlanDetail detail = PlanDetail::whole);
 
 /// What a plan comes to, without the list of its actions. Areas are in the part's unit squared.
 struct ActionTotals {

@@ -92,8 +92,9 @@ class Changes {
         const bool all = std::ranges::all_of(samples, [&](const UndercutSample& sample) {
           const glm::dvec3 from = glm::dvec3(sample.position) - axis_at;
           const glm::dvec3 radial = from - glm::dot(from, about.direction) * about.direction;
-          const auto travel = pulls_.release().first_clear(std::span(&sample, 1),
-                                                           {sense * glm::normalize(radial), side, 0.0});
+          const LifterWay way{sense * glm::normalize(radial), side, 0.0};
+          FreeLengths lengths(pulls_.release(), std::span(&sample, 1), way.pull);
+          const auto travel = pulls_.release().first_clear(lengths, way);
           greatest = std::max(greatest, travel.value_or(0.0));
           return travel.has_value() && greatest <= least.value_or(1.0);
         });

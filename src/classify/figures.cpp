@@ -75,14 +75,6 @@ std::string direction_text(const glm::dvec3& direction, int decimals) {
                      component_text(direction.y, decimals), component_text(direction.z, decimals));
 }
 
-std::string short_direction_text(const glm::dvec3& direction) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0)
-      return fmt::format("{}{}", direction[axis] > 0.0 ? '+' : '-', "XYZ"[axis]);
-  }
-  return direction_text(direction, 2);
-}
-
 std::string sentence_of(std::string text) {
   if (text.empty()) return text;
   if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');

@@ -40,8 +40,6 @@ class FigureColumn {
 
 /// "0.00000, 0.60000, 0.80000".
 [[nodiscard]] std::string direction_text(const glm::dvec3& direction, int decimals = 5);
-/// "+Z" for an axis, else "0.00, 0.60, 0.80".
-[[nodiscard]] std::string short_direction_text(const glm::dvec3& direction);
 /// A component of a direction with so many decimals; no sign where they all are 0.
 [[nodiscard]] std::string component_text(double value, int decimals);
 

@@ -16,6 +16,7 @@ namespace {
 /// Every direction at work holds a part of its own, split at the borders of its regions.
 constexpr std::size_t k_most_facets_together = 2'000'000;
 constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
+constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
 
 }  // namespace
 
@@ -45,17 +46,24 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
+    const auto found = [&](PlanDetail detail) {
+      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), detail),
+                               split.lateral_tolerance);
+    };
     if (std::isfinite(limit.most) || limit.beside) {
       const Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
                                                  Progress(&progress), settings_.least_travel_mm);
       const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       const UndercutTotals totals = totals_of(undercuts);
-      if (limit.is_exceeded(weight, totals))
+      const auto is_too_much = [&] {
+        const DirectionActions rough = found(PlanDetail::rough);
+        return rough.weight + limit.per_area * rough.formed_area > limit.most + k_rough_margin;
+      };
+      if (limit.is_exceeded(weight, totals) || (limit.roughly && is_too_much()))
         return DirectionActions{
             .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
     }
-    return direction_actions(find_actions(model_, split, settings_, Progress(&progress)),
-                             split.lateral_tolerance);
+    return found(PlanDetail::rank);
   } catch (const Cancelled&) {
     return std::nullopt;
   }

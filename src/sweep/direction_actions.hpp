@@ -43,6 +43,7 @@ struct ActionLimit {
   /// do those that are larger by more than `worth`, an area.
   std::optional<UndercutTotals> beside = {};
   double worth = std::numeric_limits<double>::infinity();
+  bool roughly = false;  // what few samples show to be too much is given up, too
 
   [[nodiscard]] bool is_exceeded(double least_weight, const UndercutTotals& undercuts) const;
 };

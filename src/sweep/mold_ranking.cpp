@@ -59,7 +59,8 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
   ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
                             k_effort_of_draft * without_draft - effort_on_its_side(formed),
                     .per_area = k_effort_of_formed / area,
-                    .worth = 0.01 * settings_.worth_pct * area};
+                    .worth = 0.01 * settings_.worth_pct * area,
+                    .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone.
   const double beside_deg = contender.canonical() ? k_same_place_deg : k_beside_deg;
@@ -77,8 +78,8 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
   }
   for (std::size_t first = 0; first < open.size() && !clock_.stopped();) {
     clock_.report(sweep_stage::k_actions, static_cast<double>(first) / static_cast<double>(open.size()));
-    // Until one sets a limit, each is looked at by itself.
-    const std::size_t together = std::isfinite(least_effort_) ? k_together : 1;
+    // The first sets a limit for others, but where it leaves something unreleased.
+    const std::size_t together = std::isfinite(least_effort_) || first > 0 ? k_together : 1;
     const auto batch = std::span(open).subspan(first, std::min(together, open.size() - first));
     first += batch.size();
     std::vector<glm::dvec3> directions;

@@ -26,6 +26,9 @@ class MoldRanking {
         measurer_(measurer),
         actions_(actions) {}
 
+  /// What is not likely to be the best need have no cost.
+  void seek_best_alone() { best_alone_ = true; }
+
   /// Finds the costs of what is measured, in this order, as far as there is time; those certain to need
   /// heavier side actions than the best so far go without, unless they are followed `to_the_end`.
   void find_costs(std::span<Contender> contenders, bool to_the_end = false);
@@ -71,7 +74,7 @@ class MoldRanking {
   DirectionActionFinder& actions_;
   double least_effort_ = std::numeric_limits<double>::infinity();  // of those that leave nothing unreleased
   std::vector<Released> released_;
-  bool free_ = false;
+  bool free_ = false, best_alone_ = false;
 };
 
 /// The first of them, which side of it is the core, and why. Throws Cancelled.

@@ -57,6 +57,7 @@ class SweepRun {
     result_.jobs = ScoringPool::threads(settings_.jobs);
     std::vector<Candidate> candidates = candidates_of_the_part();
     if (settings_.rank == SweepRank::mold) {
+      if (best_alone) molds_.seek_best_alone();
       look_at_named(candidates);
       if (!best_alone || !molds_.is_free()) look_at_others(candidates, best_alone);
       list_as_molds(best_alone);

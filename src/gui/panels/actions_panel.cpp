@@ -16,6 +16,7 @@
 #include "gui/panels/table_bar.hpp"
 #include "gui/panels/verdict.hpp"
 #include "gui/view/side_actions.hpp"
+#include "mold/direction_words.hpp"
 
 namespace moldlight::gui {
 
@@ -146,7 +147,7 @@ void draw_own_directions(const PanelContext& context) {
         });
     ImGui::SameLine(0.0F, ui.px(4));
     ImGui::PushID(static_cast<int>(k));
-    const bool removed = chip(ui, with_minus(short_direction_text(glm::normalize(own[k]))) + "  ×", taken);
+    const bool removed = chip(ui, with_minus(direction_words(glm::normalize(own[k]))) + "  ×", taken);
     ImGui::PopID();
     ui.memory->controls[fmt::format("by hand {}", k + 1)] = {from_im(ImGui::GetItemRectMin()),
                                                              from_im(ImGui::GetItemRectMax())};
@@ -184,7 +185,7 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   if (const SideAction* action = action_of(plan, undercut)) {
     tip += fmt::format(
         " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
-        with_minus(short_direction_text(action->direction)), action->travel, unit, detail_text(*action, unit),
+        with_minus(direction_words(action->direction)), action->travel, unit, detail_text(*action, unit),
         shared_text(*action, undercut) + others_text(plan, undercut, *action) + meetings_text(plan, *action));
     for (const FoundFigure& figure : found_figures(body_figures(), *action)) {
       if (figure.value)

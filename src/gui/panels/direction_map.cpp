@@ -13,6 +13,7 @@
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/direction_field.hpp"
+#include "mold/direction_words.hpp"
 
 namespace moldlight::gui {
 
@@ -164,13 +165,13 @@ void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
   std::string title, text, source;
   if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
     title =
-        direction_text(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction, 3);
+        direction_words(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
     text =
         fmt::format("undercut {} ± {}", area_text(state, found->undercut), error_text(found->undercut_error));
     source = fmt::format("{}  ·  {}", share_text(found->undercut, total), candidate_kind_name(found->kind));
   } else {
     const DirectionField::Reading reading = map.field.at(direction);
-    title = direction_text(direction, 3);
+    title = direction_words(direction);
     if (reading.cover > 0.2) {
       text = fmt::format("undercut about {}", area_text(state, reading.value));
       source = fmt::format("{}  ·  between scored directions", share_text(reading.value, total));

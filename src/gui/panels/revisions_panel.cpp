@@ -9,6 +9,7 @@
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "gui/view/revision_view.hpp"
+#include "mold/direction_words.hpp"
 
 namespace moldlight::gui {
 
@@ -104,7 +105,7 @@ class Texts {
       const SideAction& one = plan.actions[number];
       area = grouped(areas_.text(one.area));
       return with_minus(fmt::format("{} {} travel {}", facts(one.kind).singular,
-                                    short_direction_text(one.direction), lengths_.text(one.travel)));
+                                    direction_words(one.direction), lengths_.text(one.travel)));
     };
     std::string was, now;
     if (change.former) was = action(*comparison_.a.plan, *change.former, texts.before);

@@ -12,6 +12,7 @@
 #include "gui/panels/panels.hpp"
 #include "gui/panels/verdict.hpp"
 #include "gui/panels/workspace.hpp"
+#include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/sweep_stages.hpp"
 #include "sweep/sweep_texts.hpp"
@@ -57,7 +58,7 @@ std::string result_text(const AppState& state) {
   std::string text;
   if (!result.candidates.empty()) {
     const SweepCandidate& best = result.candidates.front();
-    text = fmt::format("best {}: {}  ·  ", with_minus(short_direction_text(best.candidate.direction)),
+    text = fmt::format("best {}: {}  ·  ", with_minus(direction_words(best.candidate.direction)),
                        undercut_text(*state.model, best));
   }
   text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
@@ -330,7 +331,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   }
   if (candidate.axis) tip += "\n" + with_minus(axis_beside_text(*context.state.model, candidate));
   if (begin_tooltip(ui)) {
-    heading(ui, fmt::format("{}: {}", candidate.rank, direction_text(direction, 3)));
+    heading(ui, fmt::format("{}: {}", candidate.rank, with_minus(direction_words(direction))));
     draw_item_text(ui.colours->muted, tip);
     const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = from_im(ImGui::GetCursorScreenPos());
     ImGui::Dummy(im(pixels));
@@ -349,7 +350,9 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::SameLine(0.0F, 0.0F);
   cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
   ImGui::TableNextColumn();
-  cell(ui.fonts.body, normal, with_minus(short_direction_text(direction)), false);
+  cell(ui.fonts.body, normal,
+       fitted(ui.fonts.body, with_minus(direction_words(direction)), ImGui::GetContentRegionAvail().x),
+       false);
   for (const DirectionFigure* figure : figures) {
     ImGui::TableNextColumn();
     const SizedFont& font = figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body;

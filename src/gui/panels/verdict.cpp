@@ -10,6 +10,7 @@
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
+#include "mold/direction_words.hpp"
 #include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
@@ -19,16 +20,16 @@ namespace {
 /// Less than this share of the present undercut is no reason to turn.
 constexpr double k_least_gain = 0.02;
 
-/// "best found: +Z, 555.6 mm²"; a direction that is no axis stands in its tooltip.
+/// "best found: z, 555.6 mm²"; a direction that is no axis stands in its tooltip.
 std::string best_text(const PartModel& model, const SweepCandidate& best) {
-  std::string axis = short_direction_text(best.candidate.direction);
-  axis = axis.size() == 2 ? axis + ", " : std::string();
+  const NearestAxis nearest = nearest_axis(best.candidate.direction);
+  const std::string axis = nearest.is_met() ? with_minus(nearest.name) + ", " : std::string();
   return "best found: " + axis + undercut_text(model, best);
 }
 
 std::string best_help(const PartModel& model, const SweepCandidate& best) {
   const std::optional<Verdict> verdict = verdict_of(model, best);
-  return direction_text(best.candidate.direction, 3) + (verdict ? "\n" + verdict->sentence : "");
+  return with_minus(direction_words(best.candidate.direction)) + (verdict ? "\n" + verdict->sentence : "");
 }
 
 void add_best(const AppState& state, VerdictCard& card) {

@@ -8,6 +8,7 @@
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
+#include "mold/direction_words.hpp"
 
 namespace moldlight::gui {
 
@@ -116,7 +117,7 @@ void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size
   const SideAction* const action = chosen_action(state);
   std::string name =
       action != nullptr ? std::string(facts(action->kind).singular) : "drag to try a direction";
-  if (held) name = with_minus(short_direction_text(arrow->direction));
+  if (held) name = with_minus(direction_words(arrow->direction));
   const glm::vec2 room = 0.5F * tag_size(ui, name);
   const glm::vec2 middle = at + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
   const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);

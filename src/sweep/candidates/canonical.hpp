@@ -10,7 +10,9 @@ namespace moldlight {
 
 /// The file's axes; normals of planes and axes of round walls, put together within a tenth of a degree, the
 /// largest first, as far as they are a hundredth of the surface; principal axes where there are none. At most
-/// twelve. They turn with the part, the file's axes apart, and do not depend on the order of its facets.
+/// twelve. Of two within 3 degrees the one for which more of the surface speaks is canonical. Axes of the
+/// file for which none does are among them, but not canonical where the part is turned. All others turn with
+/// the part and do not depend on the order of its facets.
 [[nodiscard]] std::vector<Candidate> canonical_candidates(const PartModel& model);
 
 }  // namespace moldlight

@@ -1,6 +1,7 @@
 #include "sweep/candidates/canonical.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -50,6 +51,46 @@ TEST(Canonical, PlanesAreFoundInATurnedPart) {
   const Candidate* smallest = along(found, rotation * glm::dvec3(1, 0, 0), 1e-9);
   ASSERT_NE(smallest, nullptr);
   EXPECT_EQ(smallest->canonical->name, "normal of planes, 14 % of the surface");
+}
+
+/// How many of the file's axes are canonical.
+std::size_t axes_in(const std::vector<Candidate>& candidates) {
+  return static_cast<std::size_t>(std::ranges::count_if(candidates, [](const Candidate& each) {
+    return each.kind() == CandidateKind::axis && each.canonical;
+  }));
+}
+
+TEST(Canonical, AxesOfTheFileAreNoneOfATurnedPart) {
+  const TriangleMesh box = test::box_mesh({0, 0, 0}, {20, 10, 5});
+  EXPECT_EQ(axes_in(canonical_of(test::rotated(box, test::random_rotation(5)))), 0U);
+  const std::vector<Candidate> about_one = canonical_of(test::rotated(box, about_x(30.0)));
+  EXPECT_EQ(axes_in(about_one), 1U);
+  EXPECT_TRUE(along(about_one, {1, 0, 0}, 0.0)->canonical) << "it is turned about x";
+  ASSERT_NE(along(about_one, {0, 0, 1}, 0.0), nullptr) << "still a candidate";
+}
+
+TEST(Canonical, AxesOfTheFileAreThoseOfAStraightPart) {
+  const double lean = 10.0 * std::tan(glm::radians(1.0));
+  test::SolidBuilder drafted;
+  const test::Loop low = {{0, 0, 0}, {20, 0, 0}, {20, 12, 0}, {0, 12, 0}};
+  const test::Loop high = {
+      {lean, lean, 10}, {20 - lean, lean, 10}, {20 - lean, 12 - lean, 10}, {lean, 12 - lean, 10}};
+  drafted.walls(low, high);
+  drafted.face({low.rbegin(), low.rend()});
+  drafted.face(high);
+  const std::vector<Candidate> of_drafted = canonical_of(drafted.mesh());
+  EXPECT_EQ(axes_in(of_drafted), 3U) << "walls with draft face along x and y";
+  EXPECT_GT(along(of_drafted, {1, 0, 0}, 0.0)->canonical->share, 0.1);
+  EXPECT_EQ(
+      std::ranges::count_if(of_drafted, [](const Candidate& each) { return each.canonical.has_value(); }), 3)
+      << "beside these a wall is none";
+  test::SolidBuilder prism;
+  const test::Loop2 hexagon = test::regular_polygon(6, 8.0);
+  const test::Loop base = test::at_height(hexagon, 0.0), top = test::at_height(hexagon, 5.0);
+  prism.walls(base, top);
+  prism.face({base.rbegin(), base.rend()});
+  prism.face(top);
+  EXPECT_EQ(axes_in(canonical_of(prism.mesh())), 3U) << "nothing is at a right angle to its sides";
 }
 
 TEST(Canonical, NormalsWithinATenthOfADegreeAreOne) {
