@@ -16,6 +16,7 @@
 #include "parting/hull/parting_surface.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/part_sheets.hpp"
+#include "parting/upright_walls.hpp"
 #include "parting/wished_facets.hpp"
 
 namespace moldlight {
@@ -96,6 +97,7 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
 /// What the halves are made from.
 struct HalvesWish {
   const SplitMesh& split;
+  const TriangleMesh& mesh;  // of which that is
   const PartModel& model;
   const MeetingPlace& place;
   const std::vector<FacetWish>& wished;
@@ -160,7 +162,7 @@ class Trial {
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
     sheets_.keep_volume(
-        centred_volume(asked_.model.part.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
+        centred_volume(asked_.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
         k_most_restored);
     const double margin = block_margin(asked_.settings, diagonal) / diagonal;
     const Bounds box = box_of(sheets_);
@@ -288,8 +290,10 @@ class Trial {
 
   /// The volumes, the bodies as they will be written, and what rounding does to the halves.
   std::optional<MoldFault> certify(const Progress& progress) {
-    halves_.part_volume = centred_volume(asked_.model.part.mesh, asked_.model.frame.center) * halves_.scale *
-                          halves_.scale * halves_.scale;
+    const double scale = halves_.scale * halves_.scale * halves_.scale;
+    halves_.part_volume = scale * centred_volume(asked_.mesh, asked_.model.frame.center);
+    halves_.upright_volume =
+        halves_.part_volume - scale * centred_volume(asked_.model.part.mesh, asked_.model.frame.center);
     halves_.volume_gap = (halves_.block_volume - halves_.core.volume - halves_.cavity.volume -
                           halves_.part_volume - halves_.insert_volume) /
                          halves_.block_volume;
@@ -360,26 +364,33 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     halves.written = written_mold(halves);
     return halves;
   }
-  const ExactSplit split =
-      exact_split(model.exact(progress), {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
   const std::vector<FacetWish> wished = wished_facets(model, settings);
-  const HalvesWish asked{split.mesh, model, place, wished, settings};
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
-  std::size_t tried = 0;
-  for (const SheetTolerance& attempt : k_attempts) {
-    if (best && tried >= k_most_for_beauty) break;
-    ++tried;
-    progress.report(k_halves_stage, 0.0);
-    MoldHalves attempted = halves;
-    const auto fault = Trial(asked, attempt, attempted).run(progress);
-    if (fault) {
-      if (!first) first = fault;
-      continue;
+  const auto try_all = [&](const ExactPart& part) {
+    const ExactSplit split =
+        exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
+    const HalvesWish asked{split.mesh, part.mesh(), model, place, wished, settings};
+    std::size_t tried = 0;
+    first.reset();
+    for (const SheetTolerance& attempt : k_attempts) {
+      if (best && tried >= k_most_for_beauty) return;
+      ++tried;
+      progress.report(k_halves_stage, 0.0);
+      MoldHalves attempted = halves;
+      if (auto fault = Trial(asked, attempt, attempted).run(progress)) {
+        if (!first) first = std::move(fault);
+        continue;
+      }
+      const bool clean = attempted.clean();
+      if (!best || attempted.better_than(*best)) best = std::move(attempted);
+      if (clean) return;
     }
-    if (!best || attempted.cleaner_than(*best)) best = std::move(attempted);
-    if (best->blemishes() + best->mended_facets == 0 && !best->leans()) break;
-  }
+  };
+  if (const auto upright =
+          with_upright_walls(model.part.mesh, {halves.frame, halves.centre, model.frame.diagonal}))
+    try_all(ExactPart(*upright, facet_geometry(*upright), model.frame, progress, model.part.effort));
+  if (!best || !best->clean() || best->contact_area > 0.0) try_all(model.exact(progress));
   if (best) return *best;
   halves.refusal = first->what;
   halves.change = first->change;

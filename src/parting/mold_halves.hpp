@@ -76,7 +76,8 @@ struct MoldHalves {
 
   // The certificate. Volumes are those of the bodies.
   double block_volume = 0.0, part_volume = 0.0, insert_volume = 0.0;
-  double volume_gap = 0.0;  // block less all of these, as a share of the block
+  double upright_volume = 0.0;  // by how much the part is larger for walls that were set upright
+  double volume_gap = 0.0;      // block less all of these, as a share of the block
   double fold_area =
       0.0;  // of facets of a half that face away from its pull, as a share of the block's rectangle
   double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
@@ -109,9 +110,14 @@ struct MoldHalves {
   [[nodiscard]] bool certified() const {
     return made() && written.refusal.empty() && blemishes() == 0 && !leans();
   }
-  [[nodiscard]] bool cleaner_than(const MoldHalves& other) const {
+  [[nodiscard]] bool clean() const { return blemishes() + mended_facets == 0 && !leans(); }
+  /// Of two that can be made: the cleaner one, then the one whose halves touch less on upright walls.
+  [[nodiscard]] bool better_than(const MoldHalves& other) const {
+    constexpr double k_same = 0.99;
     if (leans() != other.leans()) return other.leans();
-    return std::pair(blemishes(), mended_facets) < std::pair(other.blemishes(), other.mended_facets);
+    if (blemishes() != other.blemishes()) return blemishes() < other.blemishes();
+    if (contact_area < k_same * other.contact_area) return true;
+    return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
 };

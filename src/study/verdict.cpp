@@ -1,5 +1,7 @@
 #include "study/verdict.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -181,9 +183,20 @@ class Judge {
   }
 
   void add_plan(const ActionPlan& plan) {
-    std::size_t meeting = 0;
-    for (const SideAction& action : plan.actions) meeting += action.meets.empty() ? 0 : 1;
+    std::size_t meeting = 0, hitting = 0;
+    double deepest = 0.0;
+    for (const SideAction& action : plan.actions) {
+      meeting += action.meets.empty() ? 0 : 1;
+      if (!action.body || !action.body->hit) continue;
+      ++hitting;
+      deepest = std::max(deepest, action.body->hit->depth);
+    }
     if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
+    if (hitting > 0)
+      add(fmt::format("{} not clear of the part or of each other, by up to {} {}.",
+                      hitting == 1 ? "The body of 1 action is"
+                                   : fmt::format("The bodies of {} actions are", hitting),
+                      rounded(deepest), length_unit(facts_.model.part)));
   }
 
   [[nodiscard]] static std::string room_text(std::size_t lifters) {

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "mesh/union_find.hpp"
 
 namespace moldlight {
 
@@ -19,6 +23,8 @@ constexpr double k_small_hole = 0.005;
 constexpr double k_line_reach = 1.5e-4;
 /// Slack of a hole's plane, in diagonals.
 constexpr double k_plane_slack = 1e-5;
+/// Shorter stretches of the outline than this, in diagonals, do not pull the surface along.
+constexpr double k_tongue = 2e-3;
 using EndRanges = std::array<HeightRange, 2>;
 
 std::unordered_map<std::uint64_t, EndRanges> segment_ranges(const Sheets& sheets) {
@@ -47,6 +53,26 @@ std::vector<OutlinePoint> points_within(const std::vector<RimSegment>& rims, dou
     points.push_back({glm::mix(rim.ends[1], rim.ends[0], share), rim.ranges[1]});
   }
   return points;
+}
+
+/// Without the shortest stretches that the shelf does not meet, which would be tongues too thin to be cut:
+/// an upright wall leads from the shelf to the part there.
+std::vector<RimSegment> without_tongues(const std::vector<RimSegment>& rims, const ShelfPlane& shelf) {
+  const auto missed = [&](const RimSegment& rim) { return !shelf.meets({rim}, k_plane_slack); };
+  std::map<std::pair<double, double>, std::uint32_t> first_at;
+  UnionFind joined(rims.size());
+  for (std::uint32_t k = 0; k < rims.size(); ++k) {
+    if (!missed(rims[k])) continue;
+    for (const glm::dvec2& end : rims[k].ends)
+      joined.join(k, first_at.try_emplace({end.x, end.y}, k).first->second);
+  }
+  std::vector<double> lengths(rims.size(), 0.0);
+  for (std::uint32_t k = 0; k < rims.size(); ++k) lengths[joined.find(k)] += rims[k].length();
+  std::vector<RimSegment> kept;
+  for (std::uint32_t k = 0; k < rims.size(); ++k) {
+    if (!missed(rims[k]) || lengths[joined.find(k)] > k_tongue) kept.push_back(rims[k]);
+  }
+  return kept;
 }
 
 /// Twice the area by the length around: the width of a slot, half of that of a square.
@@ -112,7 +138,8 @@ std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wi
     }
     const double width = width_of(region);
     const bool too_narrow = !fields.empty() && (width <= k_small_hole || !shelf.meets(region, width));
-    fields.emplace_back(too_narrow ? std::vector<RimSegment>{} : region, shelf, shape);
+    fields.emplace_back(too_narrow ? std::vector<RimSegment>{} : without_tongues(region, shelf), shelf,
+                        shape);
   }
   return fields;
 }

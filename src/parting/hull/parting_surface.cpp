@@ -223,7 +223,7 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   const std::vector<HeightRange> ranges = point_ranges(sheets, plane);
   surface.forced = forced_slope(plane.mesh, ranges, wish.shape.slope);
   std::vector<double> z = heights_at(plane.mesh, fields);
-  keep_slope(plane.mesh, ranges, wish.shape.slope, k_narrow, z);
+  keep_slope(plane.mesh, ranges, {wish.shape.slope, k_narrow, surface.forced.tangent > 0.0}, z);
   for (std::size_t point = 0; point < z.size(); ++point) {
     for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }

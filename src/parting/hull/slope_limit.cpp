@@ -12,6 +12,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/union_find.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -19,10 +21,16 @@ namespace {
 /// Facets steeper than this share of the slope are brought down to another one, which is less, so that this
 /// ends.
 constexpr double k_most_share = 0.9995, k_held_share = 0.998, k_free_share = 0.85;
-/// So often each facet is brought down at most, on average.
-constexpr std::size_t k_rounds = 20;
+/// So often each facet is brought down at most, on average: where nothing forces the surface to be steeper
+/// there is an end to it, which may be far.
+constexpr std::size_t k_rounds = 20, k_rounds_to_an_end = 2000, k_most_brought_down = 1'000'000;
 /// How much easier a point is moved that no range holds.
 constexpr double k_free_mobility = 4.0;
+/// Points nearer to each other than this, in diagonals of the part, have one height: between them stands a
+/// wall, where the part wants one, and no needle leads from it across the surface.
+constexpr double k_one_place = 2e-5;
+/// A range that is missed by more than this holds nothing.
+constexpr double k_given_up = 1e-4;
 constexpr int k_most_steeper = 30, k_most_newton = 12;
 
 struct Way {
@@ -31,13 +39,13 @@ struct Way {
 };
 using Around = std::vector<std::vector<Way>>;
 
-/// Edges outside; those of two triangles twice.
-Around ways_outside(const PlaneMesh& mesh) {
+/// Edges outside, between the first of the points near their ends; those of two triangles twice.
+Around ways_outside(const PlaneMesh& mesh, const std::vector<std::uint32_t>& first) {
   Around around(mesh.points().size());
   for (const PlaneMesh::Triangle& t : mesh.triangles()) {
     if (t.inside) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3];
+      const std::uint32_t a = first[t.corners[k]], b = first[t.corners[(k + 1) % 3]];
       const double length = glm::distance(mesh.points()[a], mesh.points()[b]);
       around[a].push_back({b, length});
       around[b].push_back({a, length});
@@ -104,7 +112,43 @@ struct SlopedFacet {
   }
 };
 
-std::vector<SlopedFacet> facets_outside(const PlaneMesh& mesh, double narrow) {
+/// Points that have one height: the first of those near each point, and what ranges leave to all of them.
+struct NearPoints {
+  NearPoints(const PlaneMesh& mesh, const std::vector<HeightRange>& of_points, const std::vector<double>& z)
+      : first(z.size()), ranges(z.size()), heights(z.size(), 0.0) {
+    UnionFind joined(z.size());
+    for (const PlaneMesh::Triangle& t : mesh.triangles()) {
+      for (std::size_t k = 0; k < 3 && !t.inside; ++k) {
+        const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3];
+        if (glm::distance(mesh.points()[a], mesh.points()[b]) < k_one_place) joined.join(a, b);
+      }
+    }
+    std::vector<double> counts(z.size(), 0.0);
+    for (std::uint32_t point = 0; point < z.size(); ++point) {
+      const std::uint32_t to = first[point] = joined.find(point);
+      ranges[to] = {std::max(ranges[to].low, of_points[point].low),
+                    std::min(ranges[to].high, of_points[point].high)};
+      heights[to] += z[point];
+      ++counts[to];
+    }
+    for (std::uint32_t point = 0; point < z.size(); ++point) {
+      HeightRange& range = ranges[point];
+      if (counts[point] > 1.0) heights[point] /= counts[point];
+      if (counts[point] > 1.0 && !range.empty())
+        heights[point] = std::clamp(heights[point], range.low, range.high);
+      // What the surface gave up stays so.
+      if (heights[point] < range.low - k_given_up || heights[point] > range.high + k_given_up) range = {};
+    }
+  }
+
+  std::vector<std::uint32_t> first;
+  std::vector<HeightRange> ranges;  // and heights: of the first
+  std::vector<double> heights;
+};
+
+/// The corners are the first of those near them.
+std::vector<SlopedFacet> facets_outside(const PlaneMesh& mesh, double narrow,
+                                        const std::vector<std::uint32_t>& first) {
   std::vector<SlopedFacet> facets;
   for (const PlaneMesh::Triangle& t : mesh.triangles()) {
     if (t.inside) continue;
@@ -114,7 +158,9 @@ std::vector<SlopedFacet> facets_outside(const PlaneMesh& mesh, double narrow) {
     double longest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, glm::distance(point(k), point(k + 1)));
     if (twice <= narrow * longest) continue;
-    SlopedFacet facet{.corners = t.corners, .gradient = {}, .width = twice / longest};
+    SlopedFacet facet{.corners = {first[t.corners[0]], first[t.corners[1]], first[t.corners[2]]},
+                      .gradient = {},
+                      .width = twice / longest};
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec2 across = point(k + 2) - point(k + 1);
       facet.gradient[k] = glm::dvec2(-across.y, across.x) / twice;
@@ -161,6 +207,27 @@ bool flatten(const SlopedFacet& facet, const std::vector<double>& mobility, doub
   return true;
 }
 
+/// Points of narrow facets alone stand between those around them, as far as their ranges go, lest the surface
+/// have notches there.
+void fill_notches(const std::vector<SlopedFacet>& facets, const Around& around,
+                  const std::vector<HeightRange>& ranges, std::vector<double>& z) {
+  std::vector<char> wide(z.size(), 0);
+  for (const SlopedFacet& facet : facets) {
+    for (const std::uint32_t corner : facet.corners) wide[corner] = 1;
+  }
+  for (std::uint32_t point = 0; point < z.size(); ++point) {
+    double sum = 0.0, weights = 0.0;
+    for (const auto& [to, length] : around[point]) {
+      if (wide[point] != 0 || wide[to] == 0) continue;
+      const double weight = 1.0 / std::max(length, k_one_place);
+      sum += weight * z[to];
+      weights += weight;
+    }
+    if (weights > 0.0 && !ranges[point].empty())
+      z[point] = std::clamp(sum / weights, ranges[point].low, ranges[point].high);
+  }
+}
+
 /// Keeps heights in their ranges where it can; empty ranges hold nothing.
 struct Hold {
   const std::vector<HeightRange>* ranges = nullptr;  // none: nothing is held
@@ -172,8 +239,8 @@ struct Hold {
 /// other, with those around them that become so.
 class Flattener {
  public:
-  Flattener(const PlaneMesh& mesh, const std::vector<HeightRange>& part, double slope, double narrow)
-      : facets_(facets_outside(mesh, narrow)),
+  Flattener(const PlaneMesh& mesh, const NearPoints& near, double slope, double narrow)
+      : facets_(facets_outside(mesh, narrow, near.first)),
         first_(mesh.points().size() + 1, 0),
         mobility_(mesh.points().size(), k_free_mobility),
         slope_(slope) {
@@ -186,8 +253,8 @@ class Flattener {
     for (std::uint32_t k = 0; k < facets_.size(); ++k) {
       for (const std::uint32_t corner : facets_[k].corners) around_[filled[corner]++] = k;
     }
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      if (std::isfinite(part[k].low) || std::isfinite(part[k].high)) mobility_[k] = 1.0;
+    for (std::size_t k = 0; k < near.ranges.size(); ++k) {
+      if (std::isfinite(near.ranges[k].low) || std::isfinite(near.ranges[k].high)) mobility_[k] = 1.0;
     }
   }
 
@@ -198,7 +265,8 @@ class Flattener {
     std::deque<std::uint32_t> waiting(facets_.size());
     std::iota(waiting.begin(), waiting.end(), 0U);
     std::vector<std::uint8_t> waits(facets_.size(), 1);
-    std::size_t left = hold.rounds * facets_.size();
+    std::size_t left =
+        std::max(k_rounds * facets_.size(), std::min(hold.rounds * facets_.size(), k_most_brought_down));
     for (; !waiting.empty() && left > 0; --left) {
       const std::uint32_t number = waiting.front();
       waiting.pop_front();
@@ -252,7 +320,9 @@ void level_rest(const std::vector<SlopedFacet>& facets, Around around, double sl
 }  // namespace
 
 ForcedSlope forced_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, double slope) {
-  const Around around = ways_outside(mesh);
+  std::vector<std::uint32_t> all(ranges.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const Around around = ways_outside(mesh, all);
   ForcedSlope forced;
   for (int round = 0; round < k_most_steeper; ++round) {
     const Envelopes found = envelopes(around, ranges, slope);
@@ -277,13 +347,17 @@ ForcedSlope forced_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& 
   return forced;
 }
 
-void keep_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, double slope, double narrow,
+void keep_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, const SlopeWish& wish,
                 std::vector<double>& z) {
-  const Flattener flattener(mesh, ranges, slope, narrow);
-  if (flattener.run({&ranges, k_rounds, k_held_share}, z) ||
-      flattener.run({nullptr, k_rounds, k_free_share}, z))
-    return;
-  level_rest(flattener.facets(), ways_outside(mesh), slope, z);
+  NearPoints near(mesh, ranges, z);
+  const Flattener flattener(mesh, near, wish.slope, wish.narrow);
+  const Around around = ways_outside(mesh, near.first);
+  std::vector<double>& heights = near.heights;
+  if (!flattener.run({&near.ranges, wish.forced ? k_rounds : k_rounds_to_an_end, k_held_share}, heights) &&
+      !flattener.run({nullptr, k_rounds, k_free_share}, heights))
+    level_rest(flattener.facets(), around, wish.slope, heights);
+  fill_notches(flattener.facets(), around, near.ranges, heights);
+  for (std::size_t point = 0; point < z.size(); ++point) z[point] = heights[near.first[point]];
 }
 
 }  // namespace moldlight

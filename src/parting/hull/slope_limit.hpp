@@ -23,9 +23,14 @@ struct ForcedSlope {
 [[nodiscard]] ForcedSlope forced_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges,
                                        double slope);
 
-/// Moves the heights, one a point, as little as brings every facet outside that is wider than `narrow` down
-/// to the slope; within their ranges where that goes.
-void keep_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, double slope, double narrow,
+struct SlopeWish {
+  double slope = 1.7320508;  // the most, a tangent
+  double narrow = 1e-5;      // narrower facets may be steeper
+  bool forced = false;       // some surface has to be steeper: forced_slope()
+};
+/// Moves the heights, one a point, as little as brings every facet outside down to the slope; within their
+/// ranges where that goes.
+void keep_slope(const PlaneMesh& mesh, const std::vector<HeightRange>& ranges, const SlopeWish& wish,
                 std::vector<double>& z);
 
 }  // namespace moldlight
