@@ -173,17 +173,16 @@ void App::frame(const FrameInput& input) {
   }
   viewport_.draw_arrow_names(ui, state_, scene_frame);
   draw_hints({ui, state_, edits, layout_});
-  const Query asked_before = state_.settings;
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
                    edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
   follow_figures();
   find_actions(edits.dragging || ImGui::IsAnyItemActive());
-  verdict_.update(state_);
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
   compare_revisions(edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
-  sweep_by_itself(static_cast<const Query&>(state_.settings) != asked_before);
+  sweep_by_itself(edits.dragging);
+  verdict_.update(state_);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
   controls_wake_s_ = imgui_.wake_s();
@@ -367,15 +366,17 @@ void App::set_direction(const glm::dvec3& direction) {
   history_.settle(state_.settings);
 }
 
-void App::sweep_by_itself(bool query_changed) {
+void App::sweep_by_itself(bool dragging) {
   SweepState& sweep = state_.sweep;
-  if (query_changed && !turn_.flying()) {
-    if (sweep.running && sweep.by_itself) sweep_.give_up(sweep);
-    quick_sweep_due_ = false;
+  const bool outdated = sweep.by_itself && sweep.stale;
+  if (outdated || (dragging && sweep.running && sweep.by_itself)) {
+    sweep_.give_up(sweep);
+    if (outdated) sweep = {};
+    quick_sweep_due_ = state_.window.quick_sweep;
   }
-  if (!quick_sweep_due_ || measuring()) return;
+  if (!quick_sweep_due_ || dragging || turn_.flying() || measuring()) return;
   quick_sweep_due_ = false;
-  if (!state_.figures.shown || sweep.running || sweep.result) return;
+  if (!state_.figures.shown || sweep.running || (sweep.result && !sweep.by_itself)) return;
   sweep_.start(state_, sweep, now_s_, true);
 }
 

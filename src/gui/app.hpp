@@ -151,9 +151,9 @@ class App {
   /// What a part dropped on the window is taken for, or a choice that is asked of the user.
   void take_dropped(const std::vector<std::string>& paths, Edits& edits);
   void turn_direction(bool held);
-  /// The sweep that nobody asked for: once the part is measured, until direction or method change, which
-  /// wants the processor for itself.
-  void sweep_by_itself(bool query_changed);
+  /// The sweep that nobody asked for: once the part is measured. A hand that turns the direction wants the
+  /// processor for itself; then, and when settings change, it begins anew at rest.
+  void sweep_by_itself(bool dragging);
   /// Fits the part as it is seen from `camera`, at once or in a flight, and keeps it fitted: when a panel
   /// grows or the window changes, until the user moves the camera.
   void fit(const Camera& camera, bool at_once);

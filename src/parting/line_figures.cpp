@@ -1,11 +1,8 @@
 #include "parting/line_figures.hpp"
 
-#include "parting/loops.hpp"
-
 namespace moldlight {
 
-LineFigures line_figures(const PartModel& model, const Query& query, const Progress& progress) {
-  const PartingLine line = parting_line(assign_sides(model, query, {}, progress));
+LineFigures line_figures(const PartingLine& line) {
   LineFigures figures{.length = line.length,
                       .climb = 0.0,
                       .outer_climb = line.outer_high - line.outer_low,

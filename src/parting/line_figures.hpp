@@ -1,9 +1,7 @@
 // Length and climb of a direction's parting line, as a sweep compares them.
 #pragma once
 
-#include "base/progress.hpp"
-#include "classify/part_model.hpp"
-#include "classify/settings.hpp"
+#include "parting/loops.hpp"
 
 namespace moldlight {
 
@@ -14,7 +12,6 @@ struct LineFigures {
   double steep_length = 0.0;  // of the runs that climb by more than 64 degrees
 };
 
-/// Of the parting line with default settings. Throws Cancelled.
-[[nodiscard]] LineFigures line_figures(const PartModel& model, const Query& query, const Progress& progress);
+[[nodiscard]] LineFigures line_figures(const PartingLine& line);
 
 }  // namespace moldlight

@@ -32,7 +32,8 @@ void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredB
                                           .facets = measured.undercut_facets,
                                           .least_travel_mm = asked.least_travel_mm},
                                          progress);
-  if (asked.parting && !measured.parting) measured.parting = line_figures(model_, query, progress);
+  if (asked.parting && !measured.parting)
+    measured.parting = line_figures(parting_line(assign_sides(model_, query, {}, progress)));
 }
 
 void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {

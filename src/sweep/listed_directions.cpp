@@ -24,6 +24,7 @@ SweepCandidate listed_candidate(const SweepTools& tools, const Contender& conten
   listed.tilt = tilt;
   listed.actions = contender.actions;
   listed.beside = contender.beside;
+  listed.cost = contender.cost;
   Classification& classification = listed.classification;
   if (listed.measured) {
     classification = contender.measured->classification;
@@ -54,7 +55,6 @@ std::vector<std::optional<TiltMargin>> tilts_of(SweepTools& tools, std::span<con
 
 /// Of every measured contender what is not known yet, as far as there is time.
 void complete(SweepTools& tools, std::vector<Contender>& listed) {
-  tools.clock.report(sweep_stage::k_final, 0.0);
   for (Contender& contender : listed) {
     if (!contender.measured) continue;
     const auto measured = std::make_shared<MeasuredDirection>(*contender.measured);

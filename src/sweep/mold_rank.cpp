@@ -58,35 +58,42 @@ std::string per_cent(double share) {
   return fmt::format(fmt::runtime(share < 0.095 ? "{:.2g}" : "{:.0f}"), 100.0 * share);
 }
 
+constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
+constexpr double k_least_climb = 5e-3;  // of the diagonal, that a line is worse by to be told of
+constexpr double k_least_gain = 0.02;   // of surface or diagonal: a reason to turn
+
 /// A figure in which two directions may differ, as shown for the one.
 struct Difference {
   double by = 0.0;  // in bands; less is better
   std::string text;
+  double noted = 1.0;  // bands from which on a trade mentions it
 };
 
-Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCost& other) {
+Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCost& other,
+                      std::optional<double> noted = std::nullopt) {
   const CriterionFacts& facts = k_facts[static_cast<std::size_t>(criterion)];
   const double by = one.of(criterion) - other.of(criterion);
   if (criterion == found)
     return {by / facts.band,
             by > 0.0 ? "is no direction that the part's shape names" : "is named by the part's shape"};
   return {by / facts.band,
-          fmt::format(fmt::runtime(facts.words), per_cent(std::abs(by)), by > 0.0 ? "more" : "less")};
+          fmt::format(fmt::runtime(facts.words), per_cent(std::abs(by)), by > 0.0 ? "more" : "less"),
+          noted.value_or(facts.band) / facts.band};
 }
 
 std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
   const double by_formed = one.formed - other.formed;
   const double by_room = one.without_room - other.without_room;
   return {difference(found, one, other),
-          difference(unreleased, one, other),
-          {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other)},
+          difference(unreleased, one, other, k_least_left),
+          {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},
           {k_effort_of_formed * by_formed / mold_band(effort),
            fmt::format("its side actions form {} % of the surface {}", per_cent(std::abs(by_formed)),
                        by_formed > 0.0 ? "more" : "less")},
           {by_room / mold_band(unreleased),
            fmt::format("lifters without room to move form {} % of the surface {}",
                        per_cent(std::abs(by_room)), by_room > 0.0 ? "more" : "less")},
-          difference(line, one, other),
+          difference(line, one, other, k_least_climb),
           difference(draft, one, other),
           difference(undercut, one, other),
           difference(depth, one, other)};
@@ -95,7 +102,6 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 }  // namespace
 
 double mold_effort(const MoldCost& cost) {
-  constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
   constexpr double k_weight_of_rest = 4;  // more than any one side action
   // Lifters without room release nothing unless the part changes: what they form is a rest, the sooner the
   // more of it there is.
@@ -156,6 +162,24 @@ std::vector<std::string> rank_reasons(const MoldCost& one, const MoldCost& other
   }
   against.insert(against.end(), in_favour.begin(), in_favour.end());
   return against;
+}
+
+MoldTrade mold_trade(MoldCost one, const MoldCost& other) {
+  one.of(found) = other.of(found);
+  one.of(depth) = other.of(depth);
+  const auto less = [&](MoldCriterion criterion) { return other.of(criterion) - one.of(criterion); };
+  const double heavier = one.weight - other.weight, band = mold_band(effort);
+  const double released = one.of(unreleased) <= k_least_left ? k_least_left : k_least_gain;
+  MoldTrade trade;
+  trade.worth = less(unreleased) >= -k_least_left &&
+                (less(unreleased) >= released || heavier <= -band ||
+                 (less(line) >= k_least_gain && heavier <= facts(ActionKind::slide).weight + band) ||
+                 (std::max(less(draft), less(undercut)) >= k_least_gain && heavier <= band));
+  for (const Difference& each : differences(one, other)) {
+    if (each.by > each.noted) trade.costs.push_back(each.text);
+    if (each.by < -each.noted) trade.wins.push_back(each.text);
+  }
+  return trade;
 }
 
 }  // namespace moldlight

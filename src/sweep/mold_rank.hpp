@@ -78,4 +78,14 @@ void compare_found(std::span<MoldCost> costs);
 /// against the one beside the other, what decides first, and what speaks for it last.
 [[nodiscard]] std::vector<std::string> rank_reasons(const MoldCost& one, const MoldCost& other);
 
+/// What a direction wins and costs beside another one, in words, the depth left aside. Worse side actions,
+/// unreleased surface and parting lines are costs even within the bands.
+struct MoldTrade {
+  std::vector<std::string> wins, costs;
+  /// Lighter side actions, all released, or 2 % less of line, draft or undercut. Nothing where it leaves more
+  /// unreleased; and a line is worth one slide more at most, draft and undercut are worth none.
+  bool worth = false;
+};
+[[nodiscard]] MoldTrade mold_trade(MoldCost one, const MoldCost& other);
+
 }  // namespace moldlight

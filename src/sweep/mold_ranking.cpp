@@ -26,27 +26,32 @@ double angle_deg(const Contender& a, const Contender& b) {
 
 }  // namespace
 
-MoldCost MoldRanking::cost(const Contender& contender) const {
-  const Classification& found = contender.measured->classification;
-  const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
-  const double diagonal = model_.frame.diagonal;
-  const LineFigures& line = *contender.measured->parting;
+MoldCost mold_cost(const PartModel& model, const Classification& regions, const DirectionActions& actions,
+                   const LineFigures& line) {
+  const double area = std::max(model.geometry.total_area, std::numeric_limits<double>::min());
+  const double diagonal = model.frame.diagonal;
   MoldCost cost;
-  cost.counts = contender.actions->totals.counts;
-  cost.canonical = contender.canonical();
-  cost.weight = contender.actions->weight;
-  cost.of(MoldCriterion::unreleased) = contender.actions->totals.unreleased_area / area;
-  cost.without_room = contender.actions->without_room / area;
-  cost.formed = contender.actions->formed_area / area;
+  cost.counts = actions.totals.counts;
+  cost.weight = actions.weight;
+  cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
+  cost.without_room = actions.without_room / area;
+  cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
-  cost.of(MoldCriterion::draft) = (found.near_vertical_area + found.reverse_draft.area) / area;
+  cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;
   // Specks are no undercut.
   cost.of(MoldCriterion::undercut) =
-      contender.actions->undercuts.count == 0 ? 0.0 : found.areas[Region::undercut] / area;
-  cost.of(MoldCriterion::depth) = contender.figures.draw_depth / diagonal;
-  cost.of(MoldCriterion::support) =
-      1.0 - (contender.canonical() ? contender.candidate.canonical->share : 0.0);
+      actions.undercuts.count == 0 ? 0.0 : regions.areas[Region::undercut] / area;
+  cost.of(MoldCriterion::support) = 1.0;
   cost.of(MoldCriterion::effort) = mold_effort(cost);
+  return cost;
+}
+
+MoldCost MoldRanking::cost(const Contender& contender) const {
+  MoldCost cost =
+      mold_cost(model_, contender.measured->classification, *contender.actions, *contender.measured->parting);
+  cost.of(MoldCriterion::depth) = contender.figures.draw_depth / model_.frame.diagonal;
+  cost.canonical = contender.canonical();
+  if (cost.canonical) cost.of(MoldCriterion::support) -= contender.candidate.canonical->share;
   return cost;
 }
 

@@ -14,6 +14,11 @@
 
 namespace moldlight {
 
+/// What is known of a direction that is ranked as molds go, as if the part's shape did not name it; without
+/// its depth.
+[[nodiscard]] MoldCost mold_cost(const PartModel& model, const Classification& regions,
+                                 const DirectionActions& actions, const LineFigures& line);
+
 class MoldRanking {
  public:
   /// All must outlive it.

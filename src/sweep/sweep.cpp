@@ -59,6 +59,7 @@ class SweepRun {
     if (settings_.rank == SweepRank::mold) {
       if (best_alone) molds_.seek_best_alone();
       look_at_named(candidates);
+      tell_named();
       if (!best_alone || !molds_.is_free()) look_at_others(candidates, best_alone);
       list_as_molds(best_alone);
     } else {
@@ -72,11 +73,12 @@ class SweepRun {
       drop_unmeasured();
       find_side_actions();
       if (tools_.rating.by_actions()) choose(tools_.top());
+      tools_.clock.report(sweep_stage::k_final, 0.0);
       result_.candidates = listed_by_objective(tools_, std::move(search_.contenders()));
     }
     if (!best_alone) measure_axes(tools_, axes_, result_.candidates);
     judge_proofs(result_);
-    recommend();
+    recommend(result_, tools_.clock.cut_short());
     result_.remarks = sweep_remarks(tools_.model, result_);
     result_.complete = !tools_.clock.cut_short();
     result_.elapsed_s = tools_.clock.elapsed_s();
@@ -86,13 +88,14 @@ class SweepRun {
  private:
   [[nodiscard]] std::vector<Candidate> candidates_of_the_part();
   void look_at_named(std::vector<Candidate>& candidates);
+  void tell_named();
   void look_at_others(std::vector<Candidate>& candidates, bool best_alone);
   void list_as_molds(bool best_alone);
   void prove();
   void choose(std::size_t most);
   void drop_unmeasured();
   void find_side_actions();
-  void recommend();
+  void recommend(SweepResult& result, bool provisional) const;
 
   const SweepSettings settings_;
   SweepTools tools_;
@@ -138,6 +141,20 @@ void SweepRun::look_at_named(std::vector<Candidate>& candidates) {
   search_.named() = std::exchange(search_.contenders(), {});
 }
 
+/// What needs no side action stays the best, whatever the others are.
+void SweepRun::tell_named() {
+  constexpr std::size_t k_told = 3;
+  if (!tools_.listener.named || tools_.clock.stopped()) return;
+  MoldRanking::Listed listed = molds_.listed(search_.named());
+  listed.cut_to(k_told);
+  SweepResult told;
+  told.settings = settings_;
+  told.complete = false;
+  told.candidates = listed_as_molds(tools_, std::move(listed), false);
+  recommend(told, !molds_.is_free());
+  tools_.listener.named(std::move(told));
+}
+
 /// Of the others those found by search, and what has least undercut.
 void SweepRun::look_at_others(std::vector<Candidate>& candidates, bool best_alone) {
   search_.reset_limit();
@@ -166,6 +183,7 @@ void SweepRun::list_as_molds(bool best_alone) {
   drop_unmeasured();
   MoldRanking::Listed listed = molds_.listed(std::move(contenders));
   if (best_alone) listed.cut_to(2);
+  tools_.clock.report(sweep_stage::k_final, 0.0);
   result_.candidates = listed_as_molds(tools_, std::move(listed), !best_alone);
   result_.with_actions = static_cast<std::size_t>(std::ranges::count_if(
       result_.candidates, [](const SweepCandidate& each) { return each.actions.has_value(); }));
@@ -217,12 +235,12 @@ void SweepRun::find_side_actions() {
   }
 }
 
-void SweepRun::recommend() {
-  if (settings_.rank != SweepRank::mold || result_.candidates.empty() || tools_.clock.cancelled()) return;
+void SweepRun::recommend(SweepResult& result, bool provisional) const {
+  if (settings_.rank != SweepRank::mold || result.candidates.empty() || tools_.clock.cancelled()) return;
   try {
-    result_.recommended =
-        recommendation(tools_.model, settings_.method, result_.candidates, tools_.clock.until_cancelled());
-    result_.recommended->provisional = tools_.clock.cut_short();
+    result.recommended =
+        recommendation(tools_.model, settings_.method, result.candidates, tools_.clock.until_cancelled());
+    result.recommended->provisional = provisional;
   } catch (const Cancelled&) {
   }
 }

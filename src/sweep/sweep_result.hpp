@@ -12,6 +12,7 @@
 #include "parting/line_figures.hpp"
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/direction_actions.hpp"
+#include "sweep/mold_rank.hpp"
 #include "sweep/sweep_proof.hpp"
 #include "sweep/sweep_settings.hpp"
 
@@ -26,9 +27,13 @@ struct EvaluatedDirection {
   bool given_up = false;        // scored only until it was certain not to be listed: the figures are rough
 };
 
+struct SweepResult;
+
 /// What a sweep shows while it runs, from its own threads, one call at a time.
 struct SweepListener {
   std::function<void(const EvaluatedDirection&)> evaluated;
+  /// By rank as molds go, once: the best of those that the part's shape names, before others are looked at.
+  std::function<void(SweepResult)> named = {};
 };
 
 /// How far the pull may lean before the undercut grows by more than the settings' share of the part's area.
@@ -75,6 +80,7 @@ struct SweepCandidate {
   std::optional<TiltMargin> tilt;              // empty where the sweep ended before
   std::optional<AxisBeside> axis;              // where there is one beside it, and time was left
   bool pareto = false;
+  std::optional<MoldCost> cost;           // where its side actions and line were found, by rank as molds go
   std::vector<std::string> rank_reasons;  // what speaks against it beside the one before, by rank as molds go
   std::optional<BesideDirection> beside;
 };

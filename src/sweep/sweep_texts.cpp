@@ -50,7 +50,7 @@ std::string mold_text(const PartModel& model, const SweepCandidate& candidate) {
   if (candidate.actions)
     text = candidate.actions->weight > 0.0 || candidate.actions->totals.unreleased_area > 0.0
                ? side_actions_text(model, candidate)
-               : "no side action";
+               : "two-plate";
   if (!candidate.line) return text;
   const double climb = candidate.line->outer_climb;
   return text + (text.empty() ? "" : ", ") +

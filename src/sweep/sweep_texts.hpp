@@ -20,7 +20,7 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 /// "2 slides, 1 lifter; 12.3 mm² left"; empty where side actions were not looked for.
 [[nodiscard]] std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate);
 
-/// "1 slide, planar parting line", "no side action, parting line climbs 14 mm": what a mold along it is like,
+/// "1 slide, planar parting line", "two-plate, parting line climbs 14 mm": what a mold along it is like,
 /// as far as it is known.
 [[nodiscard]] std::string mold_text(const PartModel& model, const SweepCandidate& candidate);
 

@@ -430,6 +430,23 @@ void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, floa
                        IM_COL32_WHITE, rounding);
 }
 
+std::vector<std::string> lines_within(const SizedFont& font, std::string_view text, float width,
+                                      std::size_t most) {
+  std::vector<std::string> lines;
+  while (!text.empty() && lines.size() < most) {
+    std::size_t end = text.size();
+    const auto line = [&] {
+      return std::string(text.substr(0, end)) + (end < text.size() && lines.size() + 1 == most ? " …" : "");
+    };
+    while (end != std::string_view::npos && end > 0 && text_size(font, line()).x > width)
+      end = text.rfind(' ', end - 1);
+    const bool fits = end != std::string_view::npos && end > 0;
+    lines.push_back(fits ? line() : fitted(font, text, width));
+    text.remove_prefix(fits ? std::min(text.size(), end + 1) : text.size());
+  }
+  return lines;
+}
+
 void hint(const Ui& ui, std::string_view text) {
   const FontScope small(ui.fonts.small);
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.

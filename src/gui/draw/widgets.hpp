@@ -100,6 +100,9 @@ bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec = 
 /// A right click on the item just drawn, or what `asked` stands for, offers to copy a text.
 void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked = false);
 
+/// Words in lines that are no wider than so many pixels, the last with an ellipsis where there are more.
+[[nodiscard]] std::vector<std::string> lines_within(const SizedFont& font, std::string_view text, float width,
+                                                    std::size_t most);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
 /// A text with its upper left corner at `at`, on a tag of its own: it reads on whatever lies below.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mold/direction_field.hpp"
-#include "sweep/sweep_result.hpp"
+#include "sweep/direction_cards.hpp"
 
 namespace moldlight::gui {
 
@@ -20,10 +20,7 @@ struct SweepChoices {
 
 struct SweepProgress {
   std::string stage;
-  double share = 0.0;              // of the whole sweep, [0, 1]
-  std::size_t scored = 0;          // directions
-  std::optional<std::size_t> all;  // candidates to score
-  double per_second = 0.0;
+  double share = 0.0;  // of the whole sweep, [0, 1]
   std::optional<double> left_s;
   bool ending = false;  // cancelled; what is done is being gathered
 };
@@ -44,10 +41,12 @@ struct SweepMap {
 struct SweepState {
   std::optional<SweepProgress> running;
   std::optional<SweepMap> map;
-  std::shared_ptr<const SweepResult> result;  // of the last sweep that ended
-  bool stale = false;                         // the method has changed since
-  bool by_itself = false;                     // nobody asked for it
-  std::string error;                          // why there is no result
+  /// Of the last sweep that ended; of one that runs by itself what it knew before its search.
+  std::shared_ptr<const SweepResult> result;
+  std::vector<DirectionCard> cards;  // of the result, beside the direction at rest
+  bool stale = false;                // the method, or what is allowed of side actions, has changed since
+  bool by_itself = false;            // nobody asked for it
+  std::string error;                 // why there is no result
 };
 
 }  // namespace moldlight::gui

@@ -28,6 +28,13 @@ constexpr int k_niceness = 5;
 /// The window's own thread goes first. On Linux this is a matter of the calling thread and those it starts.
 void stand_back() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
 
+/// For every direction: without what was said of single undercuts of one.
+ActionSettings general(ActionSettings actions) {
+  actions.pins.clear();
+  actions.side_directions.clear();
+  return actions;
+}
+
 }  // namespace
 
 void SweepMap::add(const EvaluatedDirection& direction) {
@@ -49,35 +56,44 @@ const EvaluatedDirection* SweepMap::nearest(const glm::dvec3& direction, double 
 }
 
 void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, bool by_itself) {
-  drop();
-  sweep = {};
+  give_up(sweep);
+  if (!by_itself) sweep = {};
   if (!state.model) return;
   SweepSettings settings = state.sweep_choices.options;
   settings.method = method_ = state.settings.method;
+  settings.action_settings = actions_ = general(state.settings.actions);
   if (by_itself) {
-    settings.actions = false;
-    if (needs_actions(settings.objective)) settings.objective = parse_objective("undercut");
+    settings.rank = SweepRank::mold;
+    settings.prove_pct = settings.all_free_pct = std::nullopt;
   }
   sweep.by_itself = by_itself;
   with_actions_ = seeks_actions(settings);
   model_ = state.model;
-  scored_ = 0;
-  started_s_ = scoring_s_ = now_s;
+  started_s_ = now_s;
   sweep.map.emplace(even_set_reach_deg(settings.directions));
   sweep.running.emplace();
   scored_by_job_ = std::make_shared<Scored>();
-  job_.start([model = model_, settings, scored = scored_by_job_](const Progress& progress) {
+  job_.start([model = model_, settings, scored = scored_by_job_, by_itself](const Progress& progress) {
     stand_back();
-    return run_sweep(model, settings, progress, {.evaluated = [&scored](const EvaluatedDirection& direction) {
-                       const std::lock_guard lock(scored->mutex);
-                       scored->directions.push_back(direction);
-                     }});
+    SweepListener listener{.evaluated = [&scored](const EvaluatedDirection& direction) {
+      const std::lock_guard lock(scored->mutex);
+      scored->directions.push_back(direction);
+    }};
+    if (by_itself) {
+      listener.named = [&scored](SweepResult named) {
+        const std::lock_guard lock(scored->mutex);
+        scored->named = std::make_shared<const SweepResult>(std::move(named));
+      };
+    }
+    return run_sweep(model, settings, progress, listener);
   });
 }
 
 void WindowSweep::give_up(SweepState& sweep) {
   drop();
-  sweep = {};
+  sweep.running.reset();
+  sweep.map.reset();
+  sweep.error.clear();
 }
 
 void WindowSweep::drop() {
@@ -102,8 +118,8 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
     {
       const std::lock_guard lock(scored_by_job_->mutex);
       more.swap(scored_by_job_->directions);
+      if (auto named = std::exchange(scored_by_job_->named, nullptr)) pictured_ = sweep.result = named;
     }
-    scored_ += more.size();
     waiting_.insert(waiting_.end(), more.begin(), more.end());
     tell_progress(status, sweep, now_s);
     sweep.running->ending = ending;
@@ -117,9 +133,8 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
   }
   take_directions(sweep);
   if (put_ < waiting_.size()) wake_s_ = now_s;
-  if (sweep.map) {
-    sweep.stale = state.settings.method != method_;
-  }
+  if (sweep.map || sweep.result)
+    sweep.stale = state.settings.method != method_ || general(state.settings.actions) != actions_;
 }
 
 void WindowSweep::take_directions(SweepState& sweep) {
@@ -135,17 +150,6 @@ void WindowSweep::tell_progress(const JobStatus& status, SweepState& sweep, doub
   SweepProgress& progress = *sweep.running;
   progress.stage = status.stage;
   progress.share = std::max(progress.share, sweep_share_done(status.stage, status.fraction, with_actions_));
-  if (scored_ == 0) scoring_s_ = now_s;
-  if (status.stage == sweep_stage::k_scoring) {
-    progress.scored = scored_;
-    if (status.fraction > 0.0) {
-      progress.all = std::max(
-          scored_, static_cast<std::size_t>(std::lround(static_cast<double>(scored_) / status.fraction)));
-    }
-    if (now_s > scoring_s_) progress.per_second = static_cast<double>(scored_) / (now_s - scoring_s_);
-  } else {
-    progress.scored = std::max(progress.scored, scored_);
-  }
   const double elapsed_s = now_s - started_s_;
   progress.left_s.reset();
   if (elapsed_s > k_least_told_s && progress.share > k_least_told_share) {

@@ -16,10 +16,11 @@ class WindowSweep {
  public:
   explicit WindowSweep(std::function<void()> wake) : job_({.wake = std::move(wake)}) {}
 
-  /// Starts the sweep that the choices ask for, of the part that is shown, with its method. What an earlier
-  /// one found goes. One that nobody asked for finds no side actions, whatever the choices.
+  /// Starts the sweep that the choices ask for, of the part that is shown, with its method and what is
+  /// allowed of side actions. What an earlier one found goes. One that nobody asked for ranks as a mold maker
+  /// does, whatever the choices, and what is known already stays until it has more.
   void start(const AppState& state, SweepState& sweep, double now_s, bool by_itself = false);
-  /// Ends the sweep, and what it found by then goes.
+  /// Ends the sweep; of what it found by then its result alone stays, where it has one.
   void give_up(SweepState& sweep);
   /// Ends the sweep early; its result is what is done.
   void cancel() { job_.cancel(); }
@@ -39,6 +40,7 @@ class WindowSweep {
   struct Scored {
     std::mutex mutex;
     std::vector<EvaluatedDirection> directions;
+    std::shared_ptr<const SweepResult> named;  // see SweepListener
   };
   std::shared_ptr<const PartModel> model_;
   Job<SweepResult> job_;
@@ -47,9 +49,9 @@ class WindowSweep {
   std::size_t put_ = 0;                          // of them
   std::shared_ptr<const SweepResult> pictured_;  // the result whose pictures were not taken yet
   MethodSettings method_;                        // of the sweep
+  ActionSettings actions_;                       // likewise
   bool with_actions_ = false;                    // it finds them
-  std::size_t scored_ = 0;
-  double started_s_ = 0.0, scoring_s_ = 0.0, wake_s_ = 0.0;
+  double started_s_ = 0.0, wake_s_ = 0.0;
 };
 
 }  // namespace moldlight::gui

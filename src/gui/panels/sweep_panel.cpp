@@ -4,17 +4,17 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 #include <imgui_internal.h>
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/direction_cards.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/verdict.hpp"
 #include "gui/panels/workspace.hpp"
 #include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
-#include "sweep/sweep_stages.hpp"
 #include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
@@ -23,7 +23,7 @@ namespace {
 
 constexpr float k_direction_row = 26.0F, k_heading = 20.0F;          // layout units
 constexpr float k_picture_width = 154.0F, k_picture_height = 96.0F;  // of a direction's tooltip
-/// Share of the window's height that the table takes unless it is expanded.
+/// Share of the window's height that the table takes.
 constexpr float k_sweep_share = 0.25F;
 constexpr float k_sweep_bar_width = 132.0F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
@@ -38,28 +38,18 @@ std::string time_text(double seconds) {
 
 std::string progress_text(const SweepProgress& progress) {
   if (progress.ending) return "ending with what is done";
-  std::string text;
-  if (progress.stage == sweep_stage::k_scoring) {
-    text = progress.all ? fmt::format("{}/{}", grouped(std::to_string(progress.scored)),
-                                      grouped(std::to_string(*progress.all)))
-                        : grouped(std::to_string(progress.scored));
-    if (progress.per_second > 0.0)
-      text += fmt::format("  ·  {}/s", grouped(fmt::format("{:.0f}", progress.per_second)));
-  } else {
-    text = progress.stage.empty() ? "starting" : progress.stage;
-  }
+  std::string text = progress.stage.empty() ? "starting" : progress.stage;
   if (progress.left_s) text += "  ·  " + time_text(*progress.left_s);
   return text;
 }
 
-/// What is best stands first: it is all that a folded panel shows.
-std::string result_text(const AppState& state) {
+/// What is recommended stands first, where no card shows it.
+std::string result_text(const AppState& state, bool open) {
   const SweepResult& result = *state.sweep.result;
   std::string text;
-  if (!result.candidates.empty()) {
-    const SweepCandidate& best = result.candidates.front();
-    text = fmt::format("best {}: {}  ·  ", with_minus(direction_words(best.candidate.direction)),
-                       undercut_text(*state.model, best));
+  if (!open && !state.sweep.cards.empty()) {
+    const DirectionCard& best = state.sweep.cards.front();
+    text = fmt::format("recommended {}: {}  ·  ", with_minus(best.name), best.verdict);
   }
   text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
                       result.elapsed_s);
@@ -84,13 +74,6 @@ bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
   list.AddRectFilled(ImVec2(centre.x, centre.y - half.y), im(centre + half), colour, ui.px(2));
   tooltip(ui, {}, chosen ? "Back to one picture" : "See it beside the present direction");
   return clicked;
-}
-
-std::string fitting_reason(const Ui& ui, const Candidate& candidate, float width) {
-  for (const std::string& text : shorter_reasons(candidate)) {
-    if (text_size(ui.fonts.small, text).x <= width) return text;
-  }
-  return fitted(ui.fonts.small, candidate_kind_name(candidate.kind()), width);
 }
 
 /// Of a column, in layout units.
@@ -188,12 +171,21 @@ glm::ivec2 candidate_picture_size(float scale) {
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {
   const SweepState& sweep = context.state.sweep;
   if (context.state.revisions.on()) return;
-  // What nobody asked for does not cover the part; its answer stands in the verdict.
+  // What nobody asked for covers the part only where it is high, and where there is something to turn to.
+  constexpr float k_high_window = 700.0F;
+  const bool high = ImGui::GetIO().DisplaySize.y >= context.ui.px(k_high_window);
   const bool unfolded = context.layout.begin_bottom(context.ui, "Sweep");
-  const bool open = unfolded && (asked_for_ || !sweep.by_itself);
+  const bool table = asked_for_ == Shown::table || !sweep.by_itself;
+  const bool cards =
+      !table && !sweep.cards.empty() &&
+      (asked_for_ == Shown::cards || (high && std::ranges::any_of(sweep.cards, &DirectionCard::offered)));
+  const bool open = unfolded && (table || cards);
   draw_header(context, open);
   if (open && options_) {
     draw_sweep_options(context);
+  } else if (open && cards) {
+    draw_direction_cards(context, pictures);
+    if (disclosure(context.ui, "All directions", false)) asked_for_ = Shown::table;
   } else if (open && sweep.result && !sweep.result->candidates.empty()) {
     draw_table(context, pictures);
   }
@@ -201,7 +193,8 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
 }
 
 void SweepPanel::fold(const PanelContext& context, bool folded) {
-  asked_for_ = !folded;
+  const bool cards = std::ranges::any_of(context.state.sweep.cards, &DirectionCard::offered);
+  asked_for_ = folded ? Shown::what_fits : cards && !options_ ? Shown::cards : Shown::table;
   context.layout.fold_bottom("Sweep", folded);
 }
 
@@ -232,7 +225,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   if (sweep.running) {
     text = progress_text(*sweep.running);
   } else if (sweep.result) {
-    text = result_text(context.state);
+    text = result_text(context.state, open);
   } else if (!sweep.error.empty()) {
     text = sweep.error;
     colour = ui.colours->warning;
@@ -262,8 +255,7 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   const std::shared_ptr<const SweepResult>& result = context.state.sweep.result;
   const bool fresh = result_ != result;
   const std::size_t count = result->candidates.size();
-  const float window_height = ImGui::GetIO().DisplaySize.y;
-  const float room = expanded_ ? window_height - ui.px(k_bar_height + 140) : k_sweep_share * window_height;
+  const float room = k_sweep_share * ImGui::GetIO().DisplaySize.y;
   const float fits = std::max(std::floor(room / ui.px(k_direction_row)), 2.0F),
               all = static_cast<float>(count);
   const Figures figures = fitting_columns(ui, *result);
@@ -301,7 +293,7 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   ImGui::PopID();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  draw_footer(context, fits < all || expanded_);
+  draw_footer(context);
 }
 
 void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
@@ -365,7 +357,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const bool chosen = compared == index, comparable = hovered || chosen;
   ImGui::TableNextColumn();
   const float room = ImGui::GetContentRegionAvail().x - ui.px(comparable ? k_row_height + 6 : 0.0F);
-  cell(ui.fonts.small, quiet, fitting_reason(ui, candidate.candidate, room), false);
+  cell(ui.fonts.small, quiet, fitted(ui.fonts.small, reasons_text(candidate.candidate), room), false);
   if (comparable && compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
   } else if (clicked) {
@@ -374,30 +366,14 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::PopID();
 }
 
-void SweepPanel::draw_footer(const PanelContext& context, bool more) {
+void SweepPanel::draw_footer(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const SweepResult& result = *context.state.sweep.result;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const std::vector<std::string>& remarks = context.state.sweep.result->remarks;
   const float width = ImGui::GetContentRegionAvail().x;
-  if (!more && result.remarks.empty()) {
-    ImGui::Dummy(ImVec2(width, ui.px(2)));
-    return;
-  }
-  float used = 0.0F;
-  if (more) {
-    const std::string label = expanded_ ? "Less" : fmt::format("All {}", result.candidates.size());
-    used = text_size(ui.fonts.small, label).x + ui.px(34);
-    if (disclosure(ui, label, expanded_)) expanded_ = !expanded_;
-  } else {
-    ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
-  }
-  if (result.remarks.empty()) return;
-  const std::string remark = fitted(ui.fonts.small, result.remarks.front(), width - used - ui.px(8));
-  draw_text_to({ui.fonts.small, ui.colours->muted}, start.x + width - ui.px(8),
-               start.y + 0.5F * (ui.px(k_row_height) - ui.fonts.small.size), remark);
-  std::string all;
-  for (const std::string& each : result.remarks) all += (all.empty() ? "" : "\n") + each;
-  tooltip(ui, {}, all);
+  if (remarks.empty()) return ImGui::Dummy(ImVec2(width, ui.px(2)));
+  const Lettering quiet{ui.fonts.small, ui.colours->muted};
+  row_text(ui, quiet, width, fitted(ui.fonts.small, remarks.front(), width));
+  tooltip(ui, {}, fmt::format("{}", fmt::join(remarks, "\n")));
 }
 
 }  // namespace moldlight::gui

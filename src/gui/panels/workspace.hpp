@@ -22,8 +22,8 @@ namespace moldlight::gui {
 [[nodiscard]] std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
                                                          bool descending);
 
-/// The sweep along the bottom: its options, how far it is, and the best directions as a table to sort and
-/// click.
+/// The sweep along the bottom: its options, how far it is, and what it found: cards of what a sweep by itself
+/// recommends, or the best directions as a table to sort and click.
 class SweepPanel {
  public:
   /// `pictures`: a texture a candidate of the result; 0, or too few of them, where there is none yet.
@@ -36,13 +36,13 @@ class SweepPanel {
   using Figures = std::vector<const DirectionFigure*>;
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
                 std::span<const unsigned> pictures);
-  void draw_footer(const PanelContext& context, bool more);
+  void draw_footer(const PanelContext& context);
 
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
   RowCursor cursor_;                           // its row is a place among rows_
-  bool options_ = false, expanded_ = false;
-  bool asked_for_ = false;  // the table of a sweep that ran by itself
+  bool options_ = false;
+  enum class Shown : std::uint8_t { what_fits, cards, table } asked_for_ = Shown::what_fits;
 };
 
 /// The window's own file browser: no dialog program of the desktop is needed.

@@ -15,8 +15,7 @@ std::span<const Option<WindowSettings>> window_options() {
       {"auto_reload", "--auto-reload", "Reload", "", "Read the part again when its file changes.",
        SwitchKind<S>{&S::auto_reload}},
       {"quick_sweep", "--quick-sweep", "Sweep", "",
-       "Look for the best direction by itself once a part is loaded; a change of direction or method ends "
-       "that.",
+       "Look for the best directions by itself once a part is loaded; anew when settings have changed.",
        SwitchKind<S>{&S::quick_sweep}},
       {"halves", "--halves", "Halves", "",
        "How an opened mold is seen: as the part's own surface moved apart, or as its halves of steel, "

@@ -107,5 +107,56 @@ TEST(MoldRank, WhatWasFoundMustBeatAllThatTheShapeNames) {
   EXPECT_EQ(order(costs), (Numbers{1, 0}));
 }
 
+TEST(MoldTrade, SaysWhatIsWonAndCosts) {
+  MoldCost one = cost({{effort, 1.0}, {line, 0.25}}), other = cost({{effort, 2.0}});
+  one.weight = 1.0;
+  one.counts[static_cast<std::size_t>(ActionKind::slide)] = 1;
+  other.weight = 2.0;
+  other.counts[static_cast<std::size_t>(ActionKind::slide)] = 2;
+  const MoldTrade trade = mold_trade(one, other);
+  EXPECT_TRUE(trade.worth);
+  EXPECT_EQ(trade.wins, std::vector<std::string>{"needs 1 slide less"});
+  EXPECT_EQ(trade.costs, std::vector<std::string>{"its parting line climbs 25 % of the diagonal more"});
+  const MoldTrade back = mold_trade(other, one);
+  EXPECT_TRUE(back.worth) << "its line is worth a slide";
+  other.weight = 3.0;
+  EXPECT_FALSE(mold_trade(other, one).worth) << "but not two";
+  EXPECT_EQ(back.costs, std::vector<std::string>{"needs 1 slide more"});
+}
+
+TEST(MoldTrade, GainsBelowTwoPercentAreNoReason) {
+  for (const MoldCriterion criterion : {line, draft, undercut}) {
+    EXPECT_FALSE(mold_trade({}, cost({{criterion, 0.019}})).worth);
+    EXPECT_TRUE(mold_trade({}, cost({{criterion, 0.021}})).worth);
+    EXPECT_FALSE(mold_trade({}, cost({{criterion, 0.021}})).wins.empty());
+  }
+  EXPECT_FALSE(mold_trade({}, cost({{depth, 0.5}})).worth);
+  EXPECT_FALSE(mold_trade(cost({{unreleased, 0.01}}), cost({{unreleased, 0.029}})).worth);
+  EXPECT_TRUE(mold_trade({}, cost({{unreleased, 0.001}})).worth) << "then all is released";
+}
+
+TEST(MoldTrade, NothingIsWorthSurfaceThatNothingReleases) {
+  for (const MoldCriterion criterion : {line, draft, undercut})
+    EXPECT_FALSE(mold_trade(cost({{unreleased, 0.002}}), cost({{criterion, 0.5}})).worth);
+  MoldCost heavier;
+  heavier.weight = 1.0;
+  for (const MoldCriterion criterion : {draft, undercut})
+    EXPECT_FALSE(mold_trade(heavier, cost({{criterion, 0.5}})).worth) << "nor a side action";
+  EXPECT_TRUE(mold_trade(heavier, cost({{unreleased, 0.5}})).worth) << "which releases something";
+}
+
+TEST(MoldTrade, WorseActionsLineAndUnreleasedSurfaceAreToldEvenWithinTheBands) {
+  MoldCost heavier;
+  heavier.weight = 0.4 * mold_band(effort);
+  heavier.counts[static_cast<std::size_t>(ActionKind::lifter)] = 1;
+  EXPECT_EQ(mold_trade(heavier, {}).costs, std::vector<std::string>{"needs 1 lifter more"});
+  EXPECT_EQ(mold_trade(cost({{line, 0.01}}), {}).costs,
+            std::vector<std::string>{"its parting line climbs 1 % of the diagonal more"});
+  EXPECT_EQ(mold_trade(cost({{unreleased, 0.002}}), {}).costs,
+            std::vector<std::string>{"leaves 0.2 % of the surface more that nothing releases"});
+  EXPECT_TRUE(mold_trade({}, {}).costs.empty());
+  EXPECT_TRUE(mold_trade(cost({{found, 1.0}}), {}).costs.empty());
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -137,19 +137,19 @@ TriangleMesh vented_box() {
   return open_box(box);
 }
 
-struct Pocket {
+struct MiddlePocket {
   int face;
   glm::dvec3 half;  // of its opening
   double depth;
 };
 
 /// A block with a pocket in the middle of faces.
-TriangleMesh block_with(const glm::dvec3& size, const std::vector<Pocket>& pockets) {
+TriangleMesh pocketed_block(const glm::dvec3& size, const std::vector<MiddlePocket>& pockets) {
   SolidBuilder solid;
   std::vector<int> pierced;
-  for (const Pocket& pocket : pockets) pierced.push_back(pocket.face);
+  for (const MiddlePocket& pocket : pockets) pierced.push_back(pocket.face);
   solid.box({0, 0, 0}, size, pierced);
-  for (const Pocket& pocket : pockets) {
+  for (const MiddlePocket& pocket : pockets) {
     const int axis = pocket.face / 2;
     glm::dvec3 low = 0.5 * size - pocket.half, high = 0.5 * size + pocket.half;
     const bool at_high = pocket.face % 2 == 1;
@@ -163,13 +163,13 @@ TriangleMesh block_with(const glm::dvec3& size, const std::vector<Pocket>& pocke
 
 /// Along z two slides, the one large; along x, where less is hidden, three small ones.
 TriangleMesh frame() {
-  return block_with({80, 60, 50}, {{.face = 1, .half = {0, 22, 16}, .depth = 30},
-                                   {.face = 3, .half = {5, 0, 4}, .depth = 6},
-                                   {.face = 4, .half = {5, 4, 0}, .depth = 6},
-                                   {.face = 5, .half = {5, 4, 0}, .depth = 14}});
+  return pocketed_block({80, 60, 50}, {{.face = 1, .half = {0, 22, 16}, .depth = 30},
+                                       {.face = 3, .half = {5, 0, 4}, .depth = 6},
+                                       {.face = 4, .half = {5, 4, 0}, .depth = 6},
+                                       {.face = 5, .half = {5, 4, 0}, .depth = 14}});
 }
 
-SweepResult sweep_of(const TriangleMesh& mesh, SweepSettings settings = {}) {
+SweepResult quickly_swept(const TriangleMesh& mesh, SweepSettings settings = {}) {
   settings.directions = 300;
   settings.refine = 4;
   return run_sweep(test::model_of(mesh), settings, Progress{}, {});
@@ -210,7 +210,7 @@ TriangleMesh mirrored(TriangleMesh mesh) {
 TEST(RecommendedDirection, IsTheOneThatAMoldMakerTakes) {
   for (const Known& part : known_parts()) {
     const auto model = test::model_of(part.mesh);
-    const SweepResult result = sweep_of(part.mesh);
+    const SweepResult result = quickly_swept(part.mesh);
     ASSERT_TRUE(result.recommended) << part.name;
     EXPECT_EQ(nearest_axis(result.recommended->direction).name, "z") << part.name << noted(result);
     EXPECT_EQ(result.recommended->name, direction_words(result.recommended->direction)) << part.name;
@@ -250,7 +250,7 @@ TEST(RecommendedDirection, DoesNotDependOnOrderSideOrScale) {
 /// The two bars on what is listed, for a part at any angle.
 TEST(RecommendedDirection, NothingIsListedBesideACanonicalOneThatCostsNoMore) {
   for (const Known& part : known_parts()) {
-    const SweepResult result = sweep_of(test::rotated(part.mesh, test::random_rotation(9)));
+    const SweepResult result = quickly_swept(test::rotated(part.mesh, test::random_rotation(9)));
     for (const SweepCandidate& listed : result.candidates) {
       for (const SweepCandidate& other : result.candidates) {
         if (&other == &listed || !other.candidate.canonical || !other.actions) continue;
@@ -269,7 +269,7 @@ TEST(RecommendedDirection, WorthDecidesWhatIsListedBesideAnAxis) {
   for (const double worth_pct : {0.5, 100.0}) {
     SweepSettings settings;
     settings.worth_pct = worth_pct;
-    const SweepResult result = sweep_of(mount(), settings);
+    const SweepResult result = quickly_swept(mount(), settings);
     const SweepCandidate& best = result.candidates.front();
     ASSERT_TRUE(best.beside) << "one of less undercut was found: " << noted(result);
     EXPECT_LT(best.beside->undercut, best.classification.areas[Region::undercut]);
@@ -296,6 +296,28 @@ TEST(RecommendedDirection, TheCoreIsInsideOfABox) {
   const glm::dquat over = glm::angleAxis(glm::radians(180.0), glm::dvec3(1, 0, 0));
   const BestDirection down = best_direction(test::model_of(test::rotated(latch(), over)), {}, Progress{});
   EXPECT_LT(glm::distance(down.direction, glm::dvec3(0, 0, -1)), 1e-12) << down.why;
+}
+
+/// Before others are searched for: final where it needs no side action, else so far.
+TEST(RecommendedDirection, IsToldBeforeTheSearchOnce) {
+  for (const bool is_free : {true, false}) {
+    SweepSettings settings;
+    settings.directions = 100;
+    settings.refine = 1;
+    std::vector<SweepResult> told;
+    const SweepListener listener{.evaluated = {},
+                                 .named = [&](SweepResult named) { told.push_back(std::move(named)); }};
+    const SweepResult result =
+        run_sweep(test::model_of(is_free ? clip() : vented_box()), settings, Progress{}, listener);
+    ASSERT_EQ(told.size(), 1U);
+    ASSERT_TRUE(told[0].recommended && result.recommended) << noted(result);
+    EXPECT_EQ(told[0].recommended->direction, result.recommended->direction) << noted(result);
+    EXPECT_EQ(told[0].recommended->provisional, !is_free);
+    EXPECT_LE(told[0].candidates.size(), 3U);
+    EXPECT_FALSE(told[0].complete);
+    ASSERT_TRUE(result.candidates.front().cost);
+    EXPECT_EQ(told[0].candidates.front().cost->weight, result.candidates.front().cost->weight);
+  }
 }
 
 }  // namespace
