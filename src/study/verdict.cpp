@@ -193,10 +193,10 @@ class Judge {
     }
     if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
     if (hitting > 0)
-      add(fmt::format("{} not clear of the part or of each other, by up to {} {}.",
-                      hitting == 1 ? "The body of 1 action is"
-                                   : fmt::format("The bodies of {} actions are", hitting),
-                      rounded(deepest), length_unit(facts_.model.part)));
+      add(fmt::format(
+          "{} not clear of the part or of each other, by up to {} {}.",
+          hitting == 1 ? "The body of 1 action is" : fmt::format("The bodies of {} actions are", hitting),
+          rounded(deepest), length_unit(facts_.model.part)));
   }
 
   [[nodiscard]] static std::string room_text(std::size_t lifters) {
