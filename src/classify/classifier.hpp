@@ -11,9 +11,8 @@
 #include "classify/part_model.hpp"
 #include "gl/context.hpp"
 #include "mold/surface_samples.hpp"
-#include "render/facet_id_pass.hpp"
 #include "render/part_buffers.hpp"
-#include "render/sample_pass.hpp"
+#include "render/readout_passes.hpp"
 #include "render/shadow_maps.hpp"
 
 namespace moldlight {

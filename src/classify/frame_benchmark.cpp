@@ -11,7 +11,7 @@
 #include "classify/classifier.hpp"
 #include "classify/figure_pace.hpp"
 #include "classify/picture_maps.hpp"
-#include "gl/colour_target.hpp"
+#include "gl/objects.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "render/part_view.hpp"
 

@@ -13,7 +13,7 @@
 #include "base/numbers.hpp"
 #include "classify/figures.hpp"
 #include "classify/view_choice.hpp"
-#include "gl/colour_target.hpp"
+#include "gl/objects.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "picture/legend.hpp"
 #include "render/view_geometry.hpp"

@@ -9,7 +9,7 @@
 #include "base/threads.hpp"
 #include "classify/headless.hpp"
 #include "cli/flags.hpp"
-#include "gui/draw/fonts.hpp"
+#include "gui/draw/ui.hpp"
 #include "io/readers.hpp"
 
 namespace moldlight::cli {

@@ -10,7 +10,7 @@
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
 #include "cli/flags.hpp"
-#include "gui/screenshot.hpp"
+#include "gui/script.hpp"
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
 #include "sweep/sweep.hpp"

@@ -1,9 +1,14 @@
 #include "gl/headless_context.hpp"
 
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
 #include <new>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include "base/error.hpp"
 #include "gl/headless_backends.hpp"
@@ -11,6 +16,16 @@
 namespace moldlight::gl {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+bool can_write(const fs::path& folder) { return ::access(folder.c_str(), W_OK | X_OK) == 0; }
+
+// Mesa makes the last component of a path itself, but nothing above it.
+bool can_write_or_make(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder, ignored) ? can_write(folder) : can_write(folder.parent_path());
+}
 
 /// Software drivers take memory unasked and fall over where there is none.
 void require_room() {
@@ -21,6 +36,51 @@ void require_room() {
 }
 
 }  // namespace
+
+DynamicLibrary::DynamicLibrary(const std::vector<std::string>& names) {
+  std::string reasons;
+  for (const std::string& name : names) {
+    handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ != nullptr) {
+      name_ = name;
+      return;
+    }
+    const char* reason = dlerror();
+    reasons +=
+        (reasons.empty() ? "" : ", ") + std::string(reason != nullptr ? reason : name + " does not open");
+  }
+  throw Error(reasons.empty() ? "no library named" : reasons);
+}
+
+void* DynamicLibrary::symbol(const char* name) const {
+  void* address = dlsym(handle_, name);
+  if (address == nullptr) throw Error(name_ + " has no " + name);
+  return address;
+}
+
+bool shader_cache_is_writable() {
+  if (const char* folder = std::getenv("MESA_SHADER_CACHE_DIR")) return can_write_or_make(folder);
+  fs::path parent;
+  if (const char* caches = std::getenv("XDG_CACHE_HOME")) {
+    parent = caches;
+  } else if (const char* home = std::getenv("HOME")) {
+    parent = fs::path(home) / ".cache";
+  } else {
+    return false;
+  }
+  std::error_code ignored;
+  const fs::path cache = parent / "mesa_shader_cache";
+  return fs::exists(cache, ignored) ? can_write(cache) : can_write_or_make(parent);
+}
+
+void prepare_mesa_environment() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    constexpr int k_keep_the_users = 0;
+    if (!shader_cache_is_writable()) ::setenv("MESA_SHADER_CACHE_DISABLE", "true", k_keep_the_users);
+    ::setenv("EGL_LOG_LEVEL", "fatal", k_keep_the_users);
+  });
+}
 
 std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const HeadlessLibraries& libraries,
                                                  const std::function<void(const Context&)>& inspect) {

@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "classify/option_table.hpp"
-#include "gui/panels/mold_panel.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"
@@ -38,8 +37,7 @@ App::App(const gl::Context& context, AppOptions options)
       export_({.wake = options_.wake}),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
-      actions_(options_.wake),
-      mold_(options_.wake),
+      study_(options_.wake),
       comparer_(options_.wake),
       sweep_(options_.wake) {
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
@@ -182,7 +180,7 @@ void App::frame(const FrameInput& input) {
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
   compare_revisions(edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
   sweep_by_itself(edits.dragging);
-  verdict_.update(state_);
+  study_.find_verdict(state_);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
   controls_wake_s_ = imgui_.wake_s();
@@ -361,11 +359,6 @@ void App::apply(const Edits& edits) {
   keep_fitted();
 }
 
-void App::set_direction(const glm::dvec3& direction) {
-  state_.settings.direction = tidy(direction);
-  history_.settle(state_.settings);
-}
-
 void App::sweep_by_itself(bool dragging) {
   SweepState& sweep = state_.sweep;
   const bool outdated = sweep.by_itself && sweep.stale;
@@ -391,11 +384,6 @@ void App::plan_next_frame() {
     next_frame_s_ = std::min(next_frame_s_, now_s_ + Loop::k_frame_s);
 }
 
-std::optional<std::string> App::take_picture_request() {
-  if (picture_wait_ > 0) return std::nullopt;
-  return std::exchange(picture_request_, std::nullopt);
-}
-
 void App::picture_saved(const std::string& path) {
   saved_to_ = std::filesystem::path(path).parent_path().string();
   say(fmt::format("Picture saved as {}", path), false);
@@ -407,8 +395,7 @@ void App::end_jobs() {
   export_.cancel();
   sweep_.cancel();
   measurer_.cancel();
-  actions_.cancel();
-  mold_.cancel();
+  study_.cancel();
   comparer_.end_jobs();
 }
 

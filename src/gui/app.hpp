@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/context.hpp"
@@ -13,23 +14,21 @@
 #include "gui/commands.hpp"
 #include "gui/draw/imgui_session.hpp"
 #include "gui/draw/panel_layout.hpp"
-#include "gui/jobs/action_finder.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/file_watch.hpp"
 #include "gui/jobs/measurer.hpp"
-#include "gui/jobs/mold_finder.hpp"
 #include "gui/jobs/revision_comparer.hpp"
-#include "gui/jobs/verdict_keeper.hpp"
+#include "gui/jobs/study_finder.hpp"
 #include "gui/jobs/window_sweep.hpp"
 #include "gui/panels/workspace.hpp"
 #include "gui/store/history.hpp"
 #include "gui/store/user_state.hpp"
-#include "gui/view/batch_pictures.hpp"
 #include "gui/view/candidate_pictures.hpp"
+#include "gui/view/direction.hpp"
 #include "gui/view/motion.hpp"
-#include "gui/view/part_thumbnails.hpp"
 #include "gui/view/revision_view.hpp"
 #include "gui/view/side_actions.hpp"
+#include "gui/view/small_pictures.hpp"
 #include "gui/view/viewport.hpp"
 #include "render/view_passes.hpp"
 
@@ -105,7 +104,9 @@ class App {
   /// True while a sweep runs, or is about to.
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }
   /// Path of the picture that F12 or the bar asked for since the last call.
-  [[nodiscard]] std::optional<std::string> take_picture_request();
+  [[nodiscard]] std::optional<std::string> take_picture_request() {
+    return picture_wait_ > 0 ? std::nullopt : std::exchange(picture_request_, std::nullopt);
+  }
   /// To be called with where a picture went: the next ones go there too, and where is said.
   void picture_saved(const std::string& path);
   /// True once the user has asked to end the program.
@@ -130,9 +131,12 @@ class App {
   void pick();
   void apply(const Edits& edits);
   /// Replaces the direction in one step of undo.
-  void set_direction(const glm::dvec3& direction);
+  void set_direction(const glm::dvec3& direction) {
+    state_.settings.direction = tidy(direction);
+    history_.settle(state_.settings);
+  }
   [[nodiscard]] SceneSettings scene_settings() const;
-  [[nodiscard]] bool regions_by_maps() const;
+  [[nodiscard]] bool regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
   /// Hands what the picture's maps are worth to the panels of the next frame.
   void show_comparison();
   void plan_next_frame();
@@ -159,18 +163,22 @@ class App {
   void fit(const Camera& camera, bool at_once);
   /// The same in a flight to where it is seen from this side.
   void turn_camera(const glm::dquat& orientation);
+  /// The same to where most undercut of a mesh is seen, with these points.
+  void look_at(SplitMesh undercuts, std::vector<glm::vec3> points);
   void keep_fitted();
   /// Whether the picture has the mold's steel, once that is known.
   [[nodiscard]] bool steel_wanted() const;
   [[nodiscard]] bool line_shown() const;
   /// What a fit depends on beside the part: 0 without steel, else how far it opens.
-  [[nodiscard]] double steel_fit() const;
+  [[nodiscard]] double steel_fit() const {
+    return steel_wanted() ? 1.0 + state_.settings.look.open_mold : 0.0;
+  }
   /// How far apart the parting arrows stand, as an opened mold moves them: out of its steel.
   [[nodiscard]] double arrows_apart(double open) const;
   /// How far the mold is opened in this frame.
   [[nodiscard]] OpenedMold opened() const;
   /// How far the mold is to be open: closed where revisions are compared.
-  [[nodiscard]] double wanted_opening() const;
+  [[nodiscard]] double wanted_opening() const { return revision_ ? 0.0 : state_.settings.look.open_mold; }
   /// What panels leave free of the picture; of its left half where it is split.
   [[nodiscard]] FreeArea fit_area() const;
   /// Of two directions, or of two revisions.
@@ -193,9 +201,7 @@ class App {
   Job<std::string> export_;  // results in what is to be said
   FileWatch file_watch_;
   Measurer measurer_;
-  ActionFinder actions_;
-  VerdictKeeper verdict_;
-  MoldFinder mold_;
+  StudyFinder study_;
   RevisionComparer comparer_;
   WindowSweep sweep_;
   std::unique_ptr<BatchPictures> batch_pictures_;

@@ -1,6 +1,7 @@
 // Everything the window shows, as plain values. Panels read it; only the app writes it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -8,19 +9,18 @@
 #include <vector>
 
 #include "base/job.hpp"
-#include "gui/jobs/actions_state.hpp"
+#include "classify/settings.hpp"
 #include "gui/jobs/loaded_part.hpp"
-#include "gui/jobs/mold_state.hpp"
 #include "gui/jobs/revision_state.hpp"
-#include "gui/jobs/sweep_state.hpp"
 #include "gui/store/part_notes.hpp"
-#include "gui/store/settings.hpp"
 #include "gui/store/user_state.hpp"
-#include "gui/view/measuring.hpp"
 #include "gui/view/surface.hpp"
+#include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
 #include "render/camera.hpp"
-#include "study/verdict.hpp"
+#include "render/view_geometry.hpp"
+#include "study/study.hpp"
+#include "sweep/direction_cards.hpp"
 
 namespace moldlight::gui {
 
@@ -39,6 +39,113 @@ struct Figures {
   bool measuring = false;                        // more is to come: other figures, or the split mesh
   std::uint64_t revision = 0;                    // rises when others are shown
   std::string error = {};                        // why there are none
+};
+
+// Of side actions.
+
+/// What the user does beside the settings; panels edit a copy of it.
+struct ActionChoices {
+  std::optional<std::size_t> chosen;  // undercut of the plan whose action is shown
+  std::optional<glm::dvec3> wish;  // direction given to its action by hand, until a plan has answered; unit
+};
+
+/// The solids that a plan's actions move.
+struct ActionBodies {
+  std::vector<ViewBody> bodies;
+  std::vector<std::size_t> actions;  // of each
+};
+
+/// A plan outlives changes of the actions' settings until another one is there, but not its undercuts.
+struct ActionsState {
+  std::shared_ptr<const ActionPlan> plan;
+  std::shared_ptr<const ActionBodies> bodies;            // of the plan
+  std::shared_ptr<const std::vector<ToBeFree>> changes;  // of its undercuts; null until they are known
+  bool awaited = false;                                  // there will be another one
+  bool changes_awaited = false;                          // they are looked for
+  std::optional<JobStatus> running;                      // the search for it
+  std::uint64_t revision = 0;                            // rises with every plan
+  std::string error;                                     // why there is none
+};
+
+/// Whether the plan is of the present settings.
+[[nodiscard]] inline bool is_settled(const ActionsState& actions) { return actions.plan && !actions.awaited; }
+
+// Of the mold.
+
+/// What the user does beside the settings; panels edit a copy of it.
+struct MoldChoices {
+  std::optional<std::size_t> loop;  // of the line, that is looked at
+  bool moves_faces = false;         // a click moves a face to the other half
+};
+
+/// The parting line as the study found it, and as it is drawn.
+struct MoldLine : moldlight::MoldLine {
+  std::string verdict = {};
+  std::vector<std::vector<ViewSegment>> loops = {};  // each of the line, unit frame
+  std::optional<DraftCheck> draft = {};              // at the required draft, if there is one
+};
+
+/// The halves with their certificate, and as they are drawn.
+struct MoldSolids {
+  MoldHalves halves;
+  std::vector<ViewSolid> shown;  // core, cavity, each insert; none where there are no halves
+};
+
+/// A line outlives changes of the mold's settings until another one is there, but not those of the direction;
+/// so do halves.
+struct MoldState {
+  std::shared_ptr<const MoldLine> line;
+  std::shared_ptr<const MoldSolids> solids;
+  // What forms each insert of the solids, for the plan of side actions; none where it is not known.
+  std::shared_ptr<const std::vector<InsertActions>> by_action;
+  bool line_awaited = false, solids_awaited = false;  // there will be others
+  std::optional<JobStatus> running;                   // the search for one of them
+  std::string error;                                  // why there is none
+};
+
+/// Whether both are of the present settings.
+[[nodiscard]] inline bool is_settled(const MoldState& mold) {
+  return mold.line && mold.solids && !mold.line_awaited && !mold.solids_awaited;
+}
+
+// Of a sweep.
+
+/// What the user sets about the sweep; panels edit a copy of it.
+struct SweepChoices {
+  SweepSettings options;                // the method is the window's when the sweep starts
+  std::optional<std::size_t> compared;  // candidate of the result that is seen beside the direction
+  bool large_ball = false;
+};
+
+struct SweepProgress {
+  std::string stage;
+  double share = 0.0;  // of the whole sweep, [0, 1]
+  std::optional<double> left_s;
+  bool ending = false;  // cancelled; what is done is being gathered
+};
+
+/// Every direction scored so far. Grows while the sweep runs.
+struct SweepMap {
+  explicit SweepMap(double reach_deg) : field(reach_deg) {}
+
+  std::vector<EvaluatedDirection> evaluated;
+  DirectionField field;
+  double worst = 0.0;  // greatest undercut area
+
+  void add(const EvaluatedDirection& direction);
+  /// The evaluated direction, or opposite of one, that is nearest; none within `reach_deg`: null.
+  [[nodiscard]] const EvaluatedDirection* nearest(const glm::dvec3& direction, double reach_deg) const;
+};
+
+struct SweepState {
+  std::optional<SweepProgress> running;
+  std::optional<SweepMap> map;
+  /// Of the last sweep that ended; of one that runs by itself what it knew before its search.
+  std::shared_ptr<const SweepResult> result;
+  std::vector<DirectionCard> cards;  // of the result, beside the direction at rest
+  bool stale = false;                // the method, or what is allowed of side actions, has changed since
+  bool by_itself = false;            // nobody asked for it
+  std::string error;                 // why there is no result
 };
 
 struct Loading {

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "classify/view_choice.hpp"
 #include "gl/program.hpp"
 #include "gui/app.hpp"
 #include "gui/view/mold_view.hpp"
@@ -44,7 +45,7 @@ void App::find_actions(bool moving) {
   ActionChoices& choices = state_.action_choices;
   const std::shared_ptr<const ActionPlan> former = actions.plan;
   const std::uint64_t revision = actions.revision;
-  actions_.update(state_, actions, moving);
+  study_.find_actions(state_, actions, {.moving = moving});
   if (choices.wish && !own_direction(state_.settings.actions, *choices.wish)) choices.wish.reset();
   if (actions.plan == former) return;
   settle_frames_ = k_settle_frames;
@@ -64,7 +65,7 @@ void App::find_mold(bool moving) {
   const auto former = mold.line;
   const auto solids = mold.solids;
   const auto by_action = mold.by_action;
-  mold_.update(state_, mold, {.moving = moving, .solids = steel_wanted() || state_.mold_open});
+  study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || state_.mold_open});
   if (mold.line == former && mold.solids == solids && mold.by_action == by_action) return;
   settle_frames_ = k_settle_frames;
   auto& loop = state_.mold_choices.loop;
@@ -82,8 +83,6 @@ bool App::steel_wanted() const {
 bool App::line_shown() const {
   return !split_view() && (state_.settings.look.parting_line || state_.mold_open || steel_wanted());
 }
-
-double App::steel_fit() const { return steel_wanted() ? 1.0 + state_.settings.look.open_mold : 0.0; }
 
 double App::arrows_apart(double open) const {
   const auto& solids = state_.mold.solids;
@@ -193,8 +192,6 @@ bool App::draw(const ViewTarget& target) {
   return refining;
 }
 
-bool App::regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
-
 void App::show_comparison() {
   Figures& figures = state_.figures;
   const auto former = figures.maps;
@@ -244,6 +241,12 @@ void App::turn_camera(const glm::dquat& orientation) {
   fit(camera, false);
 }
 
+void App::look_at(SplitMesh undercuts, std::vector<glm::vec3> points) {
+  const auto shown = std::make_shared<const SplitMesh>(std::move(undercuts));
+  fitted_points_ = std::move(points);
+  turn_camera(revealing_orientation(*state_.model, std::span(&shown, 1), state_.settings.direction.unit()));
+}
+
 void App::keep_fitted() {
   if (!fitted_ || state_.dialogs.panels_hidden) return;
   if (!flight_.flying() && !(state_.camera == *fitted_)) {
@@ -270,8 +273,6 @@ void App::turn_direction(bool held) {
   if (!turn_.flying()) history_.settle(state_.settings);
   settle_frames_ = k_settle_frames;
 }
-
-double App::wanted_opening() const { return revision_ ? 0.0 : state_.settings.look.open_mold; }
 
 int App::split_side() const {
   const FreeArea area = layout_.free_area(state_.dialogs.panels_hidden);

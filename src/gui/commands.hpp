@@ -23,7 +23,7 @@ struct MoldPaths {
 };
 
 /// Everything that the window can be asked to do beside changing a value. What each touches stands in
-/// part_commands.cpp, mold_commands.cpp and revision_commands.cpp.
+/// part_commands.cpp, mold_commands.cpp and app_revisions.cpp.
 struct Commands {
   App& app;
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -32,15 +33,27 @@ struct KeyPress {
 class InputQueue {
  public:
   /// Times are seconds that never fall. Places are pixels of the window, y down; `button` is ImGui's.
-  void move_mouse(double time_s, const glm::vec2& to);
-  void mouse_left(double time_s);
-  void set_button(double time_s, int button, bool down);
-  void turn_wheel(double time_s, float notches);
+  void move_mouse(double time_s, const glm::vec2& to) {
+    add({.kind = Kind::move, .time_s = time_s, .at = to});
+  }
+  void mouse_left(double time_s) { move_mouse(time_s, k_nowhere); }
+  void set_button(double time_s, int button, bool down) {
+    add({.kind = Kind::button, .time_s = time_s, .code = button, .down = down});
+  }
+  void turn_wheel(double time_s, float notches) {
+    add({.kind = Kind::wheel, .time_s = time_s, .at = {0.0F, notches}});
+  }
   /// A key that repeats is pressed again without a release.
-  void press_key(double time_s, const KeyPress& press);
-  void release_key(double time_s, int key);
-  void hold_modifiers(double time_s, bool ctrl, bool shift, bool alt);
-  void type(double time_s, std::string_view utf8);
+  void press_key(double time_s, const KeyPress& press) {
+    add({.kind = Kind::press, .time_s = time_s, .code = press.key, .press = press});
+  }
+  void release_key(double time_s, int key) { add({.kind = Kind::release, .time_s = time_s, .code = key}); }
+  void hold_modifiers(double time_s, bool ctrl, bool shift, bool alt) {
+    add({.kind = Kind::modifiers, .time_s = time_s, .press = {.ctrl = ctrl, .shift = shift, .alt = alt}});
+  }
+  void type(double time_s, std::string_view utf8) {
+    add({.kind = Kind::text, .time_s = time_s, .text = std::string(utf8)});
+  }
 
   /// What a frame has taken.
   struct Played {
@@ -53,6 +66,7 @@ class InputQueue {
   [[nodiscard]] bool empty() const { return events_.empty(); }
 
  private:
+  static constexpr glm::vec2 k_nowhere{-1.0e6F};
   enum class Kind : std::uint8_t { move, button, wheel, press, release, modifiers, text };
   struct Event {
     Kind kind;
@@ -67,9 +81,10 @@ class InputQueue {
   /// text field listens.
   [[nodiscard]] static bool joins(const Event& event, const Event& former, bool typing);
   void act(const Event& event, ImGuiIO& io, Played& played);
+  void add(Event event) { events_.push_back(std::move(event)); }
 
   std::deque<Event> events_;
-  glm::vec2 mouse_{-1.0e6F};
+  glm::vec2 mouse_ = k_nowhere;
   std::array<bool, 3> buttons_{};
   double clock_s_ = 0.0;
 };

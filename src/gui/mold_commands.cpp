@@ -1,15 +1,13 @@
 // The commands of the mold: what of it is looked at, which half forms a face, its files.
 #include <filesystem>
 #include <memory>
-#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
-#include "classify/view_choice.hpp"
 #include "gui/app.hpp"
-#include "gui/jobs/window_study.hpp"
+#include "gui/jobs/study_finder.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/mold_view.hpp"
 #include "parting/line_files.hpp"
@@ -33,17 +31,13 @@ void Commands::look_at_wall(std::size_t wall) {
   const std::uint32_t face = line->draft->walls[wall].face;
   choose_face(app.state_.faces->facets(face).front());
   // As if it alone were what is looked for.
-  const auto alone = std::make_shared<SplitMesh>();
-  alone->vertices = split->vertices;
+  SplitMesh alone{.vertices = split->vertices, .pieces = {}};
   for (const SplitPiece& piece : split->pieces) {
     if (app.state_.faces->of_facet[piece.facet] != face) continue;
-    alone->pieces.push_back(piece);
-    alone->pieces.back().region = Region::undercut;
+    alone.pieces.push_back(piece);
+    alone.pieces.back().region = Region::undercut;
   }
-  const PartModel& model = *app.state_.model;
-  app.fitted_points_ = surroundings(model, app.state_.faces->facets(face));
-  const std::shared_ptr<const SplitMesh> shown = alone;
-  app.turn_camera(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
+  app.look_at(std::move(alone), surroundings(*app.state_.model, app.state_.faces->facets(face)));
 }
 
 void Commands::move_face(FacetIndex facet) {
@@ -81,12 +75,12 @@ void Commands::export_mold(const MoldPaths& paths) {
       fs::create_directories(fs::path(path).parent_path());
       write_lines(path, lines_to_write(study.model(), line->assignment, line->line));
     }
-    WrittenMold written = solids->written;
+    WrittenMold written = solids->halves.written;
     if (!paths.folder.empty()) write_mold(paths.folder, paths.as_3mf, study.model().part.unit, written);
     if (!paths.json.empty()) {
       MoldHalves halves = solids->halves;
       halves.written = written;  // with the files' names
-      study.keep(std::make_shared<const moldlight::MoldLine>(line->assignment, line->line));
+      study.keep<moldlight::MoldLine>(line);
       study.keep(std::make_shared<const MoldHalves>(std::move(halves)));
       write_text(paths.json, mold_json(study, progress).dump(2) + "\n");
     }

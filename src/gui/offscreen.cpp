@@ -14,7 +14,6 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_frame_s = 1.0 / 60.0;
 constexpr int k_most_settling_frames = 600;
 constexpr std::chrono::minutes k_patience(10);
 
@@ -26,12 +25,7 @@ std::unique_ptr<gl::Context> egl_context() { return moldlight::create_context(Ba
 OffscreenWindow::OffscreenWindow(const OffscreenOptions& options)
     : context_(egl_context()), content_scale_(options.content_scale) {
   target_ = std::make_unique<gl::ColourTarget>(context_->functions(), options.size);
-  AppOptions app;
-  app.reading = options.reading;
-  app.user = options.user;
-  app.shipped_parts = options.shipped_parts;
-  app.picture_samples = options.picture_samples;
-  app.wake = options.wake;
+  AppOptions app = options;
   app.make_context = create_context;
   app_ = std::make_unique<App>(*context_, std::move(app));
 }
@@ -71,11 +65,6 @@ void OffscreenWindow::make_frame() {
   app_->frame(input);
 }
 
-bool OffscreenWindow::frame() {
-  pass_time(k_frame_s);
-  return frame_at_once();
-}
-
 bool OffscreenWindow::frame_at_once() {
   make_frame();
   return app_->draw({.framebuffer = target_->framebuffer(), .size = target_->size()});
@@ -85,10 +74,6 @@ void OffscreenWindow::lay_out() {
   pass_time(k_frame_s);
   make_frame();
   ImGui::EndFrame();
-}
-
-void OffscreenWindow::frames(int count) {
-  for (int k = 0; k < count; ++k) frame();
 }
 
 void OffscreenWindow::settle() {

@@ -7,20 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "gl/colour_target.hpp"
 #include "gl/context.hpp"
+#include "gl/objects.hpp"
 #include "gui/app.hpp"
 
 namespace moldlight::gui {
 
-struct OffscreenOptions {
+/// The window has its own `make_context`.
+struct OffscreenOptions : AppOptions {
   glm::ivec2 size{1280, 720};
   float content_scale = 1.0F;
-  UserState user;
-  ReadOptions reading;
-  std::vector<std::string> shipped_parts;
-  int picture_samples = ViewSettings{}.samples;  // see AppOptions
-  std::function<void()> wake = [] {};            // likewise
 };
 
 /// One of these a process at a time. Time is counted in frames, so that the same input gives the same
@@ -49,7 +45,10 @@ class OffscreenWindow {
   void set_content_scale(float scale) { content_scale_ = scale; }
 
   /// One frame of 1/60 s; returns true while the picture is being refined.
-  bool frame();
+  bool frame() {
+    pass_time(k_frame_s);
+    return frame_at_once();
+  }
   /// The same without time of its own.
   bool frame_at_once();
   /// A frame whose panels are laid out, but not drawn.
@@ -58,7 +57,9 @@ class OffscreenWindow {
   void pass_time(double seconds) { now_s_ += seconds; }
   /// Frames only as the app asks for them now, as on the desktop.
   void frames_asked_for();
-  void frames(int count);
+  void frames(int count) {
+    for (int k = 0; k < count; ++k) frame();
+  }
   /// Frames until nothing moves and the picture is final. What is measured is not waited for.
   void settle();
   /// Waits until the part is loaded or failed, or the figures are measured. Throws Error after a time limit.
@@ -77,6 +78,8 @@ class OffscreenWindow {
   [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
 
  private:
+  static constexpr double k_frame_s = 1.0 / 60.0;
+
   /// All of a frame but its drawing.
   void make_frame();
   /// Throws Error with the complaint after a time limit.

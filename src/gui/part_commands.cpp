@@ -9,7 +9,6 @@
 #include "gui/app.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/store/files.hpp"
-#include "gui/view/points_around.hpp"
 #include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"
 
@@ -75,14 +74,10 @@ void Commands::look_at_undercut(std::size_t undercut) {
   const auto& split = app.state_.figures.split;
   const auto& plan = app.state_.actions.plan;
   if (!split || !plan || undercut >= plan->patches.size()) return;
-  const PartModel& model = *app.state_.model;
   const Undercut& patch = plan->patches[undercut].undercut;
-  const auto alone = std::make_shared<SplitMesh>();
-  alone->vertices = split->vertices;
-  for (const std::uint32_t piece : patch.pieces) alone->pieces.push_back(split->pieces[piece]);
-  const std::shared_ptr<const SplitMesh> shown = alone;
-  app.fitted_points_ = surroundings(app.state_, undercut);
-  app.turn_camera(revealing_orientation(model, std::span(&shown, 1), app.state_.settings.direction.unit()));
+  SplitMesh alone{.vertices = split->vertices, .pieces = {}};
+  for (const std::uint32_t piece : patch.pieces) alone.pieces.push_back(split->pieces[piece]);
+  app.look_at(std::move(alone), surroundings(app.state_, undercut));
 }
 
 void Commands::toggle_projection() {

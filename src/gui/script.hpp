@@ -1,12 +1,15 @@
 // Recorded input for the window: a JSON list of events, which is read as a whole before any of it is played.
+// And the window's picture after it, without a display.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gui/offscreen.hpp"
+#include "gui/store/part_notes.hpp"
 
 namespace moldlight::gui {
 
@@ -31,5 +34,18 @@ using Script = std::vector<ScriptEvent>;
 
 /// Plays the events in order. Throws UsageError that names the event: there is no control of that name.
 void play_script(const Script& script, OffscreenWindow& window);
+
+struct ScreenshotOptions {
+  std::string part;          // empty: the start page
+  std::string compare = {};  // another revision beside it; empty: none
+  std::string output;
+  std::optional<std::string> script;  // JSON text
+  std::optional<PartNotes> notes;
+  OffscreenOptions window;
+};
+
+/// Loads and measures the part, plays the script and writes the last frame as PNG. Throws Error; a part that
+/// cannot be loaded is one.
+void take_screenshot(const ScreenshotOptions& options);
 
 }  // namespace moldlight::gui

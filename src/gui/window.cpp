@@ -17,8 +17,8 @@
 #include "base/utf8.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
-#include "gl/colour_target.hpp"
 #include "gl/headless_backends.hpp"
+#include "gl/objects.hpp"
 #include "gui/app.hpp"
 #include "gui/store/files.hpp"
 

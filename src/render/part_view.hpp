@@ -16,8 +16,8 @@
 #include <glm/vec3.hpp>
 
 #include "mold/region.hpp"
-#include "render/view_body.hpp"
 #include "render/view_frame.hpp"
+#include "render/view_geometry.hpp"
 #include "render/view_tools.hpp"
 
 namespace moldlight {

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "render/view_body.hpp"
+#include "render/view_geometry.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight {

@@ -1,4 +1,5 @@
-// What a picture needs of the part beside PartBuffers, made once on the CPU: on any thread, without GL.
+// What a picture needs of the part beside PartBuffers, and of solids beside it, made once on the CPU: on any
+// thread, without GL.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include "mesh/unit_frame.hpp"
 #include "mold/draft.hpp"
 #include "mold/exact/split_mesh.hpp"
+#include "mold/region.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight {
@@ -83,5 +85,28 @@ struct ViewArrow {
                                       double opened);
 /// The arrow by which a section plane is held: on the plane, towards what is cut away.
 [[nodiscard]] ViewArrow section_arrow(const CutPlane& cut);
+
+/// A solid beside the part that a side action moves, translucent over the finished picture.
+struct ViewBody {
+  std::vector<ViewVertex> vertices;
+  std::vector<std::array<VertexIndex, 3>> facets;
+  Colour colour;
+};
+
+/// A closed mesh in the part's unit, each facet flat.
+[[nodiscard]] ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colour);
+
+/// Which body of a mold: a half, or what is left to a loose insert.
+enum class Steel : std::uint8_t { core, cavity, insert };
+inline constexpr std::size_t k_steels = 3;
+
+/// A body of steel around the part, which is surface of the picture itself.
+struct ViewSolid {
+  ViewBody body;
+  Steel steel = Steel::core;
+  std::vector<ViewSegment> edges;  // sharper than the crease angle
+};
+/// A closed mesh in the part's unit, each facet flat.
+[[nodiscard]] ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel);
 
 }  // namespace moldlight

@@ -9,7 +9,6 @@
 
 #include "gl/objects.hpp"
 #include "render/shadow_maps.hpp"
-#include "render/view_body.hpp"
 #include "render/view_geometry.hpp"
 
 namespace moldlight {

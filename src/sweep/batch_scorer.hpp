@@ -10,7 +10,7 @@
 #include "classify/part_model.hpp"
 #include "classify/settings.hpp"
 #include "gl/context.hpp"
-#include "render/sample_counting.hpp"
+#include "render/readout_passes.hpp"
 #include "sweep/direction_scorer.hpp"
 #include "sweep/sample_rays.hpp"
 

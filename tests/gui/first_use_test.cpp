@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/offscreen.hpp"
-#include "gui/panels/verdict.hpp"
+#include "gui/panels/panels.hpp"
 #include "gui/script.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"

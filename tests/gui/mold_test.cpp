@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "gui/panels/mold_panel.hpp"
+#include "gui/panels/panels.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/window_with_part.hpp"
 #include "parting/make_halves.hpp"

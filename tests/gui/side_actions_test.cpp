@@ -7,10 +7,10 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/panels/verdict.hpp"
+#include "gui/panels/panels.hpp"
 #include "gui/quick_options.hpp"
 #include "gui/view/mold_view.hpp"
-#include "gui/view/undercut_window.hpp"
+#include "gui/view/side_arrow.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"

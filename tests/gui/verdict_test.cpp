@@ -1,9 +1,8 @@
 // The first thing that is said of a part, and the sweep that runs by itself for it.
-#include "gui/panels/verdict.hpp"
-
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "gui/panels/panels.hpp"
 #include "gui/quick_options.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -89,6 +88,8 @@ TEST_F(Verdicts, LeadToAMarkThatIsIgnored) {
   ASSERT_TRUE(window_.state().verdict);
   EXPECT_EQ(window_.state().verdict->undercuts, 0U);
   ASSERT_GT(window_.state().verdict->specks, 0U) << verdict().sentence;
+  EXPECT_TRUE(window_.state().verdict->good());
+  EXPECT_FALSE(verdict().good()) << "the groove is red";
   const Camera before = window_.state().camera;
   click("verdict");
   window_.settle();

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/colour_target.hpp"
+#include "gl/objects.hpp"
 #include "render/part_view.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"

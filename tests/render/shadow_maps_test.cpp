@@ -8,8 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "render/sample_counting.hpp"
-#include "render/sample_pass.hpp"
+#include "render/readout_passes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/map_lookup.hpp"
 #include "support/mesh_edits.hpp"

@@ -5,7 +5,7 @@
 
 #include "base/image.hpp"
 #include "classify/picture_maps.hpp"
-#include "gl/colour_target.hpp"
+#include "gl/objects.hpp"
 #include "render/part_view.hpp"
 #include "support/shapes.hpp"
 

@@ -24,17 +24,10 @@ BottomHeader::BottomHeader(const Ui& ui, const char* name)
             {start_.x, middle() - 0.5F * ui.fonts.strong.size}, name);
 }
 
-float BottomHeader::middle() const { return start_.y + 0.5F * ui_.px(k_row_height); }
-
 void BottomHeader::place(float width) {
   right_ -= width;
   ImGui::SetCursorScreenPos(ImVec2(right_, start_.y));
   right_ -= ui_.px(k_gap);
-}
-
-bool BottomHeader::button(const IconButtonSpec& spec) {
-  place(ui_.px(k_row_height));
-  return icon_button(ui_, spec);
 }
 
 void BottomHeader::progress(double share, float width) {
@@ -89,7 +82,7 @@ void RowCursor::scroll(float row_height, float list_height) {
 
 std::optional<std::size_t> RowCursor::follow(const Ui& ui, std::string_view id, std::size_t page,
                                              std::size_t count) {
-  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  const ScreenBox box = item_box();
   ui.memory->controls[std::string(id)] = box;
   if (!has_keyboard(ui, id, box)) {
     row_.reset();
@@ -131,8 +124,7 @@ Row list_row(const Ui& ui, const RowSpec& spec) {
   ui.memory->controls[spec.id] = {row.box.min, from_im(ImGui::GetItemRectMax())};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (spec.chosen || ImGui::IsItemHovered())
-    list.AddRectFilled(im(row.box.min), im(row.box.max),
-                       spec.chosen ? ui.colours->field_active : ui.colours->field, ui.px(6));
+    fill(list, row.box, spec.chosen ? ui.colours->field_active : ui.colours->field, ui.px(6));
   if (spec.marked)
     list.AddRect(im(row.box.min), im(row.box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
   return row;

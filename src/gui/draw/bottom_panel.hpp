@@ -19,14 +19,17 @@ class BottomHeader {
   BottomHeader(const Ui& ui, const char* name);
   /// Puts the cursor where an item of this width in pixels goes.
   void place(float width);
-  bool button(const IconButtonSpec& spec);
+  bool button(const IconButtonSpec& spec) {
+    place(ui_.px(k_row_height));
+    return icon_button(ui_, spec);
+  }
   /// A bar from 0 to 1, `width` in layout units.
   void progress(double share, float width);
   /// Draws the text and ends the line. `tip`: shown when the mouse is on the text, where it is not empty.
   void end(std::string_view text, ImU32 colour, std::string_view tip = {});
 
  private:
-  [[nodiscard]] float middle() const;
+  [[nodiscard]] float middle() const { return start_.y + 0.5F * ui_.px(k_row_height); }
 
   const Ui& ui_;
   glm::vec2 start_;

@@ -1,5 +1,3 @@
-#include "gui/draw/fonts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,6 +7,8 @@
 
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
+
+#include "gui/draw/ui.hpp"
 #include FT_FREETYPE_H
 #include <imgui_freetype.h>
 
@@ -106,11 +106,6 @@ SizedFont add_font(ImFontAtlas& atlas, const FontFile& file, std::string& bytes,
   };
   ImFontConfig digits = config_for(file, k_digits);
   digits.GlyphMinAdvanceX = digits.GlyphMaxAdvanceX = std::round(measure.digit_width);
-#if IMGUI_VERSION_NUM >= 19200
-  // Glyphs are made on demand there: what a source does not cover is said by exclusion.
-  static constexpr ImWchar k_not_digits[] = {0x01, '0' - 1, '9' + 1, 0xFFFF, 0};
-  digits.GlyphExcludeRanges = k_not_digits;
-#endif
   ImFont* font = add(bytes, digits);
   ImFontConfig text = config_for(file, k_text);
   text.MergeMode = true;
@@ -123,7 +118,6 @@ SizedFont add_font(ImFontAtlas& atlas, const FontFile& file, std::string& bytes,
   return {font, size};
 }
 
-#if IMGUI_VERSION_NUM < 19200
 /// ImGui's builder rounds every advance up, which spaces small text out; the nearest whole pixel keeps it
 /// sharp and as wide as it should be.
 void round_advances(ImFont& font) {
@@ -152,7 +146,6 @@ void round_advances(ImFont& font) {
   }
   FT_Done_FreeType(library);
 }
-#endif
 
 }  // namespace
 
@@ -184,13 +177,11 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, std::vector<std::string>& byte
     ImFont* font = atlas.AddFontDefault(&config);
     fonts.body = fonts.strong = fonts.small = fonts.title = {font, config.SizePixels};
   }
-#if IMGUI_VERSION_NUM < 19200
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   atlas.Build();
   for (const SizedFont& font : {fonts.body, fonts.strong, fonts.small, fonts.title})
     round_advances(*font.font);
-#endif
   return fonts;
 }
 

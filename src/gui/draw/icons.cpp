@@ -1,7 +1,7 @@
-#include "gui/draw/icons.hpp"
-
+// Icons drawn as strokes: a row each.
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <vector>
 
 #include <glm/gtc/constants.hpp>
 
@@ -11,164 +11,119 @@ namespace moldlight::gui {
 
 namespace {
 
-/// Strokes in a square from -1 to 1, y down.
-class Pen {
- public:
-  Pen(ImDrawList& list, const glm::vec2& centre, float size, ImU32 colour)
-      : list_(&list),
-        centre_(centre),
-        half_(0.5F * size),
-        width_(std::max(1.0F, size * 0.085F)),
-        colour_(colour) {}
+enum class Shape : std::uint8_t { line, loop, circle, dot, arc };
 
-  void line(std::initializer_list<glm::vec2> points, bool closed = false) const {
-    for (const glm::vec2& point : points) list_->PathLineTo(at(point));
-    list_->PathStroke(colour_, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width_);
-  }
-  void circle(const glm::vec2& at_point, float radius) const {
-    list_->AddCircle(at(at_point), radius * half_, colour_, 0, width_);
-  }
-  void dot(const glm::vec2& at_point, float radius) const {
-    list_->AddCircleFilled(at(at_point), radius * half_, colour_);
-  }
-  /// Degrees, clockwise from the right.
-  void arc(const glm::vec2& at_point, float radius, float from_deg, float to_deg) const {
-    const float rad = glm::pi<float>() / 180.0F;
-    list_->PathArcTo(at(at_point), radius * half_, from_deg * rad, to_deg * rad, 24);
-    list_->PathStroke(colour_, ImDrawFlags_None, width_);
-  }
-
- private:
-  [[nodiscard]] ImVec2 at(const glm::vec2& point) const { return im(centre_ + point * half_); }
-
-  ImDrawList* list_;
-  glm::vec2 centre_;
-  float half_, width_;
-  ImU32 colour_;
+/// In a square from -1 to 1, y down. What is round has its centre and its radius as points, an arc its ends,
+/// too: degrees clockwise from the right.
+struct IconStroke {
+  Icon icon;
+  Shape shape;
+  std::vector<glm::vec2> points;
 };
 
-void draw_gear(const Pen& pen) {
-  pen.circle({0, 0}, 0.30F);
-  pen.circle({0, 0}, 0.62F);
+const std::vector<IconStroke>& strokes() {
+  using enum Icon;
+  using enum Shape;
+  static const std::vector<IconStroke> k_strokes = {
+      {open,
+       loop,
+       {{-0.8F, 0.65F}, {-0.8F, -0.6F}, {-0.25F, -0.6F}, {-0.05F, -0.35F}, {0.8F, -0.35F}, {0.8F, 0.65F}}},
+      {file, loop, {{-0.55F, 0.8F}, {-0.55F, -0.8F}, {0.15F, -0.8F}, {0.55F, -0.4F}, {0.55F, 0.8F}}},
+      {file, line, {{0.12F, -0.76F}, {0.12F, -0.36F}, {0.52F, -0.36F}}},
+      {export_file, line, {{-0.75F, 0.25F}, {-0.75F, 0.75F}, {0.75F, 0.75F}, {0.75F, 0.25F}}},
+      {export_file, line, {{0, 0.3F}, {0, -0.8F}}},
+      {export_file, line, {{-0.4F, -0.4F}, {0, -0.8F}, {0.4F, -0.4F}}},
+      {picture,
+       loop,
+       {{-0.85F, -0.45F},
+        {-0.4F, -0.45F},
+        {-0.22F, -0.7F},
+        {0.22F, -0.7F},
+        {0.4F, -0.45F},
+        {0.85F, -0.45F},
+        {0.85F, 0.7F},
+        {-0.85F, 0.7F}}},
+      {picture, circle, {{0, 0.1F}, {0.34F, 0}}},
+      {ruler, loop, {{-0.85F, 0.35F}, {0.35F, -0.85F}, {0.85F, -0.35F}, {-0.35F, 0.85F}}},
+      {ruler, line, {{-0.3F - 0.25F, 0.3F - 0.25F}, {-0.3F - 0.02F, 0.3F - 0.02F}}},
+      {ruler, line, {{-0.25F, -0.25F}, {-0.02F, -0.02F}}},
+      {ruler, line, {{0.3F - 0.25F, -0.3F - 0.25F}, {0.3F - 0.02F, -0.3F - 0.02F}}},
+      {undo, line, {{-0.35F, -0.75F}, {-0.75F, -0.35F}, {-0.35F, 0.05F}}},
+      {undo, line, {{-0.75F, -0.35F}, {0.25F, -0.35F}}},
+      {undo, arc, {{0.25F, 0.15F}, {0.5F, 0}, {-90, 90}}},
+      {undo, line, {{0.25F, 0.65F}, {-0.35F, 0.65F}}},
+      {redo, line, {{0.35F, -0.75F}, {0.75F, -0.35F}, {0.35F, 0.05F}}},
+      {redo, line, {{0.75F, -0.35F}, {-0.25F, -0.35F}}},
+      {redo, arc, {{-0.25F, 0.15F}, {0.5F, 0}, {90, 270}}},
+      {redo, line, {{-0.25F, 0.65F}, {0.35F, 0.65F}}},
+      {help, arc, {{0, -0.35F}, {0.42F, 0}, {170, 405}}},
+      {help, line, {{0.3F, -0.05F}, {0.0F, 0.2F}, {0.0F, 0.36F}}},
+      {help, dot, {{0, 0.72F}, {0.13F, 0}}},
+      {settings, circle, {{0, 0}, {0.30F, 0}}},
+      {settings, circle, {{0, 0}, {0.62F, 0}}},
+      {flip, line, {{-0.4F, 0.8F}, {-0.4F, -0.75F}}},
+      {flip, line, {{-0.72F, -0.4F}, {-0.4F, -0.75F}, {-0.08F, -0.4F}}},
+      {flip, line, {{0.4F, -0.8F}, {0.4F, 0.75F}}},
+      {flip, line, {{0.08F, 0.4F}, {0.4F, 0.75F}, {0.72F, 0.4F}}},
+      {bookmark, loop, {{-0.5F, -0.8F}, {0.5F, -0.8F}, {0.5F, 0.8F}, {0, 0.35F}, {-0.5F, 0.8F}}},
+      {chevron_down, line, {{-0.55F, -0.25F}, {0, 0.3F}, {0.55F, -0.25F}}},
+      {chevron_up, line, {{-0.55F, 0.3F}, {0, -0.25F}, {0.55F, 0.3F}}},
+      {chevron_left, line, {{0.25F, -0.55F}, {-0.3F, 0}, {0.25F, 0.55F}}},
+      {chevron_right, line, {{-0.25F, -0.55F}, {0.3F, 0}, {-0.25F, 0.55F}}},
+      {close, line, {{-0.55F, -0.55F}, {0.55F, 0.55F}}},
+      {close, line, {{-0.55F, 0.55F}, {0.55F, -0.55F}}},
+      {check, line, {{-0.65F, 0.05F}, {-0.2F, 0.5F}, {0.65F, -0.5F}}},
+      {alert, loop, {{0, -0.75F}, {0.85F, 0.7F}, {-0.85F, 0.7F}}},
+      {alert, line, {{0, -0.2F}, {0, 0.2F}}},
+      {alert, dot, {{0, 0.45F}, {0.1F, 0}}},
+      {up, line, {{0, 0.75F}, {0, -0.7F}}},
+      {up, line, {{-0.5F, -0.2F}, {0, -0.7F}, {0.5F, -0.2F}}},
+      {revisions, loop, {{-0.85F, -0.6F}, {-0.15F, -0.6F}, {-0.15F, 0.6F}, {-0.85F, 0.6F}}},
+      {revisions, loop, {{0.15F, -0.6F}, {0.85F, -0.6F}, {0.85F, 0.6F}, {0.15F, 0.6F}}},
+      {revisions, dot, {{0.5F, 0.0F}, {0.2F, 0}}},
+      {exchange, line, {{-0.8F, -0.35F}, {0.75F, -0.35F}}},
+      {exchange, line, {{0.4F, -0.7F}, {0.75F, -0.35F}, {0.4F, 0.0F}}},
+      {exchange, line, {{0.8F, 0.4F}, {-0.75F, 0.4F}}},
+      {exchange, line, {{-0.4F, 0.05F}, {-0.75F, 0.4F}, {-0.4F, 0.75F}}},
+      {sphere, circle, {{0, 0}, {0.8F, 0}}},
+      {sphere, line, {{-0.8F, 0}, {-0.55F, 0.19F}, {-0.2F, 0.27F}, {0.2F, 0.27F}, {0.55F, 0.19F}, {0.8F, 0}}},
+  };
+  return k_strokes;
+}
+
+/// The teeth of the gear.
+void draw_teeth(ImDrawList& list, const glm::vec2& centre, float half, ImU32 colour, float width) {
   for (int tooth = 0; tooth < 8; ++tooth) {
     const float angle = static_cast<float>(tooth) * glm::pi<float>() / 4.0F;
     const glm::vec2 out(std::cos(angle), std::sin(angle));
-    pen.line({out * 0.62F, out * 0.86F});
+    list.PathLineTo(im(centre + out * 0.62F * half));
+    list.PathLineTo(im(centre + out * 0.86F * half));
+    list.PathStroke(colour, ImDrawFlags_None, width);
   }
-}
-
-/// An arrow that turns back to the left; mirrored for redo.
-void draw_turn(const Pen& pen, float side) {
-  pen.line({{side * -0.35F, -0.75F}, {side * -0.75F, -0.35F}, {side * -0.35F, 0.05F}});
-  pen.line({{side * -0.75F, -0.35F}, {side * 0.25F, -0.35F}});
-  pen.arc({side * 0.25F, 0.15F}, 0.5F, side > 0 ? -90.0F : 90.0F, side > 0 ? 90.0F : 270.0F);
-  pen.line({{side * 0.25F, 0.65F}, {side * -0.35F, 0.65F}});
 }
 
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size, ImU32 colour) {
-  const Pen pen(list, centre, size, colour);
-  switch (icon) {
-    case Icon::open:
-    case Icon::folder:
-      pen.line(
-          {{-0.8F, 0.65F}, {-0.8F, -0.6F}, {-0.25F, -0.6F}, {-0.05F, -0.35F}, {0.8F, -0.35F}, {0.8F, 0.65F}},
-          true);
-      break;
-    case Icon::file:
-      pen.line({{-0.55F, 0.8F}, {-0.55F, -0.8F}, {0.15F, -0.8F}, {0.55F, -0.4F}, {0.55F, 0.8F}}, true);
-      pen.line({{0.12F, -0.76F}, {0.12F, -0.36F}, {0.52F, -0.36F}});
-      break;
-    case Icon::export_file:
-      pen.line({{-0.75F, 0.25F}, {-0.75F, 0.75F}, {0.75F, 0.75F}, {0.75F, 0.25F}});
-      pen.line({{0, 0.3F}, {0, -0.8F}});
-      pen.line({{-0.4F, -0.4F}, {0, -0.8F}, {0.4F, -0.4F}});
-      break;
-    case Icon::picture:
-      pen.line({{-0.85F, -0.45F},
-                {-0.4F, -0.45F},
-                {-0.22F, -0.7F},
-                {0.22F, -0.7F},
-                {0.4F, -0.45F},
-                {0.85F, -0.45F},
-                {0.85F, 0.7F},
-                {-0.85F, 0.7F}},
-               true);
-      pen.circle({0, 0.1F}, 0.34F);
-      break;
-    case Icon::ruler:
-      pen.line({{-0.85F, 0.35F}, {0.35F, -0.85F}, {0.85F, -0.35F}, {-0.35F, 0.85F}}, true);
-      for (const float along : {-0.3F, 0.0F, 0.3F})
-        pen.line({{along - 0.25F, -along - 0.25F}, {along - 0.02F, -along - 0.02F}});
-      break;
-    case Icon::undo:
-      draw_turn(pen, 1.0F);
-      break;
-    case Icon::redo:
-      draw_turn(pen, -1.0F);
-      break;
-    case Icon::help:
-      pen.arc({0, -0.35F}, 0.42F, 170.0F, 405.0F);
-      pen.line({{0.3F, -0.05F}, {0.0F, 0.2F}, {0.0F, 0.36F}});
-      pen.dot({0, 0.72F}, 0.13F);
-      break;
-    case Icon::settings:
-      draw_gear(pen);
-      break;
-    case Icon::flip:
-      pen.line({{-0.4F, 0.8F}, {-0.4F, -0.75F}});
-      pen.line({{-0.72F, -0.4F}, {-0.4F, -0.75F}, {-0.08F, -0.4F}});
-      pen.line({{0.4F, -0.8F}, {0.4F, 0.75F}});
-      pen.line({{0.08F, 0.4F}, {0.4F, 0.75F}, {0.72F, 0.4F}});
-      break;
-    case Icon::bookmark:
-      pen.line({{-0.5F, -0.8F}, {0.5F, -0.8F}, {0.5F, 0.8F}, {0, 0.35F}, {-0.5F, 0.8F}}, true);
-      break;
-    case Icon::chevron_down:
-      pen.line({{-0.55F, -0.25F}, {0, 0.3F}, {0.55F, -0.25F}});
-      break;
-    case Icon::chevron_up:
-      pen.line({{-0.55F, 0.3F}, {0, -0.25F}, {0.55F, 0.3F}});
-      break;
-    case Icon::chevron_left:
-      pen.line({{0.25F, -0.55F}, {-0.3F, 0}, {0.25F, 0.55F}});
-      break;
-    case Icon::chevron_right:
-      pen.line({{-0.25F, -0.55F}, {0.3F, 0}, {-0.25F, 0.55F}});
-      break;
-    case Icon::close:
-      pen.line({{-0.55F, -0.55F}, {0.55F, 0.55F}});
-      pen.line({{-0.55F, 0.55F}, {0.55F, -0.55F}});
-      break;
-    case Icon::check:
-      pen.line({{-0.65F, 0.05F}, {-0.2F, 0.5F}, {0.65F, -0.5F}});
-      break;
-    case Icon::alert:
-      pen.line({{0, -0.75F}, {0.85F, 0.7F}, {-0.85F, 0.7F}}, true);
-      pen.line({{0, -0.2F}, {0, 0.2F}});
-      pen.dot({0, 0.45F}, 0.1F);
-      break;
-    case Icon::up:
-      pen.line({{0, 0.75F}, {0, -0.7F}});
-      pen.line({{-0.5F, -0.2F}, {0, -0.7F}, {0.5F, -0.2F}});
-      break;
-    case Icon::revisions:
-      pen.line({{-0.85F, -0.6F}, {-0.15F, -0.6F}, {-0.15F, 0.6F}, {-0.85F, 0.6F}}, true);
-      pen.line({{0.15F, -0.6F}, {0.85F, -0.6F}, {0.85F, 0.6F}, {0.15F, 0.6F}}, true);
-      pen.dot({0.5F, 0.0F}, 0.2F);
-      break;
-    case Icon::exchange:
-      pen.line({{-0.8F, -0.35F}, {0.75F, -0.35F}});
-      pen.line({{0.4F, -0.7F}, {0.75F, -0.35F}, {0.4F, 0.0F}});
-      pen.line({{0.8F, 0.4F}, {-0.75F, 0.4F}});
-      pen.line({{-0.4F, 0.05F}, {-0.75F, 0.4F}, {-0.4F, 0.75F}});
-      break;
-    case Icon::sphere:
-      pen.circle({0, 0}, 0.8F);
-      pen.line({{-0.8F, 0}, {-0.55F, 0.19F}, {-0.2F, 0.27F}, {0.2F, 0.27F}, {0.55F, 0.19F}, {0.8F, 0}});
-      break;
+  if (icon == Icon::folder) icon = Icon::open;
+  const float half = 0.5F * size, width = std::max(1.0F, size * 0.085F), rad = glm::pi<float>() / 180.0F;
+  for (const IconStroke& stroke : strokes()) {
+    if (stroke.icon != icon) continue;
+    const auto at = [&](std::size_t k) { return im(centre + stroke.points[k] * half); };
+    const auto& points = stroke.points;
+    if (stroke.shape == Shape::circle) {
+      list.AddCircle(at(0), points[1].x * half, colour, 0, width);
+    } else if (stroke.shape == Shape::dot) {
+      list.AddCircleFilled(at(0), points[1].x * half, colour);
+    } else if (stroke.shape == Shape::arc) {
+      list.PathArcTo(at(0), points[1].x * half, points[2].x * rad, points[2].y * rad, 24);
+      list.PathStroke(colour, ImDrawFlags_None, width);
+    } else {
+      for (std::size_t k = 0; k < points.size(); ++k) list.PathLineTo(at(k));
+      list.PathStroke(colour, stroke.shape == Shape::loop ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+    }
   }
+  if (icon == Icon::settings) draw_teeth(list, centre, half, colour, width);
 }
 
 }  // namespace moldlight::gui

@@ -36,15 +36,11 @@ void ImguiSession::prepare(Theme theme, float scale) {
   ImGui::SetCurrentContext(context_);
   const bool new_scale = ui_.fonts.body.font == nullptr || scale != ui_.scale;
   if (new_scale) {
-#if IMGUI_VERSION_NUM < 19200
     // Only the fonts' texture: the renderer's program may be the one in use, and goes with the other objects.
     const bool again = ui_.fonts.body.font != nullptr;
     if (again) ImGui_ImplOpenGL3_DestroyFontsTexture();
-#endif
     ui_.fonts = load_fonts(*ImGui::GetIO().Fonts, scale, font_bytes_);
-#if IMGUI_VERSION_NUM < 19200
     if (again) ImGui_ImplOpenGL3_CreateFontsTexture();
-#endif
     ImGui::GetIO().FontDefault = ui_.fonts.body.font;
     ui_.scale = scale;
   }

@@ -1,9 +1,9 @@
-#include "gui/draw/overlays.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+
+#include "gui/draw/widgets.hpp"
 
 namespace moldlight::gui {
 

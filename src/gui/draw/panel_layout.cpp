@@ -245,11 +245,6 @@ void PanelLayout::fold_bottom(std::string_view name, bool collapsed) {
   }
 }
 
-bool PanelLayout::unfolded(std::string_view name) const {
-  return std::ranges::any_of(
-      panels_, [&](const Panel& each) { return each.place.name == name && !each.place.collapsed; });
-}
-
 glm::vec2 FreeArea::beside(const glm::vec2& point, const glm::vec2& size, float gap) const {
   const glm::vec2 most = glm::vec2(max) - size;
   glm::vec2 corner = point + gap;
@@ -279,20 +274,10 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
   return area;
 }
 
-void PanelLayout::keep_sides_folded(bool folded) {
-  if (folded != sides_folded_) pending_ = true;
-  sides_folded_ = folded;
-}
-
 std::string PanelLayout::text() const {
   std::vector<PanelPlace> places;
   for (const Panel& each : panels_) places.push_back(each.place);
   return layout_text(places, k_panel_width);
-}
-
-void PanelLayout::reset() {
-  panels_.clear();
-  pending_ = true;
 }
 
 }  // namespace moldlight::gui

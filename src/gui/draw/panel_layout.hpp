@@ -2,6 +2,7 @@
 // of the window's size and scale: a panel keeps its distance to the nearer edges.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,14 +70,23 @@ class PanelLayout {
   /// one would leave little of the part.
   void fold_bottom(std::string_view name, bool collapsed);
   /// Whether a panel that was drawn in this frame or the last is not folded up.
-  [[nodiscard]] bool unfolded(std::string_view name) const;
+  [[nodiscard]] bool unfolded(std::string_view name) const {
+    return std::ranges::any_of(
+        panels_, [&](const Panel& each) { return each.place.name == name && !each.place.collapsed; });
+  }
 
   /// Whether panels on the sides begin folded up to their titles, which is not remembered; a click opens one.
-  void keep_sides_folded(bool folded);
+  void keep_sides_folded(bool folded) {
+    pending_ = pending_ || folded != sides_folded_;
+    sides_folded_ = folded;
+  }
   /// What the panels left free when they were last drawn.
   [[nodiscard]] FreeArea free_area(bool panels_hidden) const;
   [[nodiscard]] std::string text() const;
-  void reset();
+  void reset() {
+    panels_.clear();
+    pending_ = true;
+  }
 
  private:
   struct Panel {

@@ -1,6 +1,6 @@
-#include "gui/draw/theme.hpp"
-
 #include <utility>
+
+#include "gui/draw/ui.hpp"
 
 namespace moldlight::gui {
 
@@ -10,44 +10,38 @@ constexpr ImU32 rgba(std::uint32_t rgb, int alpha = 255) {
   return IM_COL32((rgb >> 16) & 0xFF, (rgb >> 8) & 0xFF, rgb & 0xFF, alpha);
 }
 
-constexpr ThemeColours k_dark_colours = {
-    .panel = rgba(0x1A1C1F, 240),
-    .panel_border = rgba(0xFFFFFF, 20),
-    .popup = rgba(0x202327, 250),
-    .text = rgba(0xE9EBEE),
-    .muted = rgba(0xB8BEC4),
-    .field = rgba(0xFFFFFF, 16),
-    .field_hovered = rgba(0xFFFFFF, 26),
-    .field_active = rgba(0xFFFFFF, 36),
-    .fill = rgba(0xFFFFFF, 34),
-    .accent = rgba(0xDADEE3),
-    .on_accent = rgba(0x16181A),
-    .line = rgba(0xFFFFFF, 22),
-    .scrim = rgba(0x0C0D0E, 150),
-    .warning = rgba(0xE8C26A),
+struct ColourRow {
+  ImU32 ThemeColours::*member;
+  ImU32 dark, light;
+};
+constexpr ColourRow k_colours[] = {
+    {&ThemeColours::panel, rgba(0x1A1C1F, 240), rgba(0xFCFCFD, 238)},
+    {&ThemeColours::panel_border, rgba(0xFFFFFF, 20), rgba(0x000000, 24)},
+    {&ThemeColours::popup, rgba(0x202327, 250), rgba(0xFFFFFF, 252)},
+    {&ThemeColours::text, rgba(0xE9EBEE), rgba(0x1B1D20)},
+    {&ThemeColours::muted, rgba(0xB8BEC4), rgba(0x50565D)},
+    {&ThemeColours::field, rgba(0xFFFFFF, 16), rgba(0x000000, 14)},
+    {&ThemeColours::field_hovered, rgba(0xFFFFFF, 26), rgba(0x000000, 24)},
+    {&ThemeColours::field_active, rgba(0xFFFFFF, 36), rgba(0x000000, 34)},
+    {&ThemeColours::fill, rgba(0xFFFFFF, 34), rgba(0x000000, 28)},
+    {&ThemeColours::accent, rgba(0xDADEE3), rgba(0x33373C)},
+    {&ThemeColours::on_accent, rgba(0x16181A), rgba(0xFFFFFF)},
+    {&ThemeColours::line, rgba(0xFFFFFF, 22), rgba(0x000000, 22)},
+    {&ThemeColours::scrim, rgba(0x0C0D0E, 150), rgba(0xE8EAEC, 150)},
+    {&ThemeColours::warning, rgba(0xE8C26A), rgba(0x9A6A00)},
 };
 
-constexpr ThemeColours k_light_colours = {
-    .panel = rgba(0xFCFCFD, 238),
-    .panel_border = rgba(0x000000, 24),
-    .popup = rgba(0xFFFFFF, 252),
-    .text = rgba(0x1B1D20),
-    .muted = rgba(0x50565D),
-    .field = rgba(0x000000, 14),
-    .field_hovered = rgba(0x000000, 24),
-    .field_active = rgba(0x000000, 34),
-    .fill = rgba(0x000000, 28),
-    .accent = rgba(0x33373C),
-    .on_accent = rgba(0xFFFFFF),
-    .line = rgba(0x000000, 22),
-    .scrim = rgba(0xE8EAEC, 150),
-    .warning = rgba(0x9A6A00),
-};
+ThemeColours made_colours(Theme theme) {
+  ThemeColours colours{};
+  for (const ColourRow& row : k_colours) colours.*row.member = theme == Theme::dark ? row.dark : row.light;
+  return colours;
+}
 
 }  // namespace
 
 const ThemeColours& theme_colours(Theme theme) {
-  return theme == Theme::dark ? k_dark_colours : k_light_colours;
+  static const ThemeColours k_dark = made_colours(Theme::dark), k_light = made_colours(Theme::light);
+  return theme == Theme::dark ? k_dark : k_light;
 }
 
 ImU32 faded(ImU32 colour, float alpha) {

@@ -1,5 +1,5 @@
-// What every panel needs to draw: scale, fonts, colours, time. And the few names that changed between
-// versions of ImGui.
+// What every panel needs to draw: scale, the system's sans-serif at exact pixel sizes with digits of one
+// width, so that figures stand in columns, colours, icons, time.
 #pragma once
 
 #include <array>
@@ -15,11 +15,88 @@
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
-#include "gui/draw/fonts.hpp"
 #include "gui/draw/keyboard.hpp"
-#include "gui/draw/theme.hpp"
+#include "gui/store/user_state.hpp"
+#include "mold/region.hpp"
 
 namespace moldlight::gui {
+
+/// A face of a font file.
+struct FontFile {
+  std::string path;
+  int face = 0;
+};
+
+/// The first of k_font_families (picture/canvas.hpp) that is installed, in a regular or a semibold weight
+/// (or the nearest); an empty path where there is none.
+[[nodiscard]] FontFile find_interface_font(bool semibold);
+/// One with many symbols, for the characters that the first lacks; an empty path where there is none.
+[[nodiscard]] FontFile find_symbol_font();
+
+/// A font and the size to draw it at, in ImGui's measure (line height).
+struct SizedFont {
+  ImFont* font = nullptr;
+  float size = 0.0F;
+};
+
+struct Fonts {
+  SizedFont body, strong, small, title;
+};
+
+/// Fills the atlas for `scale` pixels per layout unit; ImGui's own font where the system has none. What the
+/// atlas held is gone. `bytes` keeps the files' contents, which the atlas points to.
+[[nodiscard]] Fonts load_fonts(ImFontAtlas& atlas, float scale, std::vector<std::string>& bytes);
+
+/// Packed as ImGui packs them. Nothing here is saturated: colour belongs to the regions.
+struct ThemeColours {
+  ImU32 panel, panel_border, popup;          // behind text
+  ImU32 text, muted;                         // text: figures and labels; units and hints
+  ImU32 field, field_hovered, field_active;  // behind a value
+  ImU32 fill, accent, on_accent;             // a slider's filled part, knobs and chosen words, text on them
+  ImU32 line;                                // separators
+  ImU32 scrim;                               // over the scene under a dialog
+  ImU32 warning;
+};
+
+[[nodiscard]] const ThemeColours& theme_colours(Theme theme);
+
+/// Sets every colour and length of ImGui's style; `scale` is pixels per layout unit.
+void apply_style(Theme theme, float scale);
+
+/// `alpha` times the colour's own.
+[[nodiscard]] ImU32 faded(ImU32 colour, float alpha);
+[[nodiscard]] ImU32 packed(const Colour& colour, float alpha = 1.0F);
+[[nodiscard]] ImU32 mixed(ImU32 a, ImU32 b, float share_of_b);
+
+/// Drawn as strokes, so that they are sharp at every scale and need no font.
+enum class Icon : std::uint8_t {
+  open,
+  export_file,
+  picture,
+  ruler,
+  undo,
+  redo,
+  help,
+  settings,
+  flip,
+  bookmark,
+  chevron_down,
+  chevron_up,
+  chevron_left,
+  chevron_right,
+  close,
+  check,
+  alert,
+  folder,
+  file,
+  up,
+  sphere,
+  revisions,
+  exchange,
+};
+
+/// Draws the icon into a square of `size` pixels around `centre`.
+void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size, ImU32 colour);
 
 /// A text as it was drawn in this frame: by these, layout and contrast are checked.
 struct DrawnText {
@@ -63,37 +140,21 @@ struct Ui {
 
 /// A GL texture as ImGui takes it.
 [[nodiscard]] inline ImTextureID texture_id(unsigned name) {
-#if IMGUI_VERSION_NUM >= 19140
-  return static_cast<ImTextureID>(name);
-#else
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
-#endif
 }
 
 /// For a table's row that is one control, with others on it.
-#if IMGUI_VERSION_NUM >= 18970
-inline constexpr ImGuiSelectableFlags k_row_below_controls = ImGuiSelectableFlags_AllowOverlap;
-#else
 inline constexpr ImGuiSelectableFlags k_row_below_controls = ImGuiSelectableFlags_AllowItemOverlap;
-#endif
 
 /// Pictures of the shadow maps from +d and -d: GL textures, 0 for none.
 struct MapTextures {
   unsigned plus = 0, minus = 0;
 };
 
-inline void push_font(const SizedFont& font) {
-#if IMGUI_VERSION_NUM >= 19200
-  ImGui::PushFont(font.font, font.size);
-#else
-  ImGui::PushFont(font.font);
-#endif
-}
-
 /// Pops the font when it goes out of scope.
 class FontScope {
  public:
-  explicit FontScope(const SizedFont& font) { push_font(font); }
+  explicit FontScope(const SizedFont& font) { ImGui::PushFont(font.font); }
   ~FontScope() { ImGui::PopFont(); }
   FontScope(const FontScope&) = delete;
   FontScope& operator=(const FontScope&) = delete;

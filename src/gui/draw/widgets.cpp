@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.hpp"
 #include "classify/option.hpp"
@@ -16,17 +18,9 @@ namespace {
 
 constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
 
-/// A row's place on the screen, and what mouse and keyboard do to it.
-struct ControlRow {
-  glm::vec2 min{0.0F}, max{0.0F};
-  bool hovered = false, active = false, clicked = false, pressed = false, focused = false;
-  [[nodiscard]] float middle() const { return 0.5F * (min.y + max.y); }
-};
-
-ControlRow begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
+Pressable begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
   if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
-  const Pressable item = pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
-  return {item.box.min, item.box.max, item.hovered, item.active, item.clicked, item.pressed, item.focused};
+  return pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
 }
 
 /// Around a control that has the keyboard.
@@ -49,28 +43,25 @@ int value_steps(Keyboard& keyboard) {
   return keyboard.takes(ControlKey::page_up) ? 10 : 0;
 }
 
-ImU32 field_colour(const Ui& ui, const ControlRow& row) {
-  return row.active ? ui.colours->field_active : row.hovered ? ui.colours->field_hovered : ui.colours->field;
+void draw_row_text(const Lettering& lettering, float left, const Pressable& row, std::string_view text) {
+  draw_text(*ImGui::GetWindowDrawList(), lettering, {left, row.box.centre().y - 0.5F * lettering.font.size},
+            text);
 }
 
-void draw_row_text(const Lettering& lettering, float left, const ControlRow& row, std::string_view text) {
-  draw_text(*ImGui::GetWindowDrawList(), lettering, {left, row.middle() - 0.5F * lettering.font.size}, text);
-}
-
-void draw_label(const Ui& ui, const ControlRow& row, const RowLabel& label) {
+void draw_label(const Ui& ui, const Pressable& row, const RowLabel& label) {
   const std::string_view shown = label.text.substr(0, label.text.find("##"));
-  float left = row.min.x + ui.px(8);
+  float left = row.box.min.x + ui.px(8);
   if (label.modified) {
-    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(left + ui.px(2), row.middle()), 2.5F * ui.scale,
+    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(left + ui.px(2), row.box.centre().y), 2.5F * ui.scale,
                                                 ui.colours->text);
     left += ui.px(9);
   }
   draw_row_text({ui.fonts.body, label.modified ? ui.colours->text : ui.colours->muted}, left, row, shown);
 }
 
-void draw_value(const Ui& ui, const ControlRow& row, std::string_view text) {
-  draw_row_text({ui.fonts.body, ui.colours->text}, row.max.x - ui.px(8) - text_size(ui.fonts.body, text).x,
-                row, text);
+void draw_value(const Ui& ui, const Pressable& row, std::string_view text) {
+  draw_row_text({ui.fonts.body, ui.colours->text},
+                row.box.max.x - ui.px(8) - text_size(ui.fonts.body, text).x, row, text);
 }
 
 double snapped(double value, const SliderSpec& spec) {
@@ -148,6 +139,20 @@ bool wants_typing() {
 
 }  // namespace
 
+ImU32 field_colour(const Ui& ui, const Pressable& item) {
+  return item.active    ? ui.colours->field_active
+         : item.hovered ? ui.colours->field_hovered
+                        : ui.colours->field;
+}
+
+void fill(ImDrawList& list, const ScreenBox& box, ImU32 colour, float rounding) {
+  list.AddRectFilled(im(box.min), im(box.max), colour, rounding);
+}
+
+ScreenBox item_box() { return {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())}; }
+
+void name_item(const Ui& ui, const std::string& name) { ui.memory->controls[name] = item_box(); }
+
 bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
   if (!ui.memory->keyboard.visit(ImGui::GetID(id.data(), id.data() + id.size()))) return false;
   ui.memory->focused = id;
@@ -158,7 +163,7 @@ bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
 Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size) {
   Pressable item;
   item.clicked = ImGui::InvisibleButton(id, im(glm::max(size, glm::vec2(1.0F))));
-  item.box = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  item.box = item_box();
   item.hovered = ImGui::IsItemHovered();
   item.active = ImGui::IsItemActive();
   ui.memory->controls[id] = item.box;
@@ -178,7 +183,7 @@ bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSp
   const bool changed = ImGui::InputTextWithHint(id, spec.hint, text.data(), text.size());
   if (ImGui::IsItemActivated()) keyboard.give_to(control);
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) keyboard.enter();
-  const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  const ScreenBox box = item_box();
   const std::string_view shown(id);
   const std::string name(shown.substr(shown.starts_with("##") ? 2 : 0));
   ui.memory->controls[name] = box;
@@ -194,15 +199,15 @@ bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec) {
   ImGui::BeginDisabled(!spec.enabled);
   const float width =
       std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
-  const ControlRow row = begin_row(ui, label, width);
+  const Pressable row = begin_row(ui, label, width);
   ImGui::EndDisabled();
   if (row.hovered || row.focused)
-    ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), ui.colours->field_hovered, ui.px(6));
-  draw_row_text({ui.fonts.body, spec.enabled ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(8),
-                row, shown);
+    fill(*ImGui::GetWindowDrawList(), row.box, ui.colours->field_hovered, ui.px(6));
+  draw_row_text({ui.fonts.body, spec.enabled ? ui.colours->text : ui.colours->muted},
+                row.box.min.x + ui.px(8), row, shown);
   if (spec.chosen)
-    draw_icon(*ImGui::GetWindowDrawList(), Icon::check, {row.max.x - ui.px(14), row.middle()}, ui.px(12),
-              ui.colours->text);
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::check, {row.box.max.x - ui.px(14), row.box.centre().y},
+              ui.px(12), ui.colours->text);
   if (row.clicked) ui.memory->popups.close_all();
   return row.clicked;
 }
@@ -216,7 +221,7 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     if (typed) value = std::clamp(*typed, spec.min, spec.max);
     return value != before;
   }
-  const ControlRow row = begin_row(ui, label.text);
+  const Pressable row = begin_row(ui, label.text);
   Keyboard& keyboard = ui.memory->keyboard;
   if (wants_typing() || row.pressed) {
     start_typing(*ui.memory, id, real_text(value));
@@ -226,25 +231,26 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
     const float mouse = ImGui::GetIO().MousePos.x;
     // A press alone changes nothing: the first of two clicks that start typing would.
     if (std::abs(ImGui::GetMouseDragDelta(0, 0.0F).x) >= 2.0F * ui.scale) {
-      value = snapped(value_at((mouse - row.min.x) / (row.max.x - row.min.x), spec), spec);
+      value = snapped(value_at((mouse - row.box.min.x) / (row.box.max.x - row.box.min.x), spec), spec);
     }
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ui.px(6);
-  list.AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), rounding);
-  const float end = row.min.x + static_cast<float>(share_of(value, spec)) * (row.max.x - row.min.x);
-  list.PushClipRect(im(row.min), ImVec2(std::round(end), row.max.y), true);
-  list.AddRectFilled(im(row.min), im(row.max), ui.colours->fill, rounding);
+  fill(list, row.box, field_colour(ui, row), rounding);
+  const float end =
+      row.box.min.x + static_cast<float>(share_of(value, spec)) * (row.box.max.x - row.box.min.x);
+  list.PushClipRect(im(row.box.min), ImVec2(std::round(end), row.box.max.y), true);
+  fill(list, row.box, ui.colours->fill, rounding);
   list.PopClipRect();
   if (row.hovered || row.active) {
-    const float x = std::clamp(std::round(end), row.min.x + ui.px(4), row.max.x - ui.px(4));
-    list.AddRectFilled(ImVec2(x - ui.px(1), row.min.y + ui.px(6)), ImVec2(x + ui.px(1), row.max.y - ui.px(6)),
-                       ui.colours->accent, ui.px(1));
+    const float x = std::clamp(std::round(end), row.box.min.x + ui.px(4), row.box.max.x - ui.px(4));
+    list.AddRectFilled(ImVec2(x - ui.px(1), row.box.min.y + ui.px(6)),
+                       ImVec2(x + ui.px(1), row.box.max.y - ui.px(6)), ui.colours->accent, ui.px(1));
   }
   // Where both have no room, the value is what one wants to read.
   const std::string shown = spec.text(value);
   const float room =
-      row.max.x - row.min.x - text_size(ui.fonts.body, shown).x - ui.px(label.modified ? 28 : 19);
+      row.box.max.x - row.box.min.x - text_size(ui.fonts.body, shown).x - ui.px(label.modified ? 28 : 19);
   const std::string name = fitted(ui.fonts.body, label.text.substr(0, label.text.find("##")), room);
   draw_label(ui, row, {name, label.modified});
   draw_value(ui, row, shown);
@@ -259,19 +265,19 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     const auto typed = typed_row(ui, id, spec.width);
     return typed && std::exchange(value, *typed) != *typed;
   }
-  const ControlRow row = begin_row(ui, id_text, spec.width);
+  const Pressable row = begin_row(ui, id_text, spec.width);
   if (row.clicked || (row.focused && memory.keyboard.arrived())) memory.type_in = id;
   // The field that Tab has left has yet to give its number where it is drawn after this one.
   if (memory.type_in == id && memory.typing_id == 0) {
     memory.type_in = 0;
     start_typing(memory, id, real_text(value));
   }
-  ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
+  fill(*ImGui::GetWindowDrawList(), row.box, field_colour(ui, row), ui.px(6));
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
   const std::string text =
       shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals);
-  const float room = row.max.x - row.min.x - text_size(ui.fonts.body, text).x - ui.px(20);
-  draw_row_text({ui.fonts.body, ui.colours->muted}, row.min.x + ui.px(8), row,
+  const float room = row.box.max.x - row.box.min.x - text_size(ui.fonts.body, text).x - ui.px(20);
+  draw_row_text({ui.fonts.body, ui.colours->muted}, row.box.min.x + ui.px(8), row,
                 fitted(ui.fonts.body, spec.label, room));
   draw_value(ui, row, text);
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
@@ -279,13 +285,13 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
 }
 
 bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
-  const ControlRow row = begin_row(ui, label.text);
+  const Pressable row = begin_row(ui, label.text);
   if (row.clicked) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (row.hovered) list.AddRectFilled(im(row.min), im(row.max), ui.colours->field, ui.px(6));
+  if (row.hovered) fill(list, row.box, ui.colours->field, ui.px(6));
   draw_label(ui, row, label);
   const float height = ui.px(14), width = ui.px(24);
-  const glm::vec2 min(row.max.x - ui.px(8) - width, std::round(row.middle() - 0.5F * height));
+  const glm::vec2 min(row.box.max.x - ui.px(8) - width, std::round(row.box.centre().y - 0.5F * height));
   list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height),
                      on ? ui.colours->accent : ui.colours->field_active, 0.5F * height);
   const float knob = 0.5F * height - ui.px(2);
@@ -306,7 +312,7 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   const bool below = text_size(ui.fonts.body, label.text).x + ui.px(label.modified ? 17 : 8) + total > width;
   glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_label(ui, {.min = start, .max = start + glm::vec2(width, height)}, label);
+  draw_label(ui, {.box = {start, start + glm::vec2(width, height)}}, label);
   if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
   const int before = index;
   const bool focused = has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)});
@@ -343,22 +349,22 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
 bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   const std::string_view shown = label.substr(0, label.find("##"));
   const float text_width = text_size(ui.fonts.body, shown).x;
-  const ControlRow row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
+  const Pressable row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
   const bool filled = spec.strong || spec.chosen;
   const ImU32 back = filled ? faded(ui.colours->accent, row.hovered ? 0.85F : 1.0F) : field_colour(ui, row);
-  ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), back, ui.px(6));
+  fill(*ImGui::GetWindowDrawList(), row.box, back, ui.px(6));
   draw_row_text({ui.fonts.body, filled ? ui.colours->on_accent : ui.colours->text},
-                0.5F * (row.min.x + row.max.x - text_width), row, shown);
+                0.5F * (row.box.min.x + row.box.max.x - text_width), row, shown);
   const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;
   return row.clicked || (spec.strong && enabled && ui.memory->keyboard.takes_enter());
 }
 
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
-  const ControlRow row = begin_row(ui, spec.id, ui.px(k_row_height));
+  const Pressable row = begin_row(ui, spec.id, ui.px(k_row_height));
   if (row.hovered || spec.chosen) {
-    ImGui::GetWindowDrawList()->AddRectFilled(im(row.min), im(row.max), field_colour(ui, row), ui.px(6));
+    fill(*ImGui::GetWindowDrawList(), row.box, field_colour(ui, row), ui.px(6));
   }
-  draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.min + row.max), ui.px(14),
+  draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.box.min + row.box.max), ui.px(14),
             faded(row.hovered ? ui.colours->text : ui.colours->muted, ImGui::GetStyle().Alpha));
   tooltip(ui, {}, spec.tip);
   return row.clicked;
@@ -370,14 +376,15 @@ bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
     ImGui::SameLine(0.0F, ui.px(4));
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
   }
-  const ControlRow row = begin_row(ui, label, width);
+  const Pressable row = begin_row(ui, label, width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float rounding = 0.5F * (row.max.y - row.min.y);
+  const float rounding = 0.5F * (row.box.max.y - row.box.min.y);
   if (on || row.hovered) {
-    list.AddRectFilled(im(row.min), im(row.max), on ? ui.colours->field_active : ui.colours->field, rounding);
+    fill(list, row.box, on ? ui.colours->field_active : ui.colours->field, rounding);
   }
-  if (!on) list.AddRect(im(row.min), im(row.max), ui.colours->line, rounding);
-  draw_row_text({ui.fonts.body, on ? ui.colours->text : ui.colours->muted}, row.min.x + ui.px(9), row, label);
+  if (!on) list.AddRect(im(row.box.min), im(row.box.max), ui.colours->line, rounding);
+  draw_row_text({ui.fonts.body, on ? ui.colours->text : ui.colours->muted}, row.box.min.x + ui.px(9), row,
+                label);
   return row.clicked;
 }
 
@@ -399,11 +406,11 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 }
 
 bool disclosure(const Ui& ui, std::string_view label, bool open) {
-  const ControlRow row = begin_row(ui, "disclosure");
+  const Pressable row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
-  draw_row_text({ui.fonts.small, colour}, row.min.x + ui.px(8), row, label);
+  draw_row_text({ui.fonts.small, colour}, row.box.min.x + ui.px(8), row, label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const glm::vec2 at(row.min.x + ui.px(16) + text_size(ui.fonts.small, label).x, row.middle());
+  const glm::vec2 at(row.box.min.x + ui.px(16) + text_size(ui.fonts.small, label).x, row.box.centre().y);
   const float half = ui.px(3), lift = (open ? -0.5F : 0.5F) * half;
   const ImVec2 points[3] = {ImVec2(at.x - half, at.y - lift), ImVec2(at.x, at.y + lift),
                             ImVec2(at.x + half, at.y - lift)};
@@ -464,6 +471,13 @@ void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked
   end_popup(ui);
 }
 
+glm::vec2 beyond_tip(const Ui& ui, const glm::vec2& tail, const glm::vec2& tip, std::string_view text) {
+  const glm::vec2 along = tip - tail;
+  const float length = glm::length(along);
+  const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
+  return tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), 0.5F * tag_size(ui, text)));
+}
+
 glm::vec2 tag_size(const Ui& ui, std::string_view text) {
   return text_size(ui.fonts.small, text) + 2.0F * glm::vec2(ui.px(8), ui.px(3));
 }
@@ -473,6 +487,13 @@ void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU3
   const glm::vec2 half = 0.5F * tag_size(ui, text);
   list.AddRectFilled(im(middle - half), im(middle + half), ui.colours->panel, half.y);
   draw_text(list, {ui.fonts.small, colour}, middle - 0.5F * text_size(ui.fonts.small, text), text);
+}
+
+void draw_whole_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour) {
+  const glm::vec2 room = 0.5F * tag_size(ui, text), window = from_im(ImGui::GetIO().DisplaySize);
+  if (glm::all(glm::greaterThan(middle - room, glm::vec2(0.0F))) &&
+      glm::all(glm::lessThan(middle + room, window)))
+    draw_tag(ui, middle, text, colour);
 }
 
 void progress_bar(const Ui& ui, double fraction, float width) {

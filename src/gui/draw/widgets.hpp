@@ -1,4 +1,5 @@
-// The window's own controls: one row each, name on the left and value on the right, no boxes in boxes.
+// The window's own controls: one row each, name on the left and value on the right, no boxes in boxes. And
+// what lies over the panels: dialogs, tooltips, and popups: menus, lists, options.
 #pragma once
 
 #include <functional>
@@ -7,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/draw/icons.hpp"
-#include "gui/draw/overlays.hpp"
 #include "gui/draw/ui.hpp"
 
 namespace moldlight::gui {
@@ -18,7 +17,7 @@ inline constexpr float k_row_height = 24.0F;
 
 /// What is clicked, or pressed with the keyboard.
 struct Pressable {
-  ScreenBox box;
+  ScreenBox box = {};
   bool hovered = false, active = false;
   bool clicked = false;  // or pressed
   bool pressed = false;  // with the keyboard
@@ -26,6 +25,14 @@ struct Pressable {
 };
 /// An item of this size in pixels on which nothing is drawn yet. Recorded input finds it by its id.
 Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size);
+
+/// Behind a value: as the mouse finds it.
+[[nodiscard]] ImU32 field_colour(const Ui& ui, const Pressable& item);
+/// `rounding` of the corners, pixels.
+void fill(ImDrawList& list, const ScreenBox& box, ImU32 colour, float rounding);
+/// Where the item just drawn is; and makes it a control of this name.
+[[nodiscard]] ScreenBox item_box();
+void name_item(const Ui& ui, const std::string& name);
 
 /// To be called for each other control, with its place: whether it has the keyboard, which a ring shows.
 bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box);
@@ -120,8 +127,34 @@ void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, floa
 /// A word in the scene, behind the panels, on a tag that reads on any colour.
 [[nodiscard]] glm::vec2 tag_size(const Ui& ui, std::string_view text);
 void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour);
+/// The same where all of it is on the screen.
+void draw_whole_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour);
+/// Its middle where it stands beyond an arrow's tip.
+[[nodiscard]] glm::vec2 beyond_tip(const Ui& ui, const glm::vec2& tail, const glm::vec2& tip,
+                                   std::string_view text);
 
 /// A thin bar from 0 to 1; less than 0: no share is known.
 void progress_bar(const Ui& ui, double fraction, float width);
+
+/// A window in the middle of the screen over a scrim; `size` in pixels, 0: as wide or high as what is in it,
+/// but not larger than the screen. Call end_dialog() either way; it is true where the dialog was left by a
+/// click beside it.
+bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size);
+[[nodiscard]] bool end_dialog(const Ui& ui);
+
+/// A tooltip for the item just drawn, shown when the mouse rests on it: a title (may be empty) and a
+/// sentence.
+void tooltip(const Ui& ui, std::string_view title, std::string_view text);
+/// The same for what is drawn before end_tooltip(), which is called where this is true.
+[[nodiscard]] bool begin_tooltip(const Ui& ui);
+void end_tooltip();
+
+/// Opens a popup below the item just drawn, or at the mouse.
+void open_popup_below_item(const Ui& ui, const char* id);
+void open_popup_at_mouse(const Ui& ui, const char* id);
+/// Begins the popup's window if it is open; call end_popup() then. `width` in pixels, 0: as wide as its
+/// contents. Escape and a click elsewhere close it, and that click does what it does there.
+[[nodiscard]] bool begin_popup(const Ui& ui, const char* id, float width = 0.0F);
+void end_popup(const Ui& ui);
 
 }  // namespace moldlight::gui

@@ -24,21 +24,27 @@ using batch::Figure;
 using batch::PartResult;
 using Json = nlohmann::ordered_json;
 
+struct ColumnFacts {
+  std::string_view name;
+  std::optional<double> (*value)(const PartResult&) = nullptr;  // of figures
+};
+template <Figure k_figure>
+std::optional<double> figure_of(const PartResult& row) {
+  return row.figure(k_figure);
+}
+/// By BatchColumn.
+constexpr std::array<ColumnFacts, 7> k_batch_columns = {
+    {{"part"},
+     {"state"},
+     {"undercut", figure_of<Figure::undercut_area>},
+     {"share", [](const PartResult& row) { return row.undercut_share(); }},
+     {"undercuts", figure_of<Figure::undercuts>},
+     {"side actions", figure_of<Figure::side_actions>},
+     {"not released", figure_of<Figure::unreleased_area>}}};
+
 std::optional<double> value_of(const PartResult& row, BatchColumn column) {
-  switch (column) {
-    case BatchColumn::undercut:
-      return row.figure(Figure::undercut_area);
-    case BatchColumn::share:
-      return row.undercut_share();
-    case BatchColumn::undercuts:
-      return row.figure(Figure::undercuts);
-    case BatchColumn::side_actions:
-      return row.figure(Figure::side_actions);
-    case BatchColumn::unreleased:
-      return row.figure(Figure::unreleased_area);
-    default:
-      return std::nullopt;
-  }
+  const auto value = k_batch_columns[static_cast<std::size_t>(column)].value;
+  return value != nullptr ? value(row) : std::nullopt;
 }
 
 bool is_text(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
@@ -66,9 +72,7 @@ BatchTable load_batch_table(const std::string& path, const Progress& progress) {
 }
 
 std::string_view batch_column_name(BatchColumn column) {
-  constexpr std::array<std::string_view, 7> k_names = {"part",      "state",        "undercut",    "share",
-                                                       "undercuts", "side actions", "not released"};
-  return k_names[static_cast<std::size_t>(column)];
+  return k_batch_columns[static_cast<std::size_t>(column)].name;
 }
 
 std::string batch_cell(const PartResult& row, BatchColumn column) {

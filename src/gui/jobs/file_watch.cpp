@@ -1,69 +1,50 @@
 #include "gui/jobs/file_watch.hpp"
 
 #include <chrono>
-#include <utility>
+#include <thread>
 
 namespace moldlight::gui {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::optional<fs::file_time_type> time_of(const fs::path& path) {
+std::optional<FileWatch::Time> FileWatch::time_of(const fs::path& file) {
   std::error_code error;
-  const fs::file_time_type time = fs::last_write_time(path, error);
+  const Time time = fs::last_write_time(file, error);
   return error ? std::nullopt : std::optional(time);
 }
 
-}  // namespace
-
-FileWatch::FileWatch(std::function<void()> changed, double interval_s)
-    : notify_(std::move(changed)), interval_s_(interval_s), thread_([this] { run(); }) {}
-
-FileWatch::~FileWatch() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
-
 void FileWatch::watch(const fs::path& file) {
-  {
-    const std::lock_guard lock(mutex_);
-    file_ = file;
-    seen_ = time_of(file);
-    changing_.reset();
-    changed_ = false;
-  }
-  wake_.notify_all();
+  file_ = file;
+  job_.give_up();
+  if (!file.empty()) wait(time_of(file));
 }
 
-void FileWatch::run() {
-  std::unique_lock lock(mutex_);
-  while (!ending_) {
-    if (file_.empty()) {
-      wake_.wait(lock);
-    } else {
-      wake_.wait_for(lock, std::chrono::duration<double>(interval_s_));
-      look();
+bool FileWatch::take() {
+  const auto outcome = job_.take();
+  if (!outcome || !outcome->result) return false;
+  wait(*outcome->result);
+  return true;
+}
+
+void FileWatch::wait(const std::optional<Time>& seen) {
+  job_.start([file = file_, seen](const Progress& progress) {
+    constexpr std::chrono::milliseconds k_nap(100);
+    constexpr int k_naps = 10;  // between two looks
+    for (std::optional<Time> changing;;) {
+      for (int nap = 0; nap < k_naps; ++nap) {
+        progress.report({}, 0.0);
+        std::this_thread::sleep_for(k_nap);
+      }
+      const auto time = time_of(file);
+      if (!time || time == seen) {
+        changing.reset();
+      } else if (changing != time) {
+        changing = time;  // another program may still be writing
+      } else {
+        return *time;
+      }
     }
-  }
-}
-
-void FileWatch::look() {
-  const auto time = time_of(file_);
-  if (!time || time == seen_) {
-    changing_.reset();
-  } else if (changing_ != time) {
-    changing_ = time;  // another program may still be writing
-  } else {
-    seen_ = time;
-    changing_.reset();
-    changed_ = true;
-    notify_();
-  }
+  });
 }
 
 }  // namespace moldlight::gui

@@ -1,42 +1,31 @@
-// Watches one file for changes, on a thread that sleeps in between: the window itself need not wake up.
+// Watches one file for changes, beside the window, which need not wake up for it.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <thread>
+
+#include "base/job.hpp"
 
 namespace moldlight::gui {
 
 class FileWatch {
  public:
   /// `changed` is called from the watch's thread when the file was changed and has come to rest.
-  explicit FileWatch(std::function<void()> changed, double interval_s = 1.0);
-  ~FileWatch();
-  FileWatch(const FileWatch&) = delete;
-  FileWatch& operator=(const FileWatch&) = delete;
+  explicit FileWatch(const std::function<void()>& changed) : job_({.wake = changed}) {}
 
   /// Watches this file from its present state on; an empty path watches nothing.
   void watch(const std::filesystem::path& file);
   /// True once after each change.
-  [[nodiscard]] bool take() { return changed_.exchange(false); }
+  [[nodiscard]] bool take();
 
  private:
-  void run();
-  void look();
+  using Time = std::filesystem::file_time_type;
+  static std::optional<Time> time_of(const std::filesystem::path& file);
+  void wait(const std::optional<Time>& seen);
 
-  const std::function<void()> notify_;
-  const double interval_s_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
   std::filesystem::path file_;
-  std::optional<std::filesystem::file_time_type> seen_, changing_;
-  bool ending_ = false;
-  std::atomic<bool> changed_ = false;
-  std::thread thread_;
+  Job<Time> job_;  // until the file is another one
 };
 
 }  // namespace moldlight::gui

@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "actions/undercut.hpp"
 #include "classify/classifier.hpp"
 #include "classify/figure_pace.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::gui {
 
@@ -27,20 +27,16 @@ class Measurer::Worker {
   explicit Worker(MakeContext make_context) : make_context_(std::move(make_context)) {}
 
   Outcome measure(const Request& request, const Progress& progress) {
-    Outcome outcome{
-        .request = request,
-        .classification = request.query.method.readout == Readout::exact
-                              ? classify_exact(*request.model, request.query, progress, request.with_split)
-                              : classifier(request).classify(request.query, progress, request.with_split),
-        .undercuts = {},
-        .samples = {}};
-    const PartModel& model = *request.model;
-    if (const auto& split = outcome.classification.split) {
-      outcome.undercuts =
-          totals_of(find_undercuts(model, *split, exact_query(model, request.query), progress));
-      outcome.samples =
-          std::make_shared<const PieceSamples>(sample_pieces(*split, model.frame, k_map_samples));
-    }
+    Study study(request.model, {.query = request.query});
+    if (request.query.method.readout != Readout::exact)
+      study.keep(std::make_shared<const Classification>(
+          classifier(request).classify(request.query, progress, request.with_split)));
+    if (!request.with_split)
+      return {.request = request, .classification = study.find<Classification>(progress)};
+    Outcome outcome{.request = request, .classification = study.find<SplitRegions>(progress).result};
+    outcome.undercuts = study.find<UndercutTotals>(progress);
+    outcome.samples = std::make_shared<const PieceSamples>(
+        sample_pieces(*outcome.classification.split, request.model->frame, k_map_samples));
     return outcome;
   }
 

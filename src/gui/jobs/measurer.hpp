@@ -44,8 +44,8 @@ class Measurer {
   struct Outcome {
     Request request;
     Classification classification;
-    std::optional<UndercutTotals> undercuts;      // of the split mesh
-    std::shared_ptr<const PieceSamples> samples;  // with a split mesh
+    std::optional<UndercutTotals> undercuts = {};      // of the split mesh
+    std::shared_ptr<const PieceSamples> samples = {};  // with a split mesh
   };
   class Worker;
   void take(Outcome outcome, Figures& figures);

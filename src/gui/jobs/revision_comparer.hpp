@@ -31,26 +31,29 @@ class RevisionComparer {
   void cancel(RevisionState& revisions);
   /// Ends the comparison.
   void leave(RevisionState& revisions);
-  void end_jobs();
+  void end_jobs() {
+    prepare_job_.give_up();
+    compare_job_.give_up();
+  }
   /// True once after B's file was changed, which is read again.
   [[nodiscard]] bool take_changed();
 
  private:
-  struct Reading {
+  struct File {
     std::string path;
     ReadOptions options;
-    int version = 0;  // of the file
-    bool operator==(const Reading&) const = default;
+    int version = 0;
+    bool operator==(const File&) const = default;
   };
   struct Preparing {
     std::shared_ptr<const PartModel> a;
-    Reading reading;
+    File file;
     bool align = false;
     bool operator==(const Preparing&) const = default;
   };
   struct Comparing {
     std::shared_ptr<const PreparedRevision> prepared;
-    Query query;
+    ExactQuery query;
     RevisionSettings settings;
     bool operator==(const Comparing&) const = default;
   };
@@ -66,20 +69,23 @@ class RevisionComparer {
   };
   static PreparedRevision prepare(const Preparing& wanted, std::shared_ptr<const PartModel> as_read,
                                   const Progress& progress);
-  static Compared compare(const Comparing& wanted, std::optional<Best> best, const Progress& progress);
-  static Comparing wanted_comparison(const AppState& state);
+  static Compared compare(const Comparing& wanted, const Query& asked, std::optional<Best> best,
+                          const Progress& progress);
   std::string update_prepared(const Preparing& wanted, RevisionState& revisions, bool moving);
-  std::string update_result(const Comparing& wanted, RevisionState& revisions, bool may_start);
+  std::string update_result(const Comparing& wanted, const Query& query, RevisionState& revisions,
+                            bool may_start);
   std::string failed(const std::string& why, RevisionState& revisions);
 
   Job<PreparedRevision> prepare_job_;
   Job<Compared> compare_job_;
   FileWatch file_watch_;
   int version_ = 0;
-  std::optional<Preparing> preparing_;    // for which the job runs or has ended
-  std::optional<Preparing> prepared_of_;  // of what is prepared
-  std::optional<Comparing> comparing_, result_of_;
-  std::optional<Best> best_;
+  struct {
+    std::optional<Preparing> preparing;  // for which the job runs or has ended
+    std::optional<Preparing> prepared;   // of what is prepared
+    std::optional<Comparing> comparing, compared;
+    std::optional<Best> best;
+  } asked_;
 };
 
 }  // namespace moldlight::gui

@@ -59,34 +59,33 @@ void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, 
   give_up(sweep);
   if (!by_itself) sweep = {};
   if (!state.model) return;
-  SweepSettings settings = state.sweep_choices.options;
-  settings.method = method_ = state.settings.method;
-  settings.action_settings = actions_ = general(state.settings.actions);
+  settings_ = state.sweep_choices.options;
+  settings_.method = state.settings.method;
+  settings_.action_settings = general(state.settings.actions);
   if (by_itself) {
-    settings.rank = SweepRank::mold;
-    settings.prove_pct = settings.all_free_pct = std::nullopt;
+    settings_.rank = SweepRank::mold;
+    settings_.prove_pct = settings_.all_free_pct = std::nullopt;
   }
   sweep.by_itself = by_itself;
-  with_actions_ = seeks_actions(settings);
   model_ = state.model;
   started_s_ = now_s;
-  sweep.map.emplace(even_set_reach_deg(settings.directions));
+  sweep.map.emplace(even_set_reach_deg(settings_.directions));
   sweep.running.emplace();
-  scored_by_job_ = std::make_shared<Scored>();
-  job_.start([model = model_, settings, scored = scored_by_job_, by_itself](const Progress& progress) {
-    stand_back();
-    SweepListener listener{.evaluated = [&scored](const EvaluatedDirection& direction) {
-      const std::lock_guard lock(scored->mutex);
-      scored->directions.push_back(direction);
-    }};
-    if (by_itself) {
-      listener.named = [&scored](SweepResult named) {
-        const std::lock_guard lock(scored->mutex);
-        scored->named = std::make_shared<const SweepResult>(std::move(named));
-      };
-    }
-    return run_sweep(model, settings, progress, listener);
-  });
+  job_.start(
+      [model = model_, settings = settings_, scored = scored_by_job_, by_itself](const Progress& progress) {
+        stand_back();
+        SweepListener listener{.evaluated = [&scored](const EvaluatedDirection& direction) {
+          const std::lock_guard lock(scored->mutex);
+          scored->directions.push_back(direction);
+        }};
+        if (by_itself) {
+          listener.named = [&scored](SweepResult named) {
+            const std::lock_guard lock(scored->mutex);
+            scored->named = std::make_shared<const SweepResult>(std::move(named));
+          };
+        }
+        return run_sweep(model, settings, progress, listener);
+      });
 }
 
 void WindowSweep::give_up(SweepState& sweep) {
@@ -98,8 +97,7 @@ void WindowSweep::give_up(SweepState& sweep) {
 
 void WindowSweep::drop() {
   pictured_.reset();
-  waiting_.clear();
-  put_ = 0;
+  scored_by_job_ = std::make_shared<Scored>();
   job_.give_up();
 }
 
@@ -114,13 +112,6 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
   const JobStatus status = job_.status();
   auto outcome = job_.take();  // before its last directions, so that none is left behind
   if (runs) {
-    std::vector<EvaluatedDirection> more;
-    {
-      const std::lock_guard lock(scored_by_job_->mutex);
-      more.swap(scored_by_job_->directions);
-      if (auto named = std::exchange(scored_by_job_->named, nullptr)) pictured_ = sweep.result = named;
-    }
-    waiting_.insert(waiting_.end(), more.begin(), more.end());
     tell_progress(status, sweep, now_s);
     sweep.running->ending = ending;
     if (outcome) {
@@ -131,25 +122,32 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
     }
     wake_s_ = now_s + k_between_frames_s;
   }
-  take_directions(sweep);
-  if (put_ < waiting_.size()) wake_s_ = now_s;
+  if (take_scored(sweep)) wake_s_ = now_s;
   if (sweep.map || sweep.result)
-    sweep.stale = state.settings.method != method_ || general(state.settings.actions) != actions_;
+    sweep.stale = state.settings.method != settings_.method ||
+                  general(state.settings.actions) != settings_.action_settings;
 }
 
-void WindowSweep::take_directions(SweepState& sweep) {
-  if (!sweep.map) return;
-  const std::size_t end = std::min(waiting_.size(), put_ + k_most_a_frame);
-  for (; put_ < end; ++put_) sweep.map->add(waiting_[put_]);
-  if (put_ < waiting_.size()) return;
-  waiting_.clear();
-  put_ = 0;
+bool WindowSweep::take_scored(SweepState& sweep) {
+  std::vector<EvaluatedDirection> some;
+  std::unique_lock lock(scored_by_job_->mutex);
+  // The result of a sweep that has ended knows more.
+  if (auto named = std::exchange(scored_by_job_->named, nullptr); named && (sweep.running || !sweep.result))
+    pictured_ = sweep.result = named;
+  auto& directions = scored_by_job_->directions;
+  for (; sweep.map && some.size() < k_most_a_frame && !directions.empty(); directions.pop_front())
+    some.push_back(std::move(directions.front()));
+  const bool more = sweep.map && !directions.empty();
+  lock.unlock();
+  for (const EvaluatedDirection& direction : some) sweep.map->add(direction);
+  return more;
 }
 
 void WindowSweep::tell_progress(const JobStatus& status, SweepState& sweep, double now_s) {
   SweepProgress& progress = *sweep.running;
   progress.stage = status.stage;
-  progress.share = std::max(progress.share, sweep_share_done(status.stage, status.fraction, with_actions_));
+  progress.share =
+      std::max(progress.share, sweep_share_done(status.stage, status.fraction, seeks_actions(settings_)));
   const double elapsed_s = now_s - started_s_;
   progress.left_s.reset();
   if (elapsed_s > k_least_told_s && progress.share > k_least_told_share) {

@@ -1,11 +1,11 @@
 // Runs the window's sweep: one at a time, in the background, given up when the part goes.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 #include "base/job.hpp"
 #include "gui/app_state.hpp"
@@ -33,24 +33,21 @@ class WindowSweep {
 
  private:
   void drop();
-  void take_directions(SweepState& sweep);
+  /// Puts some of what was scored on the map; true where there is more.
+  bool take_scored(SweepState& sweep);
   void tell_progress(const JobStatus& status, SweepState& sweep, double now_s);
 
   /// Directions scored and not yet seen by the window, in the order in which their scores came.
   struct Scored {
     std::mutex mutex;
-    std::vector<EvaluatedDirection> directions;
+    std::deque<EvaluatedDirection> directions;
     std::shared_ptr<const SweepResult> named;  // see SweepListener
   };
   std::shared_ptr<const PartModel> model_;
   Job<SweepResult> job_;
-  std::shared_ptr<Scored> scored_by_job_;
-  std::vector<EvaluatedDirection> waiting_;      // to be put on the map
-  std::size_t put_ = 0;                          // of them
+  std::shared_ptr<Scored> scored_by_job_ = std::make_shared<Scored>();
   std::shared_ptr<const SweepResult> pictured_;  // the result whose pictures were not taken yet
-  MethodSettings method_;                        // of the sweep
-  ActionSettings actions_;                       // likewise
-  bool with_actions_ = false;                    // it finds them
+  SweepSettings settings_;                       // of the sweep
   double started_s_ = 0.0, wake_s_ = 0.0;
 };
 

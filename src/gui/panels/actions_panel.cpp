@@ -14,7 +14,6 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
-#include "gui/panels/verdict.hpp"
 #include "gui/view/side_actions.hpp"
 #include "mold/direction_words.hpp"
 
@@ -110,8 +109,7 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
   const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_action_row - 2)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (cell.hovered || pin != nullptr)
-    list.AddRectFilled(im(cell.box.min), im(cell.box.max),
-                       cell.hovered ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
+    fill(list, cell.box, field_colour(ui, {.hovered = cell.hovered}), ui.px(6));
   const float top = cell.box.centre().y - 0.5F * ui.fonts.small.size;
   const ImU32 colour = pin != nullptr || cell.hovered ? ui.colours->text : ui.colours->muted;
   draw_text(list, {ui.fonts.small, colour}, {cell.box.min.x + ui.px(8), top},
@@ -149,8 +147,7 @@ void draw_own_directions(const PanelContext& context) {
     ImGui::PushID(static_cast<int>(k));
     const bool removed = chip(ui, with_minus(direction_words(glm::normalize(own[k]))) + "  ×", taken);
     ImGui::PopID();
-    ui.memory->controls[fmt::format("by hand {}", k + 1)] = {from_im(ImGui::GetItemRectMin()),
-                                                             from_im(ImGui::GetItemRectMax())};
+    name_item(ui, fmt::format("by hand {}", k + 1));
     tooltip(ui, "A direction of your own",
             taken ? "An action takes it. Click to forget it (Delete)."
                   : "No action takes it: it is not free, or others are cheaper. Click to forget it.");

@@ -1,11 +1,10 @@
-#include "gui/panels/batch_panel.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/workspace.hpp"
 
 namespace moldlight::gui {
 

@@ -1,5 +1,3 @@
-#include "gui/panels/draft_panel.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/workspace.hpp"
 #include "parting/draft/draft_report.hpp"
 #include "render/view_colours.hpp"
 
@@ -125,16 +124,6 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
 
 }  // namespace
 
-float DraftChart::place_of(double draft_deg) const {
-  const double share = (draft_deg - k_from_deg) / (k_to_deg - k_from_deg);
-  return box.min.x + static_cast<float>(share) * (box.max.x - box.min.x);
-}
-
-double DraftChart::draft_at(float x) const {
-  const double share = std::clamp((x - box.min.x) / (box.max.x - box.min.x), 0.0F, 1.0F);
-  return k_from_deg + share * (k_to_deg - k_from_deg);
-}
-
 const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::optional<MoldSide> side) {
   const auto& line = state.mold.line;
   if (!line || !line->draft) return nullptr;
@@ -143,8 +132,6 @@ const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::op
   });
   return found == line->draft->walls.end() ? nullptr : &*found;
 }
-
-const DraftCheck* DraftPanel::check() const { return line_ && line_->draft ? &*line_->draft : nullptr; }
 
 void DraftPanel::draw(const PanelContext& context) {
   if (!has_draft_panel(context.state)) return;

@@ -27,8 +27,7 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
     const Pressable map = pressable(ui, caption(plus), {size, size});
     const auto& [min, max] = map.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(im(min), im(max), map.hovered ? ui.colours->field_hovered : ui.colours->field,
-                       ui.px(6));
+    fill(list, map.box, field_colour(ui, {.hovered = map.hovered}), ui.px(6));
     draw_picture(list, plus ? textures.plus : textures.minus, map.box, ui.px(6));
     draw_tagged_text(ui, list,
                      {.lettering = {ui.fonts.small, ui.colours->text},
@@ -68,8 +67,7 @@ void draw_map_comparison(const PanelContext& context) {
   }
   const MapComparison& maps = *figures.maps;
   hint(ui, comparison_text(maps));
-  ui.memory->controls["map comparison"] = {from_im(ImGui::GetItemRectMin()),
-                                           from_im(ImGui::GetItemRectMax())};
+  name_item(ui, "map comparison");
   const double error = 100.0 * share(maps.error, maps.total());
   tooltip(ui, "Shadow maps and exact regions",
           fmt::format(

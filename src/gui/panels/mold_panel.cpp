@@ -1,5 +1,4 @@
-#include "gui/panels/mold_panel.hpp"
-
+// The mold along the bottom: what it says of the parting line and the halves, also to what else asks.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,8 +66,7 @@ void draw_cosmetic(const PanelContext& context) {
     ImGui::SameLine(0.0F, ui.px(4));
     const std::string label = fmt::format("{} to the {}  ×", plural(faces.size(), "face"), half);
     const bool forgotten = chip(ui, label, true);
-    ui.memory->controls[fmt::format("faces to the {}", half)] = {from_im(ImGui::GetItemRectMin()),
-                                                                 from_im(ImGui::GetItemRectMax())};
+    name_item(ui, fmt::format("faces to the {}", half));
     tooltip(ui, "Faces given by hand",
             "Kept with the part, and the same as --cosmetic. Click to forget them.");
     if (!forgotten) continue;
@@ -108,10 +106,10 @@ bool has_mold_bar(const AppState& state) {
 }
 
 std::string halves_refusal(const AppState& state) {
-  const auto& [halves, written, shown] = *state.mold.solids;
-  const auto& place = halves.refused_at ? halves.refused_at : written.refused_at;
+  const MoldHalves& halves = state.mold.solids->halves;
+  const auto& place = halves.refused_at ? halves.refused_at : halves.written.refused_at;
   const auto& line = state.mold.line;
-  return refusal_text(*state.model, halves, written,
+  return refusal_text(*state.model, halves, halves.written,
                       place && line ? loop_near(line->line, *place) : std::string());
 }
 

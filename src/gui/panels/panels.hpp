@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -122,5 +123,43 @@ float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float wi
 
 /// The ball on its own, large, beside the part.
 void draw_large_ball(const PanelContext& context, BallDrag& drag);
+
+/// The study's verdict as the window shows it.
+struct VerdictCard {
+  std::optional<Verdict> verdict;  // none while nothing is measured, or the direction moves
+  std::string sentence;            // its sentence, or what is known meanwhile
+  bool red = false;                // the picture shows undercut, be it ignored or of the maps alone
+
+  /// Shown with a tick.
+  [[nodiscard]] bool good() const { return verdict && verdict->good() && !red; }
+};
+[[nodiscard]] VerdictCard verdict_card(const AppState& state);
+
+/// "1 slide, 2 lifters · 49.2 mm² left"; what comes of the plan of side actions.
+[[nodiscard]] std::string actions_summary(const AppState& state);
+
+/// At the top of the legend.
+void draw_verdict(const PanelContext& context);
+
+/// Not while directions are compared or chosen on the large ball, which leaves no room for it.
+[[nodiscard]] bool has_mold_bar(const AppState& state);
+
+/// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
+[[nodiscard]] std::string halves_refusal(const AppState& state);
+
+/// A line of what is said of the halves.
+struct HalvesLine {
+  std::string text;
+  bool doubt = false;  // something is to be done
+};
+[[nodiscard]] std::vector<HalvesLine> halves_lines(const AppState& state);
+
+/// What is said of a face with too little draft; none where it has enough, or while that is not known.
+/// `side`: the half that forms it, where that matters.
+[[nodiscard]] const WallDraft* wall_of_face(const AppState& state, std::uint32_t face,
+                                            std::optional<MoldSide> side = {});
+
+/// The foot line of the wall under the cursor or chosen, in the scene.
+void draw_foot_line(const PanelContext& context);
 
 }  // namespace moldlight::gui

@@ -34,8 +34,7 @@ void list_bodies(const Ui& ui, const Bodies& bodies, std::size_t& wanted) {
     const std::string text =
         fmt::format("{}##{}", fitted(ui.fonts.body, body_text(bodies, number), ui.px(240)), number);
     if (menu_item(ui, text, {.chosen = number == bodies.chosen})) wanted = number;
-    ui.memory->controls[fmt::format("body {}", number)] = {from_im(ImGui::GetItemRectMin()),
-                                                           from_im(ImGui::GetItemRectMax())};
+    name_item(ui, fmt::format("body {}", number));
   }
   end_popup(ui);
 }
@@ -69,7 +68,7 @@ void draw_body(const PanelContext& context) {
   ImGui::SameLine(0.0F, gap);
   const std::string shown = fitted(ui.fonts.body, body_text(bodies, bodies.chosen), width - ui.px(16));
   if (button(ui, fmt::format("{}##body", shown), {.width = width})) open_popup_below_item(ui, "bodies");
-  ui.memory->controls["body"] = {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+  name_item(ui, "body");
   list_bodies(ui, bodies, wanted);
   ImGui::SameLine(0.0F, gap);
   if (icon_button(ui, {"next body", Icon::chevron_right, "The next body"}))

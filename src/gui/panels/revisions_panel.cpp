@@ -222,8 +222,7 @@ void draw_revision_buttons(const PanelContext& context, BottomHeader& header) {
   header.place(ui.px(k_cancel_width));
   if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
     context.edits.ask(&Commands::cancel_revisions);
-  ui.memory->controls["cancel revisions"] = {from_im(ImGui::GetItemRectMin()),
-                                             from_im(ImGui::GetItemRectMax())};
+  name_item(ui, "cancel revisions");
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ void draw_drop_zone(const PanelContext& context) {
   const Pressable zone = pressable(ui, "drop", size);
   const glm::vec2 min = zone.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(im(min), im(min + size), zone.hovered ? ui.colours->field_hovered : ui.colours->field,
-                     ui.px(10));
+  fill(list, {min, min + size}, field_colour(ui, {.hovered = zone.hovered}), ui.px(10));
   list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
   const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
     draw_text(list, {font, colour}, {min.x + 0.5F * (size.x - text_size(font, text).x), min.y + ui.px(top)},
@@ -72,8 +71,7 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
     const Pressable card = pressable(ui, "shipped", {width, width});
     const auto& [min, max] = card.box;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(im(min), im(max), card.hovered ? ui.colours->field_hovered : ui.colours->field,
-                       ui.px(8));
+    fill(list, card.box, field_colour(ui, {.hovered = card.hovered}), ui.px(8));
     if (k < thumbnails.size()) draw_picture(list, thumbnails[k], {min, {max.x, max.y - ui.px(10)}}, ui.px(8));
     std::string name = fs::path(shipped[k]).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');

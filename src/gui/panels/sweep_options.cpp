@@ -5,13 +5,13 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/table_bar.hpp"
 
 namespace moldlight::gui {
 
 void draw_sweep_options(const PanelContext& context) {
   // Most of them range over many powers of ten, some from 0 on.
-  const RowOptions numbers{
-      .refused = [&](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+  const RowOptions numbers = typed_numbers(context);
   SweepSettings& settings = context.edits.sweep_choices.options;
   // In a low window there is no room for what is seldom set.
   constexpr float k_low_window = 680.0F;

@@ -21,8 +21,8 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_direction_row = 26.0F, k_heading = 20.0F;          // layout units
-constexpr float k_picture_width = 154.0F, k_picture_height = 96.0F;  // of a direction's tooltip
+constexpr float k_direction_row = 26.0F, k_heading = 20.0F;  // layout units
+constexpr float k_tip_width = 154.0F, k_tip_height = 96.0F;  // of a direction's tooltip
 /// Share of the window's height that the table takes.
 constexpr float k_sweep_share = 0.25F;
 constexpr float k_sweep_bar_width = 132.0F;
@@ -78,20 +78,10 @@ bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
 
 /// Of a column, in layout units.
 float width_of(FigureKind kind) {
-  switch (kind) {
-    case FigureKind::actions:
-      return 130.0F;
-    case FigureKind::force:
-      return 60.0F;
-    case FigureKind::area:
-    case FigureKind::volume:
-      return 58.0F;
-    case FigureKind::error:
-    case FigureKind::gap:
-      return 50.0F;
-    default:
-      return 44.0F;
-  }
+  if (kind == FigureKind::actions) return 130.0F;
+  if (kind == FigureKind::force) return 60.0F;
+  if (kind == FigureKind::area || kind == FigureKind::volume) return 58.0F;
+  return kind == FigureKind::error || kind == FigureKind::gap ? 50.0F : 44.0F;
 }
 
 float figure_width(const Ui& ui, const DirectionFigure& figure) {
@@ -152,7 +142,7 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
               {ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
               cell + glm::vec2(inset, ui.px(3)), heading.name);
     const std::string name = fmt::format("sort by {}", heading.name);
-    const ScreenBox box{from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+    const ScreenBox box = item_box();
     ui.memory->controls[name] = box;
     const bool sorts = (heading.flags & k_not) == 0;
     if (sorts && has_keyboard(ui, name, box) && ui.memory->keyboard.takes(ControlKey::press))
@@ -165,7 +155,7 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
 }  // namespace
 
 glm::ivec2 candidate_picture_size(float scale) {
-  return glm::ivec2(std::lround(k_picture_width * scale), std::lround(k_picture_height * scale));
+  return glm::ivec2(std::lround(k_tip_width * scale), std::lround(k_tip_height * scale));
 }
 
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {

@@ -42,10 +42,9 @@ void draw_part_name(const PanelContext& context) {
   const std::string name = fitted(ui.fonts.body, file, ui.px(260));
   const float width = text_size(ui.fonts.body, name).x + ui.px(36);
   if (button(ui, fmt::format("{}##part", name), {.width = width})) open_popup_below_item(ui, k_recent);
-  const ImVec2 max = ImGui::GetItemRectMax(), min = ImGui::GetItemRectMin();
-  ui.memory->controls["part name"] = {from_im(min), from_im(max)};
-  draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down, {max.x - ui.px(11), 0.5F * (min.y + max.y)},
-            ui.px(9), ui.colours->muted);
+  name_item(ui, "part name");
+  draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down,
+            {item_box().max.x - ui.px(11), item_box().centre().y}, ui.px(9), ui.colours->muted);
   tooltip(ui, file, state.path);
   draw_recent(context);
   ImGui::SameLine(0.0F, ui.px(10));

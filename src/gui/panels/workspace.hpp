@@ -1,16 +1,19 @@
 // All panels of a frame, and what some of them remember.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "gui/panels/batch_panel.hpp"
-#include "gui/panels/draft_panel.hpp"
+#include "gui/jobs/batch_table.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
@@ -43,6 +46,67 @@ class SweepPanel {
   RowCursor cursor_;                           // its row is a place among rows_
   bool options_ = false;
   enum class Shown : std::uint8_t { what_fits, cards, table } asked_for_ = Shown::what_fits;
+};
+
+/// The draft along the bottom, while the surface is coloured by it: how much surface has how much of it, and
+/// the walls that have too little, with what turning them would cost.
+class DraftPanel {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  [[nodiscard]] BarNews news(const AppState& state) const;
+  void draw_walls(const PanelContext& context, RowCursor& cursor) const;
+  void draw_row(const PanelContext& context, std::size_t wall, bool marked) const;
+
+  [[nodiscard]] const DraftCheck* check() const { return line_ && line_->draft ? &*line_->draft : nullptr; }
+
+  // The last one of the part; kept, so that the chart stays while its limit is dragged.
+  std::shared_ptr<const MoldLine> line_;
+  std::shared_ptr<const PartModel> model_;
+  TableBar bar_;
+};
+
+/// The chart's, as it is drawn: from which to which draft, and the areas' ends in it.
+struct DraftChart {
+  static constexpr double k_from_deg = -5.0, k_to_deg = 10.0;
+  ScreenBox box;
+
+  /// Pixels from the window's left.
+  [[nodiscard]] float place_of(double draft_deg) const {
+    const double share = (draft_deg - k_from_deg) / (k_to_deg - k_from_deg);
+    return box.min.x + static_cast<float>(share) * (box.max.x - box.min.x);
+  }
+  /// The draft at a place, within the chart.
+  [[nodiscard]] double draft_at(float x) const {
+    const double share = std::clamp((x - box.min.x) / (box.max.x - box.min.x), 0.0F, 1.0F);
+    return k_from_deg + share * (k_to_deg - k_from_deg);
+  }
+};
+
+/// The texture of a part's picture; 0 where there is none yet.
+using BatchPicture = std::function<unsigned(const Digest&)>;
+
+/// A batch's parts as a table over the window: filtered by typing, sorted by a click on a heading; a click on
+/// a row opens the part with its settings.
+class BatchPanel {
+ public:
+  /// Draws the dialog while it is open.
+  void draw(const PanelContext& context, const BatchPicture& picture);
+
+ private:
+  void draw_headings(const PanelContext& context);
+  void draw_rows(const PanelContext& context, const BatchPicture& picture);
+  void draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture);
+  [[nodiscard]] float right_of(const Ui& ui, std::size_t column, float width) const;
+
+  std::shared_ptr<const BatchTable> table_;  // of the rows; kept, so that no later one has its address
+  BatchOrder order_;
+  std::vector<BatchColumn> columns_;
+  std::vector<std::size_t> rows_;  // in the order of the table
+  std::array<char, 128> filter_{};
+  int selected_ = -1;  // by the keyboard; its place among rows_
+  bool pictures_ = false, open_ = false;
 };
 
 /// The window's own file browser: no dialog program of the desktop is needed.
@@ -91,6 +155,29 @@ class FileBrowser {
   int selected_ = -1;   // line that the arrow keys have gone to; -1: none
 };
 
+/// A dialog that asks for a path, and what is to be written there.
+class PathDialog {
+ public:
+  struct Form {
+    const char *name, *title, *prompt, *field, *action;
+    std::string proposed;  // path; another one replaces what was typed
+  };
+  /// Whether it can be confirmed; if not, what is waited for.
+  struct Ready {
+    bool now = true;
+    std::string wait;
+  };
+  /// `draw_rows` has what is below the path. True when it was confirmed; `open`: it is to be drawn again.
+  bool draw(const Ui& ui, const Form& form, const std::function<Ready()>& draw_rows, bool& open);
+  [[nodiscard]] std::string path() const { return path_.data(); }
+  /// What was typed is of no use any more.
+  void forget() { proposed_.clear(); }
+
+ private:
+  std::string proposed_;
+  std::array<char, 1024> path_{};
+};
+
 /// What `classify` writes, from the window.
 class ExportDialog {
  public:
@@ -98,10 +185,7 @@ class ExportDialog {
   void draw(const PanelContext& context);
 
  private:
-  void ask_for_files(Edits& edits) const;
-
-  std::string of_;                 // the part for which the path was proposed
-  std::array<char, 1024> base_{};  // path without extension
+  PathDialog dialog_;  // its path has no extension
   bool json_ = true, facets_ = false, faces_ = false, mesh_ = true, split_ = false, borders_ = false,
        picture_ = true;
   int mesh_format_ = 0;
@@ -114,11 +198,13 @@ class MoldExportDialog {
   void draw(const PanelContext& context);
 
  private:
-  std::string of_;  // the part for which the folder was proposed
-  std::array<char, 1024> folder_{};
+  PathDialog dialog_;
   bool solids_ = true, as_3mf_ = false, json_ = true, first_ = true;
   std::vector<std::string_view> lines_;  // extensions of the files of the line
 };
+
+/// Asks where the first picture of a session goes.
+void draw_picture_dialog(const PanelContext& context, PathDialog& dialog);
 
 /// All keys and what the mouse does; typing leaves the lines that have the words.
 class HelpSheet {
@@ -128,16 +214,6 @@ class HelpSheet {
  private:
   std::array<char, 64> filter_{};
   bool open_ = false;
-};
-
-/// Asks where the first picture of a session goes.
-class PictureDialog {
- public:
-  void draw(const PanelContext& context);
-
- private:
-  std::string proposed_;
-  std::array<char, 1024> path_{};
 };
 
 class Workspace {
@@ -160,7 +236,7 @@ class Workspace {
   BatchPanel batch_;
   ExportDialog export_;
   MoldExportDialog mold_export_;
-  PictureDialog picture_;
+  PathDialog picture_;
   HelpSheet help_;
 };
 

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "io/atomic_file.hpp"
 #include "io/png.hpp"
@@ -15,6 +18,29 @@
 namespace moldlight::gui {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+fs::path program_folder() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+bool on_a_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
+
+/// Starts the desktop's own opener and does not wait for it; false where there is none.
+bool open_on_desktop(const std::string& path) {
+  std::string shell = "sh", flag = "-c", name = path;
+  std::string script =
+      "command -v xdg-open >/dev/null || exit 1; xdg-open \"$0\" >/dev/null 2>&1 </dev/null &";
+  char* const arguments[] = {shell.data(), flag.data(), script.data(), name.data(), nullptr};
+  pid_t child = 0;
+  if (::posix_spawnp(&child, "sh", nullptr, nullptr, arguments, ::environ) != 0) return false;
+  int status = 0;
+  return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
 
 std::optional<fs::path> state_folder() {
   // The specification has relative paths ignored.
@@ -55,7 +81,7 @@ void write_text(const fs::path& path, const std::string& text) {
 
 std::vector<std::string> shipped_parts() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path program = program_folder();
   std::vector<fs::path> folders = {program / "../share/moldlight/parts"};
   // A program that was built but not installed stands some folders below the source tree.
   for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
@@ -72,6 +98,16 @@ std::vector<std::string> shipped_parts() {
     if (!parts.empty()) return parts;
   }
   return {};
+}
+
+std::string open_documentation() {
+  std::error_code error;
+  const fs::path page =
+      fs::weakly_canonical(program_folder() / "../share/doc/moldlight/html/index.html", error);
+  if (!fs::is_regular_file(page, error))
+    return "The documentation is not installed; its sources are in docs/";
+  if (on_a_desktop() && open_on_desktop(page.string())) return "The documentation opens in the browser";
+  return fmt::format("The documentation is {}", page.string());
 }
 
 fs::path pictures_folder() {

@@ -1,5 +1,5 @@
-// Files of the window: the user's own state (XDG base directories), the parts that come with the program,
-// pictures.
+// Files of the window: the user's own state (XDG base directories), the parts and the documentation that come
+// with the program, pictures.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,10 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// Paths of the shipped parts, by name: beside the installed program or in the source tree; empty where they
 /// are not found.
 [[nodiscard]] std::vector<std::string> shipped_parts();
+
+/// Opens the installed pages of the documentation in the user's browser. What was done, as a sentence: the
+/// pages open on the desktop, or where they are, or that there are none.
+[[nodiscard]] std::string open_documentation();
 
 /// Where a user keeps pictures: $XDG_PICTURES_DIR, else ~/Pictures, else the home folder, else here.
 [[nodiscard]] std::filesystem::path pictures_folder();

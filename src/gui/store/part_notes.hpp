@@ -13,7 +13,7 @@
 #include "actions/action_settings.hpp"
 #include "classify/settings.hpp"
 #include "compare/comparison.hpp"
-#include "gui/store/settings.hpp"
+#include "gui/store/user_state.hpp"
 #include "parting/mold_settings.hpp"
 
 namespace moldlight::gui {

@@ -1,16 +1,40 @@
-// What the window remembers of its user: settings, recent files, places of the panels.
+// What the window remembers of its user: how it looks and behaves, with its table of options, recent files,
+// places of the panels.
 #pragma once
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "gui/store/settings.hpp"
+#include "classify/look_options.hpp"
+#include "render/view_settings.hpp"
 #include "sweep/sweep_settings.hpp"
 
 namespace moldlight::gui {
+
+enum class NavigationPreset : std::uint8_t { standard, solidworks, fusion, blender };
+
+/// How an opened mold, or one that is cut, is seen: as the part's own surface, or as the steel around the
+/// part.
+enum class HalvesLook : std::uint8_t { surface, solid, clear };
+
+/// Whatever the part.
+struct WindowSettings {
+  Theme theme = Theme::dark;
+  double ui_scale = 1.0;  // [0.5, 3], on top of the monitor's content scale
+  NavigationPreset navigation = NavigationPreset::standard;
+  bool motion = true;       // camera flights and fades
+  bool auto_reload = true;  // when the part's file changes
+  bool quick_sweep = true;  // after loading
+  HalvesLook halves = HalvesLook::solid;
+
+  bool operator==(const WindowSettings&) const = default;
+};
+
+[[nodiscard]] std::span<const Option<WindowSettings>> window_options();
 
 /// What a newcomer is asked to do, in this order.
 enum class Hint : std::uint8_t { arrow, verdict, sweep };

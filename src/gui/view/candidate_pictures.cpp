@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.hpp"
-#include "classify/classification.hpp"
 #include "mold/map_frame.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::gui {
 
@@ -24,15 +23,6 @@ Camera telling_view(const PartModel& model, const glm::dvec3& direction, const g
   Camera camera;
   camera.orientation = looking_along(-(0.62 * frame.z + 0.62 * frame.x + 0.48 * frame.y), frame.z);
   return fitted(camera, unit_positions(model.part.mesh, model.frame), size, k_candidate_fill);
-}
-
-std::shared_ptr<const SplitMesh> split_mesh(const PartModel& model, const Query& query,
-                                            const Progress& progress) {
-  try {
-    return classify_exact(model, query, progress, true).split;
-  } catch (const UsageError&) {
-    return nullptr;
-  }
 }
 
 }  // namespace
@@ -104,18 +94,13 @@ bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settin
   if (wanted_ != settings.query) {
     wanted_ = settings.query;
     job_.follow([model = scene_.part().model, query = settings.query](const Progress& progress) {
-      return Split{query, split_mesh(*model, query, progress)};
+      return Split{query, Study(model, {.query = query}).find<SplitRegions>(progress).result.split};
     });
   }
   if (auto found = job_.take(); found && found->result) split_ = std::move(found->result);
   settings.split = split_ && split_->of == settings.query ? split_->mesh : nullptr;
   static_cast<void>(beside(split.size));
   return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);
-}
-
-unsigned CandidatePictures::beside(const glm::ivec2& size) {
-  if (!beside_ || beside_->size() != size) beside_.emplace(context_->functions(), size);
-  return beside_->texture();
 }
 
 }  // namespace moldlight::gui

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/job.hpp"
-#include "gl/colour_target.hpp"
+#include "gl/objects.hpp"
 #include "gui/draw/ui.hpp"
 #include "gui/view/scene.hpp"
 #include "sweep/sweep_result.hpp"
@@ -47,7 +47,10 @@ class CandidatePictures {
   /// found in the background; until it is there, regions are those of the maps.
   bool draw_beside(const SplitView& split, SceneSettings settings);
   /// Size and texture of the large picture.
-  [[nodiscard]] unsigned beside(const glm::ivec2& size);
+  [[nodiscard]] unsigned beside(const glm::ivec2& size) {
+    if (!beside_ || beside_->size() != size) beside_.emplace(context_->functions(), size);
+    return beside_->texture();
+  }
 
   [[nodiscard]] const std::shared_ptr<const SweepResult>& result() const { return result_; }
 
@@ -57,7 +60,7 @@ class CandidatePictures {
   Scene scene_;
   struct Split {
     Query of;
-    std::shared_ptr<const SplitMesh> mesh;  // none where it was not found
+    std::shared_ptr<const SplitMesh> mesh;
   };
   std::vector<std::optional<gl::ColourTarget>> small_;
   std::optional<gl::ColourTarget> beside_;

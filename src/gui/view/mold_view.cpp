@@ -9,7 +9,6 @@
 
 #include "classify/figures.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/view/points_around.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "parting/mold_frame.hpp"
 

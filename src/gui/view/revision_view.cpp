@@ -11,7 +11,6 @@
 #include "classify/view_choice.hpp"
 #include "compare/convex_polygon.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/view/points_around.hpp"
 #include "mold/draft.hpp"
 
 namespace moldlight::gui {
@@ -268,11 +267,6 @@ void draw_revision_names(const Ui& ui, const AppState& state, const SplitView& s
 
 RevisionPicture::RevisionPicture(const gl::Context& context, std::shared_ptr<const PreparedRevision> revision)
     : context_(&context), revision_(std::move(revision)), scene_(context, revision_->part) {}
-
-unsigned RevisionPicture::beside(const glm::ivec2& size) {
-  if (!target_ || target_->size() != size) target_.emplace(context_->functions(), size);
-  return target_->texture();
-}
 
 bool RevisionPicture::draw(const AppState& state, const SplitView& split, SceneSettings settings) {
   static_cast<void>(beside(split.size));

@@ -62,11 +62,6 @@ void Scene::find_parting_line() {
   parting_line_of_ = split_;
 }
 
-void Scene::choose_face(const std::optional<std::uint32_t>& face) {
-  view_.set_marked_lines(MarkedLines::chosen,
-                         face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
-}
-
 void Scene::mark_blocking(const std::optional<std::uint32_t>& face) {
   std::vector<ViewSegment> outline;
   std::vector<ViewVertex> vertices;
@@ -126,11 +121,6 @@ void Scene::take_mold(const ShownMold& mold) {
   }
   view_.set_tube(line, chosen);
   mold_ = mold;
-}
-
-std::optional<PickedPoint> Scene::pick(const glm::ivec2& pixel) const {
-  if (!drawn_) return std::nullopt;
-  return view_.pick(pixel);
 }
 
 MapTextures Scene::map_pictures(int size_px) {

@@ -9,11 +9,11 @@
 
 #include "classify/map_comparison.hpp"
 #include "classify/picture_maps.hpp"
-#include "gl/colour_target.hpp"
 #include "gl/context.hpp"
+#include "gl/objects.hpp"
 #include "gui/app_state.hpp"
 #include "gui/draw/panel_layout.hpp"
-#include "render/sample_pass.hpp"
+#include "render/readout_passes.hpp"
 #include "render/section_planes.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_passes.hpp"
@@ -40,7 +40,10 @@ class Scene {
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
   /// Marks a face, or none.
-  void choose_face(const std::optional<std::uint32_t>& face);
+  void choose_face(const std::optional<std::uint32_t>& face) {
+    view_.set_marked_lines(MarkedLines::chosen,
+                           face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
+  }
   /// Marks what is in a point's way, and the way there; and the span in a section.
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
   /// What settings may place, drawn over the picture.
@@ -63,7 +66,9 @@ class Scene {
     return sections_.plane(look, direction);
   }
   /// What the picture last drawn shows at a pixel.
-  [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const;
+  [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const {
+    return drawn_ ? view_.pick(pixel) : std::nullopt;
+  }
   /// Of the maps last compared.
   [[nodiscard]] const std::shared_ptr<const MapComparison>& comparison() const { return comparison_; }
   /// Pictures of the maps as they are, square, RGBA8; the names of textures that live as long as the scene.

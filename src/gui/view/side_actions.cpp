@@ -11,7 +11,6 @@
 #include "actions/action_body.hpp"
 #include "classify/figures.hpp"
 #include "gui/draw/ui.hpp"
-#include "gui/view/points_around.hpp"
 
 namespace moldlight::gui {
 

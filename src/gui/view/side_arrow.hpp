@@ -1,4 +1,5 @@
-// The arrow of the side action that is looked at, over the scene: its direction, and how far that may turn.
+// The side action that is looked at, over the scene: the arrow of its direction, and how far that may turn;
+// and what would have to be open for its undercut to need none.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -18,5 +19,12 @@ struct SidePull {
 
 /// The arrow, the sector that is free for it, and what it is; `lively`: under the cursor or dragged.
 void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively);
+
+/// The change that makes the undercut free that is looked at; null for none, and while none is known.
+[[nodiscard]] const ToBeFree* chosen_change(const AppState& state);
+
+/// The outline of the window where it leaves the part, lines along the parting direction to the undercut, and
+/// how large it is.
+void draw_undercut_window(const Ui& ui, const AppState& state, const glm::ivec2& size);
 
 }  // namespace moldlight::gui

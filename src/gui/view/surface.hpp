@@ -1,4 +1,5 @@
-// What is said of the part's surface: at the point under the cursor, and of the face that was chosen.
+// What is said of the part's surface: at the point under the cursor, of the face that was chosen, and between
+// two places. What a picture of a place is to show.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,18 @@
 #include "render/view_geometry.hpp"
 
 namespace moldlight::gui {
+
+/// Six points at this distance from the centre, along the axes.
+[[nodiscard]] inline std::vector<glm::vec3> points_around(const glm::vec3& centre, double reach) {
+  std::vector<glm::vec3> points;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-reach, reach}) {
+      points.push_back(centre);
+      points.back()[axis] += static_cast<float>(side);
+    }
+  }
+  return points;
+}
 
 /// What stands in a point's way.
 struct Blocker {
@@ -70,5 +83,34 @@ struct ChosenFace {
 /// The edges between facets of a face and others.
 [[nodiscard]] std::vector<ViewSegment> outline_of(const PartModel& model, const Faces& faces,
                                                   std::uint32_t number);
+
+/// A place of the surface.
+struct MeasuredPlace {
+  glm::dvec3 at{0.0};                // model units
+  glm::dvec3 normal{0.0, 0.0, 1.0};  // of the facet, outward, unit
+};
+
+[[nodiscard]] MeasuredPlace measured_place(const PartModel& model, const PickedPoint& point);
+
+/// The tool while it is on.
+struct Measuring {
+  std::vector<MeasuredPlace> places;  // that were clicked; two at most
+
+  /// Takes a place; a third one begins anew.
+  void add(const MeasuredPlace& place) {
+    if (places.size() == 2) places.clear();
+    places.push_back(place);
+  }
+};
+
+/// Lengths in model units.
+struct MeasuredPair {
+  double distance = 0.0;
+  double along = 0.0, across = 0.0;      // the parting direction
+  double angle_deg = 0.0;                // between the normals, [0, 180]
+  std::optional<double> between_planes;  // of facets that are parallel
+};
+[[nodiscard]] MeasuredPair measured(const MeasuredPlace& a, const MeasuredPlace& b,
+                                    const glm::dvec3& direction);
 
 }  // namespace moldlight::gui

@@ -11,7 +11,6 @@
 #include "gui/view/direction.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/view/side_arrow.hpp"
-#include "gui/view/undercut_window.hpp"
 
 namespace moldlight::gui {
 
@@ -52,16 +51,10 @@ Gesture gesture_of(NavigationPreset preset, int button, const ImGuiIO& io) {
 
 /// The arrow's name beyond its tip, where the arrow itself does not run.
 void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, ImU32 colour) {
-  const glm::vec2 along = arrow.tip - arrow.tail;
-  const float length = glm::length(along);
-  const glm::vec2 forward = length > 1.0F ? along / length : glm::vec2(0.0F, -1.0F);
   const glm::vec2 room = 0.5F * tag_size(ui, name);
-  glm::vec2 middle = arrow.tip + forward * (ui.px(8) + glm::dot(glm::abs(forward), room));
+  glm::vec2 middle = beyond_tip(ui, arrow.tail, arrow.tip, name);
   if (middle.y - room.y < ui.px(k_bar_height)) middle = arrow.tip + glm::vec2(ui.px(14) + room.x, 0.0F);
-  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
-  const bool inside = glm::all(glm::greaterThan(middle - room, glm::vec2(0.0F))) &&
-                      glm::all(glm::lessThan(middle + room, window));
-  if (inside) draw_tag(ui, middle, name, colour);
+  draw_whole_tag(ui, middle, name, colour);
 }
 
 }  // namespace

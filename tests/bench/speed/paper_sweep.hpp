@@ -9,8 +9,8 @@
 #include "gl/context.hpp"
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
-#include "render/facet_id_pass.hpp"
 #include "render/part_buffers.hpp"
+#include "render/readout_passes.hpp"
 
 namespace moldlight::bench {
 

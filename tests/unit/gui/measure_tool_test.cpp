@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/view/measuring.hpp"
+#include "gui/view/surface.hpp"
 
 namespace moldlight::gui {
 namespace {

@@ -1,15 +1,20 @@
-#include "gui/view/part_thumbnails.hpp"
+#include "gui/view/small_pictures.hpp"
 
 #include <exception>
 #include <utility>
 
+#include "base/error.hpp"
+#include "batch/store.hpp"
 #include "gui/view/scene.hpp"
+#include "io/png.hpp"
 
 namespace moldlight::gui {
 
 namespace {
 
 constexpr int k_map_resolution = 512;
+/// So many of a batch are kept: some screens full.
+constexpr std::size_t k_most_of_batch = 500;
 
 void draw_thumbnail(const gl::Context& context, const LoadedPart& part, Theme theme,
                     const gl::ColourTarget& target) {
@@ -66,6 +71,22 @@ std::vector<unsigned> PartThumbnails::textures() const {
   std::vector<unsigned> names;
   for (const auto& picture : pictures_) names.push_back(picture ? picture->texture() : 0);
   return names;
+}
+
+BatchPictures::BatchPictures(const gl::Context& context, std::string batch_folder)
+    : context_(&context), folder_(std::move(batch_folder)) {}
+
+unsigned BatchPictures::texture(const Digest& key) {
+  if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+  if (++read_ > k_a_frame) return 0;
+  if (textures_.size() >= k_most_of_batch) textures_.clear();
+  gl::Texture& texture = textures_[key];
+  try {
+    texture = gl::picture_texture(context_->functions(),
+                                  read_png(batch::ResultStore(folder_).beside(key, batch::Beside::picture)));
+  } catch (const Error&) {  // its place stays empty
+  }
+  return texture.name();
 }
 
 }  // namespace moldlight::gui

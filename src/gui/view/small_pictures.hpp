@@ -1,15 +1,18 @@
-// Small pictures of parts, made one after the other while nothing else is to be done.
+// Small pictures of parts as textures: those of the start page, made one after the other while nothing else
+// is to be done, and those of a batch, read as they come into sight.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/job.hpp"
-#include "gl/colour_target.hpp"
 #include "gl/context.hpp"
+#include "gl/objects.hpp"
 #include "gui/jobs/loaded_part.hpp"
+#include "io/digest.hpp"
 #include "render/view_settings.hpp"
 
 namespace moldlight::gui {
@@ -33,6 +36,27 @@ class PartThumbnails {
   std::size_t next_ = 0;  // the part that is loaded next or now
   int size_px_ = 0;
   Theme theme_ = Theme::dark;
+};
+
+/// Needs its context current at every call.
+class BatchPictures {
+ public:
+  BatchPictures(const gl::Context& context, std::string batch_folder);
+
+  /// A few pictures are read in a frame; call it at the frame's beginning.
+  void begin_frame() { read_ = 0; }
+  /// 0 while it is not there yet, and for a picture that cannot be read.
+  [[nodiscard]] unsigned texture(const Digest& key);
+  /// True if one was asked for in this frame that another frame is to read.
+  [[nodiscard]] bool unfinished() const { return read_ > k_a_frame; }
+
+ private:
+  static constexpr int k_a_frame = 6;
+
+  const gl::Context* context_;
+  std::string folder_;
+  std::unordered_map<Digest, gl::Texture, DigestHash> textures_;
+  int read_ = 0;  // asked for in this frame
 };
 
 }  // namespace moldlight::gui

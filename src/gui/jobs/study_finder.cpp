@@ -1,0 +1,258 @@
+#include "gui/jobs/study_finder.hpp"
+
+#include <utility>
+
+#include "actions/actions_files.hpp"
+#include "sweep/mold_ranking.hpp"
+
+namespace moldlight::gui {
+
+Study asked_study(const AppState& state) {
+  Questions questions;
+  questions.query = state.settings;
+  questions.with_actions = true;
+  questions.actions = state.settings.actions;
+  questions.mold = state.settings.mold;
+  questions.required_draft_deg = state.settings.required_draft.deg;
+  return Study(state.model, std::move(questions));
+}
+
+Study measured_study(const AppState& state) {
+  Study study = asked_study(state);
+  SplitRegions regions{*state.figures.shown};
+  regions.result.split = state.figures.split;
+  study.keep(std::make_shared<const SplitRegions>(std::move(regions)));
+  return study;
+}
+
+namespace {
+
+bool is_measured(const AppState& state) {
+  return state.model && state.figures.shown && state.figures.split && !state.figures.stale;
+}
+
+void forget_plan(ActionsState& actions) {
+  actions.plan.reset();
+  actions.bodies.reset();
+  actions.changes.reset();
+}
+
+MoldLine shown_line(Study study, const Progress& progress) {
+  MoldLine found{study.find<moldlight::MoldLine>(progress)};
+  found.verdict = parting_verdict(found.assignment, found.line, study.model());
+  const UnitFrame& frame = study.model().frame;
+  for (const PartingLoop& loop : found.line.loops) {
+    std::vector<ViewSegment>& segments = found.loops.emplace_back();
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
+      segments.push_back(
+          {frame.to_unit(loop.points[k]), frame.to_unit(loop.points[(k + 1) % loop.points.size()])});
+  }
+  if (study.questions().required_draft_deg > 0.0) found.draft = study.find<DraftCheck>(progress);
+  return found;
+}
+
+MoldSolids shown_solids(Study study, const Progress& progress) {
+  MoldSolids found{.halves = study.find<MoldHalves>(progress), .shown = {}};
+  const MoldHalves& halves = found.halves;
+  const auto show = [&](const MoldBody& body, Steel steel) {
+    TriangleMesh mesh = body.mesh;
+    for (glm::dvec3& vertex : mesh.vertices)
+      vertex = halves.centre + halves.frame.to_part(vertex) / halves.scale;
+    found.shown.push_back(view_solid(mesh, study.model().frame, steel));
+  };
+  if (!halves.made()) return found;
+  show(halves.core, Steel::core);
+  show(halves.cavity, Steel::cavity);
+  for (const MoldBody& insert : halves.inserts) show(insert, Steel::insert);
+  return found;
+}
+
+/// None while undercuts are not counted.
+std::optional<Verdict> made_verdict(const AppState& state, const ActionPlan* plan) {
+  const Figures& figures = state.figures;
+  if (!state.model || !figures.shown || !figures.undercuts) return std::nullopt;
+  if (plan != nullptr) return verdict_of(*state.model, *figures.shown, *plan);
+  return verdict_of({.model = *state.model,
+                     .regions = *figures.shown,
+                     .undercuts = *figures.undercuts,
+                     .actions = std::nullopt});
+}
+
+}  // namespace
+
+StudyFinder::FoundPlan StudyFinder::find_plan(Study study, const Progress& progress) {
+  const ActionPlan& plan = study.find<ActionPlan>(progress);
+  ActionBodies bodies;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const auto& body = plan.actions[k].body;
+    if (!body) continue;
+    bodies.bodies.push_back(view_body(*body->solid, study.model().frame, action_colour(k)));
+    bodies.actions.push_back(k);
+  }
+  return {std::move(study), std::move(bodies)};
+}
+
+void StudyFinder::find_actions(const AppState& state, ActionsState& actions, const Wants& wants) {
+  const Figures& figures = state.figures;
+  // Of a direction that turns the undercuts are others in every frame.
+  if (planned_ && planned_ != figures.split) {
+    planned_.reset();
+    forget_plan(actions);
+  }
+  const bool measured = is_measured(state);
+  const auto inputs = state.model ? inputs_of<ActionPlan>(state) : Inputs<ActionPlan>();
+  if (plan_of_ && (!measured || *plan_of_ != inputs)) {
+    plan_job_.give_up();
+    changes_job_.give_up();
+    plan_of_.reset();
+  }
+  if (measured && !wants.moving && !plan_of_) {
+    plan_of_ = inputs;
+    actions.error.clear();
+    plan_job_.start(
+        [study = measured_study(state)](const Progress& progress) { return find_plan(study, progress); });
+  }
+  if (auto outcome = plan_job_.take()) {
+    actions.error = std::move(outcome->error);
+    forget_plan(actions);
+    if (auto& found = outcome->result) {
+      actions.plan = found->study.known<ActionPlan>();
+      actions.bodies = std::make_shared<const ActionBodies>(std::move(found->bodies));
+      changes_job_.start([study = std::move(found->study)](const Progress& progress) mutable {
+        static_cast<void>(study.find<Changes>(progress));
+        return study.known<Changes>();
+      });
+    }
+    planned_ = figures.split;
+    ++actions.revision;
+  }
+  if (auto outcome = changes_job_.take(); outcome && outcome->result)
+    actions.changes = {*outcome->result, &(*outcome->result)->of_patches};
+  actions.running = plan_job_.running() ? std::optional(plan_job_.status()) : std::nullopt;
+  // Not while a hand holds what would change it.
+  actions.awaited = state.model && figures.error.empty() && (plan_of_ ? plan_job_.running() : !wants.moving);
+  actions.changes_awaited = changes_job_.running();
+}
+
+void StudyFinder::find_mold(const AppState& state, MoldState& mold, const Wants& wants) {
+  // Of a direction that turns the line is another in every frame.
+  if (lined_ && lined_ != state.figures.split) {
+    lined_.reset();
+    mold.line.reset();
+    mold.solids.reset();
+  }
+  if (state.model) {
+    find_line(state, mold, wants.moving);
+    find_solids(state, mold, wants);
+  }
+  find_inserts(state, mold);
+  mold.running.reset();
+  if (solids_job_.running()) mold.running = solids_job_.status();
+  if (line_job_.running()) mold.running = line_job_.status();
+}
+
+void StudyFinder::find_line(const AppState& state, MoldState& mold, bool moving) {
+  const bool measured = is_measured(state);
+  const auto inputs = inputs_of<DraftCheck>(state);
+  const auto query_of = [](const Inputs<DraftCheck>& of) -> const ExactQuery& {
+    return of.second.first.first;
+  };
+  const bool other = line_of_ != inputs;
+  if (line_of_ && (!measured || query_of(*line_of_) != query_of(inputs) || (other && !moving))) {
+    line_job_.give_up();
+    line_of_.reset();
+  }
+  if (measured && other && !line_job_.running() && (!moving || mold.line)) {
+    line_of_ = inputs;
+    mold.error.clear();
+    line_job_.start(
+        [study = measured_study(state)](const Progress& progress) { return shown_line(study, progress); });
+  }
+  if (auto outcome = line_job_.take()) {
+    mold.error = std::move(outcome->error);
+    mold.line.reset();
+    if (outcome->result) mold.line = std::make_shared<const MoldLine>(std::move(*outcome->result));
+    lined_ = state.figures.split;
+  }
+  mold.line_awaited = state.figures.error.empty() && (line_job_.running() || (!moving && line_of_ != inputs));
+}
+
+void StudyFinder::find_solids(const AppState& state, MoldState& mold, const Wants& wants) {
+  const bool ready = mold.line && !mold.line_awaited;
+  const auto inputs = inputs_of<MoldHalves>(state);
+  const bool turned = solids_of_ && solids_of_->second.first != inputs.second.first;
+  if (turned || (ready && solids_of_ && *solids_of_ != inputs) || (!wants.solids && solids_job_.running())) {
+    solids_job_.give_up();
+    solids_of_.reset();
+  }
+  if (ready && wants.solids && !wants.moving && !solids_of_) {
+    solids_of_ = inputs;
+    Study study = asked_study(state);
+    study.keep<moldlight::MoldLine>(mold.line);
+    solids_job_.start([study](const Progress& progress) { return shown_solids(study, progress); });
+  }
+  if (auto outcome = solids_job_.take()) {
+    if (!outcome->error.empty()) mold.error = std::move(outcome->error);
+    mold.solids.reset();
+    if (outcome->result) mold.solids = std::make_shared<const MoldSolids>(std::move(*outcome->result));
+  }
+  mold.solids_awaited = wants.solids && mold.error.empty() && state.figures.error.empty() &&
+                        (solids_of_ ? solids_job_.running() : !wants.moving);
+}
+
+void StudyFinder::find_inserts(const AppState& state, MoldState& mold) {
+  const auto& plan = state.actions.plan;
+  if (const Sources sources{mold.solids, plan}; inserts_of_ != sources) {
+    inserts_job_.give_up();
+    mold.by_action.reset();
+    inserts_of_ = sources;
+    if (mold.solids && plan && state.figures.split && !mold.solids->halves.inserts.empty()) {
+      inserts_job_.start([solids = mold.solids, plan, split = state.figures.split](const Progress&) {
+        return actions_of_inserts(solids->halves, *split, *plan);
+      });
+    }
+  }
+  if (auto outcome = inserts_job_.take(); outcome && outcome->result)
+    mold.by_action = std::make_shared<const std::vector<InsertActions>>(std::move(*outcome->result));
+}
+
+void StudyFinder::find_verdict(AppState& state) {
+  const auto plan = is_settled(state.actions) ? state.actions.plan : nullptr;
+  const Sources sources{state.model, plan};
+  if (verdict_of_ != sources || verdict_figures_ != state.figures.revision) {
+    state.verdict = made_verdict(state, plan.get());
+    verdict_of_ = sources;
+    verdict_figures_ = state.figures.revision;
+  }
+  find_cards(state);
+}
+
+void StudyFinder::find_cards(AppState& state) {
+  const auto result = state.sweep.stale ? nullptr : state.sweep.result;
+  const Figures& figures = state.figures;
+  const auto& plan = state.actions.plan;
+  const auto& line = state.mold.line;
+  const bool settled =
+      figures.shown && !figures.stale && is_settled(state.actions) && line && !state.mold.line_awaited;
+  if (result && !settled && cards_of_[0] == result) return;
+  const Sources sources{result, settled ? plan : nullptr, settled ? line : nullptr};
+  if (cards_of_ == sources) return;
+  cards_of_ = sources;
+  std::optional<MoldCost> cost;
+  if (settled)
+    cost = mold_cost(*state.model, *figures.shown, direction_actions(*plan, figures.shown->lateral_tolerance),
+                     line_figures(line->line));
+  state.sweep.cards.clear();
+  if (result)
+    state.sweep.cards = direction_cards(*state.model, *result, state.settings.direction.unit(), cost);
+}
+
+void StudyFinder::cancel() {
+  plan_job_.give_up();
+  changes_job_.give_up();
+  line_job_.give_up();
+  solids_job_.give_up();
+  inserts_job_.give_up();
+}
+
+}  // namespace moldlight::gui

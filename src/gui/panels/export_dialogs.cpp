@@ -1,0 +1,160 @@
+// The dialogs that write what `classify` and `mold` write, and a picture.
+#include <cstdio>
+#include <filesystem>
+
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/workspace.hpp"
+#include "io/mesh_writer.hpp"
+#include "parting/line_files.hpp"
+#include "parting/mold_report.hpp"
+
+namespace moldlight::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Beside the part, named after it.
+std::string beside_part(const AppState& state, const char* ending) {
+  const fs::path part(state.path);
+  return (part.parent_path() / (part.stem().string() + ending)).string();
+}
+
+/// Why the halves are not written; empty where they are.
+std::string refusal_of(const AppState& state) {
+  if (std::string refusal = halves_refusal(state); !refusal.empty()) return refusal;
+  const std::string unfilled = unfilled_text(*state.model, state.settings.mold, state.mold.solids->halves);
+  return unfilled.empty() ? unfilled : "No halves: " + unfilled + "; Fill undercuts leaves them to inserts.";
+}
+
+}  // namespace
+
+bool PathDialog::draw(const Ui& ui, const Form& form, const std::function<Ready()>& draw_rows, bool& open) {
+  bool confirmed = false, left = false;
+  if (proposed_ != form.proposed) {
+    proposed_ = form.proposed;
+    std::snprintf(path_.data(), path_.size(), "%s", proposed_.c_str());
+  }
+  if (begin_dialog(ui, form.name, {ui.px(480), 0.0F})) {
+    heading(ui, form.title);
+    hint(ui, form.prompt);
+    text_field(ui, form.field, path_);
+    const Ready ready = draw_rows();
+    ImGui::Dummy(ImVec2(1, ui.px(4)));
+    if (!ready.wait.empty()) hint(ui, ready.wait);
+    ImGui::BeginDisabled(!ready.now || path_[0] == 0);
+    confirmed = button(ui, form.action, {.width = ui.px(112), .strong = true});
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    left = button(ui, "Cancel", {.width = ui.px(96)});
+  }
+  left = end_dialog(ui) || left;
+  open = !confirmed && !left;
+  return confirmed;
+}
+
+void ExportDialog::draw(const PanelContext& context) {
+  const AppState& state = context.state;
+  if (!state.dialogs.exporting || !state.model) return;
+  const Ui& ui = context.ui;
+  const auto rows = [&]() -> PathDialog::Ready {
+    toggle(ui, {"Result as JSON"}, json_);
+    toggle(ui, {"Table of facets (CSV)"}, facets_);
+    if (!state.model->part.facet_source.empty()) toggle(ui, {"Table of the file's faces (CSV)"}, faces_);
+    toggle(ui, {"Mesh with coloured regions"}, mesh_);
+    std::vector<std::string_view> extensions;
+    for (const auto& format : mesh_formats()) extensions.push_back(format.extension);
+    if (mesh_) choice(ui, {"Format of the mesh"}, extensions, mesh_format_);
+    toggle(ui, {"One STL a region, in a folder"}, split_);
+    toggle(ui, {"Lines between regions (OBJ)"}, borders_);
+    toggle(ui, {"Picture with legend"}, picture_);
+    const bool measuring = state.figures.measuring;
+    return {.now = !measuring && state.figures.shown.has_value(),
+            .wait = measuring ? "Measuring; the files can be written when it is done." : ""};
+  };
+  const PathDialog::Form form{.name = "Export",
+                              .title = "Export",
+                              .prompt = "Files are named after this path:",
+                              .field = "##Export path",
+                              .action = "Export",
+                              .proposed = beside_part(state, "-regions")};
+  if (!dialog_.draw(ui, form, rows, context.edits.dialogs.exporting)) return;
+  const std::string base = dialog_.path();
+  OutputPaths files;
+  if (json_) files.json = base + ".json";
+  if (facets_) files.facets = base + ".csv";
+  if (faces_) files.faces = base + "-faces.csv";
+  if (mesh_)
+    files.mesh = base + "." + std::string(mesh_formats()[static_cast<std::size_t>(mesh_format_)].extension);
+  if (split_) files.split_folder = base;
+  if (borders_) files.borders = base + "-borders.obj";
+  context.edits.ask(&Commands::export_files, files, picture_ ? base + ".png" : std::string());
+}
+
+void MoldExportDialog::draw(const PanelContext& context) {
+  const AppState& state = context.state;
+  if (!state.dialogs.exporting_mold || !state.model) return;
+  const Ui& ui = context.ui;
+  bool solids = false;
+  const auto rows = [&]() -> PathDialog::Ready {
+    const bool ready = is_settled(state.mold);
+    const std::string refusal = ready ? refusal_of(state) : std::string();
+    ImGui::BeginDisabled(!refusal.empty());
+    toggle(ui, {"Halves and inserts (STL each)"}, solids_);
+    toggle(ui, {"All of them in one 3MF"}, as_3mf_);
+    ImGui::EndDisabled();
+    if (!refusal.empty()) hint(ui, refusal);
+    bool& fill = context.edits.settings.mold.fill_undercut;
+    if (!refusal.empty() && state.mold.solids->halves.made()) toggle(ui, {"Fill undercuts"}, fill);
+    hint(ui, "Parting line:");
+    std::vector<std::string_view> extensions;
+    for (const auto& format : line_formats()) extensions.push_back(format.extension);
+    if (first_) lines_ = {extensions.front()};
+    first_ = false;
+    chips(ui, extensions, lines_);
+    toggle(ui, {"Report as JSON"}, json_);
+    solids = solids_ && refusal.empty();
+    const std::string& error = state.mold.error;
+    return {.now = ready && (solids || json_ || !lines_.empty()),
+            .wait = ready           ? ""
+                    : error.empty() ? "Being made; they can be written then."
+                                    : error};
+  };
+  const PathDialog::Form form{.name = "Export the mold",
+                              .title = "Export the mold",
+                              .prompt = "Into this folder:",
+                              .field = "##Mold folder",
+                              .action = "Export",
+                              .proposed = beside_part(state, "-mold")};
+  if (!dialog_.draw(ui, form, rows, context.edits.dialogs.exporting_mold)) return;
+  const fs::path folder = dialog_.path();
+  MoldPaths paths{.folder = solids ? folder.string() : std::string(),
+                  .as_3mf = as_3mf_,
+                  .json = json_ ? (folder / "mold.json").string() : std::string(),
+                  .lines = {}};
+  for (const std::string_view extension : lines_)
+    paths.lines.push_back((folder / ("parting-line." + std::string(extension))).string());
+  context.edits.ask(&Commands::export_mold, paths);
+}
+
+void draw_picture_dialog(const PanelContext& context, PathDialog& dialog) {
+  const auto& asked = context.state.dialogs.picture;
+  if (!asked) return dialog.forget();
+  const auto rows = [&]() -> PathDialog::Ready {
+    std::error_code ignored;
+    const bool taken = fs::exists(dialog.path(), ignored);
+    if (taken) hint(context.ui, "There is a file of this name.");
+    return {.now = !taken, .wait = {}};
+  };
+  const PathDialog::Form form{.name = "Picture",
+                              .title = "Save a picture",
+                              .prompt = "Later ones of this session go beside it, numbered.",
+                              .field = "##Picture path",
+                              .action = "Save",
+                              .proposed = *asked};
+  bool open = true;
+  if (dialog.draw(context.ui, form, rows, open)) context.edits.ask(&Commands::save_picture, dialog.path());
+  if (!open) context.edits.dialogs.picture.reset();
+}
+
+}  // namespace moldlight::gui
