@@ -1,7 +1,6 @@
 #include "gl/program.hpp"
 
 #include <fmt/format.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -88,29 +87,6 @@ Program::Program(const Functions& gl, const ProgramSources& sources, std::span<c
 }
 
 void use_no_program(const Functions& gl) { gl.UseProgram(0); }
-
-void Program::use() const { gl_->UseProgram(program_.name()); }
-
-void Program::set(std::string_view name, float value) const { gl_->Uniform1f(location(name), value); }
-void Program::set(std::string_view name, int value) const { gl_->Uniform1i(location(name), value); }
-void Program::set(std::string_view name, std::uint32_t value) const {
-  gl_->Uniform1ui(location(name), value);
-}
-void Program::set(std::string_view name, const glm::vec2& value) const {
-  gl_->Uniform2f(location(name), value.x, value.y);
-}
-void Program::set(std::string_view name, const glm::ivec2& value) const {
-  gl_->Uniform2i(location(name), value.x, value.y);
-}
-void Program::set(std::string_view name, const glm::vec3& value) const {
-  gl_->Uniform3f(location(name), value.x, value.y, value.z);
-}
-void Program::set(std::string_view name, const glm::vec4& value) const {
-  gl_->Uniform4f(location(name), value.x, value.y, value.z, value.w);
-}
-void Program::set(std::string_view name, const glm::mat4& value) const {
-  gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
 
 void Program::set_texture(std::string_view name, int unit, GLenum target, const Texture& texture) const {
   gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

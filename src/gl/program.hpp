@@ -34,18 +34,28 @@ class Program {
   Program(const Functions& gl, const ProgramSources& sources,
           std::span<const ShaderFile> files = shader_files());
 
-  void use() const;
+  void use() const { gl_->UseProgram(program_.name()); }
   /// Each sets a uniform of the program in use; CHECKs that the program has an active uniform of that name.
   /// Element k of an array is "name[k]".
-  void set(std::string_view name, float value) const;
+  void set(std::string_view name, float value) const { gl_->Uniform1f(location(name), value); }
   void set(std::string_view name, double value) const { set(name, static_cast<float>(value)); }
-  void set(std::string_view name, int value) const;
-  void set(std::string_view name, std::uint32_t value) const;
-  void set(std::string_view name, const glm::vec2& value) const;
-  void set(std::string_view name, const glm::ivec2& value) const;
-  void set(std::string_view name, const glm::vec3& value) const;
-  void set(std::string_view name, const glm::vec4& value) const;
-  void set(std::string_view name, const glm::mat4& value) const;
+  void set(std::string_view name, int value) const { gl_->Uniform1i(location(name), value); }
+  void set(std::string_view name, std::uint32_t value) const { gl_->Uniform1ui(location(name), value); }
+  void set(std::string_view name, const glm::vec2& value) const {
+    gl_->Uniform2f(location(name), value.x, value.y);
+  }
+  void set(std::string_view name, const glm::ivec2& value) const {
+    gl_->Uniform2i(location(name), value.x, value.y);
+  }
+  void set(std::string_view name, const glm::vec3& value) const {
+    gl_->Uniform3f(location(name), value.x, value.y, value.z);
+  }
+  void set(std::string_view name, const glm::vec4& value) const {
+    gl_->Uniform4f(location(name), value.x, value.y, value.z, value.w);
+  }
+  void set(std::string_view name, const glm::mat4& value) const {
+    gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+  }
   /// Binds `texture` to unit `unit` and points the sampler `name` there.
   void set_texture(std::string_view name, int unit, GLenum target, const Texture& texture) const;
   [[nodiscard]] bool has(std::string_view name) const { return uniforms_.contains(name); }

@@ -33,7 +33,6 @@ App::App(const gl::Context& context, AppOptions options)
       layout_(options_.user.layout),
       thumbnails_(context, options_.shipped_parts, options_.wake),
       loader_({.wake = options_.wake, .wake_for_progress = true}),
-      batch_loader_({.wake = options_.wake, .wake_for_progress = true}),
       export_({.wake = options_.wake}),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
@@ -66,19 +65,20 @@ void App::open(const std::string& path) {
 }
 
 void App::open_batch(const std::string& path) {
-  const JobStatus first{"reading the batch", 0.0};
-  loader_.give_up();
-  batch_loader_.start([path](const Progress& progress) { return load_batch_table(path, progress); }, first);
-  state_.loading = Loading{.path = path, .status = first, .notes = {}};
+  state_.loading = Loading{.path = path, .status = {"reading the batch", 0.0}, .notes = {}, .batch = true};
+  loader_.start(
+      [path](const Progress& progress) -> Loaded {
+        return std::make_shared<const BatchTable>(load_batch_table(path, progress));
+      },
+      state_.loading->status);
 }
 
 void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
   compared_next_.reset();
-  batch_loader_.give_up();
-  const JobStatus first{"reading", 0.0};
-  loader_.start(
-      [path, reading](const Progress& progress) { return load_for_window(path, reading, progress); }, first);
-  state_.loading = Loading{.path = path, .status = first, .notes = std::move(notes)};
+  state_.loading = Loading{.path = path, .status = {"reading", 0.0}, .notes = std::move(notes)};
+  loader_.start([path, reading](
+                    const Progress& progress) -> Loaded { return load_for_window(path, reading, progress); },
+                state_.loading->status);
 }
 
 PartNotes App::notes_of(const std::string& path) {
@@ -222,32 +222,27 @@ bool App::close_innermost(bool typing, Edits& edits) {
 
 void App::poll_jobs() {
   if (auto outcome = loader_.take()) {
-    const PartNotes notes = std::exchange(state_.loading, std::nullopt)->notes;
-    if (outcome->result) {
+    const Loading loading = *std::exchange(state_.loading, std::nullopt);
+    if (!outcome->error.empty()) {
+      compared_next_.reset();
+      say(outcome->error, true);
+    } else if (!outcome->result) {
+      // It was given up.
+    } else if (auto* part = std::get_if<LoadedPart>(&*outcome->result)) {
       try {
-        install(std::move(*outcome->result), notes);
+        install(std::move(*part), loading.notes);
       } catch (const Error& error) {
         say(error.what(), true);
       }
-    } else if (!outcome->error.empty()) {
-      compared_next_.reset();
-      say(outcome->error, true);
-    }
-  }
-  if (loader_.running()) state_.loading->status = loader_.status();
-  if (auto outcome = batch_loader_.take()) {
-    state_.loading.reset();
-    if (outcome->result) {
-      state_.batch = std::make_shared<const BatchTable>(std::move(*outcome->result));
+    } else {
+      state_.batch = std::get<std::shared_ptr<const BatchTable>>(*outcome->result);
       state_.dialogs = Dialogs();
       state_.dialogs.batch = true;
       batch_pictures_ = std::make_unique<BatchPictures>(*context_, state_.batch->manifest.folder);
       settle_frames_ = k_settle_frames;
-    } else if (!outcome->error.empty()) {
-      say(outcome->error, true);
     }
   }
-  if (batch_loader_.running()) state_.loading->status = batch_loader_.status();
+  if (loader_.running()) state_.loading->status = loader_.status();
   if (const auto outcome = export_.take()) {
     say(outcome->result.value_or(outcome->error), !outcome->result);
     if (!outcome->result) state_.dialogs.exporting = true;  // another path may do
@@ -260,7 +255,7 @@ void App::poll_jobs() {
         std::make_unique<CandidatePictures>(*context_, scene_->part(), std::move(result), options_.wake);
     settle_frames_ = k_settle_frames;
   }
-  if (file_watch_.take() && state_.window.auto_reload && !loader_.running()) {
+  if (file_watch_.take() && state_.window.auto_reload && !loading_part()) {
     open(state_.path);
     say("The part's file has changed; reading it again", false);
   }
@@ -391,7 +386,6 @@ void App::picture_saved(const std::string& path) {
 
 void App::end_jobs() {
   loader_.cancel();
-  batch_loader_.cancel();
   export_.cancel();
   sweep_.cancel();
   measurer_.cancel();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "gl/context.hpp"
@@ -124,6 +125,7 @@ class App {
   /// Escape for what lies over the panels, and for the control that has the keyboard; false if there is none.
   bool close_innermost(bool typing, Edits& edits);
   void poll_jobs();
+  [[nodiscard]] bool loading_part() const { return state_.loading && !state_.loading->batch; }
   void load(const std::string& path, const ReadOptions& reading, PartNotes notes);
   /// Of a part that is to be opened: those that were set, or saved for it.
   [[nodiscard]] PartNotes notes_of(const std::string& path);
@@ -196,8 +198,8 @@ class App {
   Workspace workspace_;
   Viewport viewport_;
   PartThumbnails thumbnails_;
-  Job<LoadedPart> loader_;
-  Job<BatchTable> batch_loader_;
+  using Loaded = std::variant<LoadedPart, std::shared_ptr<const BatchTable>>;
+  Job<Loaded> loader_;
   Job<std::string> export_;  // results in what is to be said
   FileWatch file_watch_;
   Measurer measurer_;

@@ -16,7 +16,7 @@ void App::compare_with(const std::string& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   const std::string other = error ? path : absolute.lexically_normal().string();
-  if (loader_.running()) {
+  if (loading_part()) {
     compared_next_ = other;
   } else if (state_.model) {
     state_.revision_choices = {};

@@ -152,6 +152,7 @@ struct Loading {
   std::string path;
   JobStatus status;
   PartNotes notes;  // to be taken with the part, if it is another one
+  bool batch = false;
 };
 
 struct Toast {

@@ -20,7 +20,7 @@ constexpr double k_resting_share = 0.5;  // of its travel, at which a body stand
 }  // namespace
 
 std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
-  if (state_.model || loader_.running()) return {};
+  if (state_.model || loading_part()) return {};
   thumbnails_.update(static_cast<int>(ui.px(k_start_picture_size)), state_.window.theme);
   return thumbnails_.textures();
 }
@@ -154,7 +154,7 @@ SceneSettings App::scene_settings() const {
   if (regions_by_maps()) scene.samples = state_.figures.samples;
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
-  scene.bodies = revision_ ? lit_places(state_)
+  scene.bodies = revision_ ? lit_places(state_, state_.camera)
                            : body_places(state_, opening_.at(now_s_),
                                          state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
   if (state_.face) marks.chosen = state_.face->number;

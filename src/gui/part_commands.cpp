@@ -27,7 +27,6 @@ void Commands::open_batch_part(std::size_t row) {
 
 void Commands::cancel_loading() {
   app.loader_.give_up();
-  app.batch_loader_.give_up();
   app.state_.loading.reset();
 }
 

@@ -50,14 +50,6 @@ TextStyle DesignSpace::small(Align align) const {
   return {.size_px = k_small_px * scale_, .ink = inks_.faint, .align = align, .tabular = true};
 }
 
-void DesignSpace::text(const glm::dvec2& at, std::string_view words, const TextStyle& style) {
-  canvas_.text(place(at), words, style);
-}
-
-void DesignSpace::elided(const glm::dvec2& at, std::string_view words, const TextStyle& style, double width) {
-  canvas_.text(place(at), canvas_.elided(words, style, scale_ * width), style);
-}
-
 void DesignSpace::fitting(const glm::dvec2& at, std::span<const std::string> texts, const TextStyle& style,
                           double width) {
   for (const std::string& words : texts) {
@@ -65,10 +57,6 @@ void DesignSpace::fitting(const glm::dvec2& at, std::span<const std::string> tex
     elided(at, words, style, width);
     return;
   }
-}
-
-void DesignSpace::line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width) {
-  canvas_.line(place(from), place(to), ink, scale_ * width);
 }
 
 }  // namespace moldlight

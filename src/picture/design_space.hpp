@@ -41,13 +41,19 @@ class DesignSpace {
   [[nodiscard]] TextStyle figure(Align align, FontWeight weight = FontWeight::regular) const;
   [[nodiscard]] TextStyle small(Align align) const;
 
-  void text(const glm::dvec2& at, std::string_view words, const TextStyle& style);
+  void text(const glm::dvec2& at, std::string_view words, const TextStyle& style) {
+    canvas_.text(place(at), words, style);
+  }
   /// What fits into `width` of the design.
-  void elided(const glm::dvec2& at, std::string_view words, const TextStyle& style, double width);
+  void elided(const glm::dvec2& at, std::string_view words, const TextStyle& style, double width) {
+    canvas_.text(place(at), canvas_.elided(words, style, scale_ * width), style);
+  }
   /// The first of the texts that fits into `width`; of the last what fits.
   void fitting(const glm::dvec2& at, std::span<const std::string> texts, const TextStyle& style,
                double width);
-  void line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width);
+  void line(const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, double width) {
+    canvas_.line(place(from), place(to), ink, scale_ * width);
+  }
 
  private:
   Canvas& canvas_;

@@ -16,8 +16,9 @@ TEST(ScaleChange, LeavesTheRendererInOrder) {
   const TriangleMesh mesh = moldlight::test::box_mesh({0, 0, 0}, {3, 2, 1});
   const std::vector<Region> regions(mesh.facets.size(), Region::both);
   write_coloured_mesh(folder.file("box.stl"), {.mesh = mesh, .regions = regions});
-  OffscreenWindow window(
-      {.size = {1600, 1000}, .content_scale = 1.0F, .user = {}, .reading = {}, .shipped_parts = {}});
+  OffscreenOptions options;
+  options.size = {1600, 1000};
+  OffscreenWindow window(options);
   window.app().open(folder.file("box.stl"));
   window.wait_until_loaded();
   const std::vector<std::uint8_t> coarse = window.pixels();

@@ -247,12 +247,4 @@ void StudyFinder::find_cards(AppState& state) {
     state.sweep.cards = direction_cards(*state.model, *result, state.settings.direction.unit(), cost);
 }
 
-void StudyFinder::cancel() {
-  plan_job_.give_up();
-  changes_job_.give_up();
-  line_job_.give_up();
-  solids_job_.give_up();
-  inserts_job_.give_up();
-}
-
 }  // namespace moldlight::gui

@@ -40,7 +40,13 @@ class StudyFinder {
   /// mesh. While a direction moves the cards stay.
   void find_verdict(AppState& state);
   /// Gives up what runs.
-  void cancel();
+  void cancel() {
+    plan_job_.give_up();
+    changes_job_.give_up();
+    line_job_.give_up();
+    solids_job_.give_up();
+    inserts_job_.give_up();
+  }
 
  private:
   /// What an answer depends on.

@@ -168,11 +168,6 @@ std::string others_text(const ActionPlan& plan, std::size_t undercut, const Side
   return text;
 }
 
-/// The colour of an action's body.
-void draw_swatch(const Ui& ui, ImU32 colour, const glm::vec2& middle) {
-  ImGui::GetWindowDrawList()->AddCircleFilled(im(middle), 4.0F * ui.scale, colour);
-}
-
 std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UndercutReport& patch = plan.patches[undercut];
@@ -201,12 +196,6 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   return tip + "\nClick to look at it and see its action move.";
 }
 
-void draw_action_settings(const PanelContext& context) {
-  option_table<ActionSettings>(context.ui, action_options(), context.edits.settings.actions,
-                               typed_numbers(context));
-  draw_own_directions(context);
-}
-
 void draw_undercut(const PanelContext& context, std::size_t undercut, const ScreenBox& row) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
@@ -233,8 +222,10 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
-    draw_swatch(ui, packed(action_colour(static_cast<std::size_t>(action - plan.actions.data()))),
-                {start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.centre().y});
+    const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        ImVec2(start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.centre().y), 4.0F * ui.scale,
+        packed(body));
     cell(4, ui.fonts.body, normal, grouped(style.text(FigureKind::length, action->travel)));
     std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
     detail += others_text(plan, undercut, *action);
@@ -291,7 +282,11 @@ void draw_actions_bar(const PanelContext& context, TableBar& bar) {
                       .options = "action options",
                       .options_hint = "What is allowed of side actions",
                       .news = actions_news(state),
-                      .settings = [&] { draw_action_settings(context); }};
+                      .settings = [&] {
+                        option_table<ActionSettings>(context.ui, action_options(),
+                                                     context.edits.settings.actions, typed_numbers(context));
+                        draw_own_directions(context);
+                      }};
   if (plan) parts.table = [&](RowCursor& cursor) { draw_undercuts(context, cursor); };
   bar.draw(context, parts);
 }

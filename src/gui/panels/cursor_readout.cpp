@@ -61,8 +61,7 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
   place_window(area.beside(beside, size, ui.px(k_from_line)), {0.0F, 0.0F});
   ImGui::Begin("Measured", nullptr, k_card_window);
   const auto length = [&](const char* name, double value) {
-    const std::string unit = length_unit(context.state.model->part);
-    draw_row(ui, name, fmt::format("{:.4g} {}", value, unit), real_text(value));
+    draw_row(ui, name, length_text(context.state, value), real_text(value));
   };
   length("distance", pair.distance);
   length("along the direction", pair.along);
@@ -182,8 +181,7 @@ void draw_measuring(const PanelContext& context) {
   if (clicked) {
     draw_card(context, pair, middle);
   } else {
-    draw_tag(ui, middle, fmt::format("{:.4g} {}", pair.distance, length_unit(state.model->part)),
-             ui.colours->text);
+    draw_tag(ui, middle, length_text(state, pair.distance), ui.colours->text);
   }
 }
 

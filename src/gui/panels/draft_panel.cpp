@@ -35,9 +35,6 @@ bool has_draft_panel(const AppState& state) {
          !state.sweep_choices.large_ball && !state.revisions.on();
 }
 
-/// How much a half's part of a bin's area there is.
-double area_of(const DraftBin& bin, Region region) { return bin.area[region == Region::core ? 0 : 1]; }
-
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -54,7 +51,7 @@ void draw_bars(const PanelContext& context, const DraftChart& chart, const Draft
     const float left = chart.place_of(bin.from_deg) + gap, right = chart.place_of(bin.to_deg) - gap;
     float foot = chart.box.max.y;
     for (const Region region : {Region::core, Region::cavity}) {
-      const double area = area_of(bin, region);
+      const double area = bin.area[region == Region::core ? 0 : 1];
       if (area <= 0.0) continue;
       // What there is is seen.
       const float top = foot - std::max(height * static_cast<float>(area / tallest), ui.px(1));

@@ -120,13 +120,6 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
 
-/// Where the picture's regions come from.
-void draw_by(const PanelContext& context) {
-  ImGui::Indent(context.ui.px(18));  // below the regions' names
-  option_row(context.ui, option_named(look_options(), "regions"), context.edits.settings.look);
-  ImGui::Unindent(context.ui.px(18));
-}
-
 std::string tooltip_text(const VerdictCard& card) {
   std::string text = card.sentence;
   if (card.verdict)
@@ -154,7 +147,9 @@ void draw_regions_panel(const PanelContext& context) {
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);
       draw_trust(context, legend);
-      draw_by(context);
+      ImGui::Indent(ui.px(18));  // below the regions' names
+      option_row(ui, option_named(look_options(), "regions"), context.edits.settings.look);
+      ImGui::Unindent(ui.px(18));
       draw_map_comparison(context);
     } else {
       hint(ui, figures.error.empty() ? "Measuring …" : figures.error);

@@ -85,17 +85,16 @@ class Texts {
     const auto depth = [&](const UndercutReport& patch) {
       return patch.depth > 0.0 && std::isfinite(patch.depth) ? grouped(lengths_.text(patch.depth)) : "–";
     };
-    if (change.former) {
-      const UndercutReport& patch = comparison_.a.plan->patches[*change.former];
-      texts.before = grouped(areas_.text(patch.undercut.area));
-      texts.more = fmt::format("deep {}", depth(patch));
-    }
-    if (change.fresh) {
-      const UndercutReport& patch = comparison_.b.plan->patches[*change.fresh];
-      texts.now = grouped(areas_.text(patch.undercut.area));
-      texts.more = change.former ? fmt::format("{}, now {}", texts.more, depth(patch))
-                                 : fmt::format("deep {}", depth(patch));
-    }
+    const auto patch = [&](const ComparedPart& part, std::size_t number, std::string& area) {
+      const UndercutReport& one = part.plan->patches[number];
+      area = grouped(areas_.text(one.undercut.area));
+      return depth(one);
+    };
+    std::string was, now;
+    if (change.former) was = patch(comparison_.a, *change.former, texts.before);
+    if (change.fresh) now = patch(comparison_.b, *change.fresh, texts.now);
+    const bool both = change.former && change.fresh;
+    texts.more = both ? fmt::format("deep {}, now {}", was, now) : "deep " + was + now;
     return texts;
   }
 

@@ -58,13 +58,6 @@ void draw_part_name(const PanelContext& context) {
   }
 }
 
-void draw_left(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
-  ImGui::SameLine(0.0F, ui.px(16));
-  draw_part_name(context);
-}
-
 void draw_right(const PanelContext& context) {
   const Ui& ui = context.ui;
   Edits& edits = context.edits;
@@ -126,7 +119,9 @@ void draw_top_bar(const PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, near ? ui.colours->panel : IM_COL32(0, 0, 0, 0));
   ImGui::Begin("Bar", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_left(context);
+  row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
+  ImGui::SameLine(0.0F, ui.px(16));
+  draw_part_name(context);
   draw_right(context);
   ImGui::End();
   ImGui::PopStyleColor();

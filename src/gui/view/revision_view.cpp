@@ -71,21 +71,9 @@ glm::dmat4 nearer(const Camera& camera) {
   return glm::translate(glm::scale(to_eye, glm::dvec3(1.0 - by / camera.eye_distance())), -camera.eye());
 }
 
-/// Of each body; out of sight that of other regions, where they are those of another direction.
-std::vector<glm::dmat4> places_for(const AppState& state, const Camera& camera) {
-  if (!is_lit(state)) return {};
-  const bool regions =
-      state.revisions.result->comparison.a.result.direction == state.settings.direction.unit();
-  const glm::dmat4 seen = nearer(camera);
-  const glm::dmat4 away = glm::translate(glm::dmat4(1.0), 100.0 * k_scene_radius * camera.toward_viewer());
-  return {seen, regions ? seen : away, seen};
-}
-
 std::string change_area_text(const AppState& state, double area) {
   return fmt::format("{} {}", figure(area), powered_unit(state.model->part, 2));
 }
-
-std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }  // namespace
 
@@ -158,7 +146,14 @@ const std::shared_ptr<const std::vector<ViewBody>>& LitBodies::of(const AppState
   return bodies_;
 }
 
-std::vector<glm::dmat4> lit_places(const AppState& state) { return places_for(state, state.camera); }
+std::vector<glm::dmat4> lit_places(const AppState& state, const Camera& camera) {
+  if (!is_lit(state)) return {};
+  const bool regions =
+      state.revisions.result->comparison.a.result.direction == state.settings.direction.unit();
+  const glm::dmat4 seen = nearer(camera);
+  const glm::dmat4 away = glm::translate(glm::dmat4(1.0), 100.0 * k_scene_radius * camera.toward_viewer());
+  return {seen, regions ? seen : away, seen};
+}
 
 RevisionHover revision_hover(const AppState& state, bool second, const PickedPoint& point) {
   const RevisionState& revisions = state.revisions;
@@ -254,7 +249,8 @@ void draw_revision_names(const Ui& ui, const AppState& state, const SplitView& s
   const auto draw = [&](float from, float to, std::string_view what, const std::string& path) {
     const float room = to - from - ui.px(24);
     const std::string text =
-        fitted(ui.fonts.body, fmt::format("{}  ·  {}", what, name_of(path)), std::max(room, ui.px(40)));
+        fitted(ui.fonts.body, fmt::format("{}  ·  {}", what, std::filesystem::path(path).filename().string()),
+               std::max(room, ui.px(40)));
     const glm::vec2 size = tag_size(ui, text);
     draw_tag(ui, {0.5F * (from + to), ui.px(k_bar_height + 6) + 0.5F * size.y}, text, ui.colours->text);
   };
@@ -275,7 +271,7 @@ bool RevisionPicture::draw(const AppState& state, const SplitView& split, SceneS
   settings.view.camera = tie.camera(split.camera);
   if (settings.view.settings.cut) settings.view.settings.cut = tie.plane(*settings.view.settings.cut);
   settings.view.marks = {};
-  settings.bodies = places_for(state, settings.view.camera);
+  settings.bodies = lit_places(state, settings.view.camera);
   settings.samples = nullptr;
   settings.split = nullptr;
   if (is_lit(state) && !revisions.stale) {

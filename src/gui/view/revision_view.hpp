@@ -68,9 +68,9 @@ class LitBodies {
   std::optional<CutPlane> cut_;
   std::shared_ptr<const std::vector<ViewBody>> bodies_;
 };
-/// Where such bodies are drawn over the part's picture; out of sight that of other regions, while they are
-/// those of another direction.
-[[nodiscard]] std::vector<glm::dmat4> lit_places(const AppState& state);
+/// Where such bodies are drawn over a picture; out of sight that of other regions, while they are those of
+/// another direction.
+[[nodiscard]] std::vector<glm::dmat4> lit_places(const AppState& state, const Camera& camera);
 
 /// The other revision on the GL. Needs its context current at every call.
 class RevisionPicture {
