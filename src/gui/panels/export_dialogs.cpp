@@ -49,7 +49,7 @@ bool PathDialog::draw(const Ui& ui, const Form& form, const std::function<Ready(
     left = button(ui, "Cancel", {.width = ui.px(96)});
   }
   left = end_dialog(ui) || left;
-  open = !confirmed && !left;
+  if (confirmed || left) open = false;
   return confirmed;
 }
 

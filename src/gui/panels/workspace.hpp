@@ -167,7 +167,8 @@ class PathDialog {
     bool now = true;
     std::string wait;
   };
-  /// `draw_rows` has what is below the path. True when it was confirmed; `open`: it is to be drawn again.
+  /// `draw_rows` has what is below the path. True when it was confirmed; then, and when it is left, `open` is
+  /// set to false.
   bool draw(const Ui& ui, const Form& form, const std::function<Ready()>& draw_rows, bool& open);
   [[nodiscard]] std::string path() const { return path_.data(); }
   /// What was typed is of no use any more.
