@@ -97,5 +97,14 @@ TEST_F(Exports, AFailedOneOpensTheDialogAgainWithItsPath) {
   EXPECT_TRUE(state().dialogs.exporting);
 }
 
+TEST_F(Exports, EscapeAndCancelLeaveTheDialogs) {
+  for (const bool cancels : {false, true}) {
+    key({.key = 'E', .ctrl = true});
+    ASSERT_TRUE(state().dialogs.exporting);
+    cancels ? click("Cancel") : key({.key = k_escape});
+    EXPECT_FALSE(state().dialogs.exporting);
+  }
+}
+
 }  // namespace
 }  // namespace moldlight::gui::test
