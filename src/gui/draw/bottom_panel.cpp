@@ -8,8 +8,8 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_gap = 4.0F, k_bar_gap = 6.0F;  // between items, layout units
-constexpr float k_heading_height = 20.0F;        // layout units
+constexpr float k_item_gap = 4.0F, k_bar_gap = 6.0F;  // between items, layout units
+constexpr float k_heading_height = 20.0F;             // layout units
 constexpr float k_fewest_rows = 2.0F;
 
 }  // namespace
@@ -27,7 +27,7 @@ BottomHeader::BottomHeader(const Ui& ui, const char* name)
 void BottomHeader::place(float width) {
   right_ -= width;
   ImGui::SetCursorScreenPos(ImVec2(right_, start_.y));
-  right_ -= ui_.px(k_gap);
+  right_ -= ui_.px(k_item_gap);
 }
 
 void BottomHeader::progress(double share, float width) {
