@@ -88,9 +88,9 @@ class ExactPart {
   std::vector<ExactEdge> edges_;
   std::vector<std::array<std::uint32_t, 3>> side_edges_;
   std::vector<FacetIndex> first_equal_;  // empty where none are equal
-  std::vector<std::uint32_t> copies_;    // of first_equal_
   FacetEncounters encounters_;
   bool regular_ = true, closed_ = true;
+  std::vector<std::uint32_t> copies_;  // of first_equal_
 };
 
 }  // namespace moldlight
