@@ -101,6 +101,11 @@ UnionReport unite_bodies(Part& part, const Progress& progress) {
   turn_if_inside_out(part.mesh);
   const FacetGeometry geometry = facet_geometry(part.mesh);
   const ExactPart exact(part.mesh, geometry, unit_frame(bounds(part.mesh)), progress, part.effort, true);
+  if (!exact.closed())
+    throw Error(
+        part.file +
+        ": its bodies are not closed or not wound one way, so that what is inside is not known; close "
+        "them to unite them, or do without --repair union");
   if (!exact.crossings_known())
     throw Error(part.file +
                 ": its facets cross too many others to unite its bodies; raise --effort, or take one of them "
@@ -141,7 +146,7 @@ UnionReport unite_bodies(Part& part, const Progress& progress) {
 
 void mend_part(Part& part, const RepairOptions& options, const Progress& progress) {
   repair_part(part, options);
-  if (options.level != RepairLevel::unite) return;
+  if (options.level != RepairLevel::unite || part.mesh.facets.empty()) return;
   std::vector<std::string> repairs = std::move(part.repairs);
   const UnionReport united = unite_bodies(part, progress);
   const std::size_t open = close_cuts(part);

@@ -17,7 +17,7 @@ struct UnionReport {
 /// Surface whose outer side lies inside material (winding number above 0) or on which another body's surface
 /// lies goes, from a part that is closed and wound consistently. What is left is closed once vertices of the
 /// cuts are welded, which repair_part() does. Bodies stay, but for those that are inside others. Throws Error
-/// where facets cross too many others, Cancelled.
+/// where the part is not closed or facets cross too many others, Cancelled.
 UnionReport unite_bodies(Part& part, const Progress& progress);
 
 /// What the options ask for: a repair and, if asked for, the union. Throws as these do.

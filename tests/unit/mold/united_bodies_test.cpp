@@ -194,12 +194,20 @@ TEST(UnitedBodies, FoldsOfNoThicknessGo) {
   EXPECT_NEAR(health.volume, 16.0, 1e-9);
 }
 
-TEST(UnitedBodies, TooManyCrossingsAreRefused) {
-  test::Random random(5);
-  std::vector<glm::dvec3> corners;
-  for (int k = 0; k < 6000; ++k) corners.push_back(random.in_cube(1.0));
-  Part part = part_of(weld_corners(corners));
+TEST(UnitedBodies, OpenBodiesAndTooManyCrossingsAreRefused) {
+  TriangleMesh open = test::box_mesh({0, 0, 0}, {1, 1, 1});
+  open.facets.pop_back();
+  Part part = part_of(open);
   EXPECT_THROW(mend_part(part, {.level = RepairLevel::unite}, {}), Error);
+  test::Random random(5);
+  TriangleMesh loose;  // flat bodies as large as the part
+  for (VertexIndex k = 0; k < 6000; k += 3) {
+    for (int corner = 0; corner < 3; ++corner) loose.vertices.push_back(random.in_cube(1.0));
+    loose.facets.push_back({k, k + 1, k + 2});
+    loose.facets.push_back({k, k + 2, k + 1});
+  }
+  part = part_of(loose);
+  EXPECT_THROW(unite_bodies(part, {}), Error);
 }
 
 }  // namespace
