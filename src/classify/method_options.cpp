@@ -61,8 +61,9 @@ std::span<const Option<ReadOptions>> reading_options() {
                    [](S& s, std::string_view text) { s.body = text; }}},
       {"repair", "--repair", "Repair", "",
        "Mend the mesh and say what was done: weld joins vertices that nearly coincide; full also drops "
-       "duplicate and empty facets, makes the winding consistent and fills small holes.",
-       ChoiceKind<S>{{"none", "weld", "full"},
+       "duplicate and empty facets, makes the winding consistent and fills small holes; union also makes "
+       "bodies that overlap or touch one solid.",
+       ChoiceKind<S>{{"none", "weld", "full", "union"},
                      [](const S& s) { return static_cast<int>(s.repair.level); },
                      [](S& s, int level) { s.repair.level = static_cast<RepairLevel>(level); }}},
       {"weld_tolerance", "--weld-tolerance", "Weld tolerance", "part's unit", k_weld_help,

@@ -44,8 +44,7 @@ std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progres
   if (turned.facets > 0) model->warnings.push_back(turned_warning(turned));
   progress.report("measuring facets", 0.0);
   model->geometry = facet_geometry(mesh);
-  progress.report("finding neighbours", 0.0);
-  model->adjacency = build_adjacency(mesh);
+  model->adjacency = build_adjacency(mesh, progress);
   model->edges = bent_edges(mesh, model->geometry, model->adjacency);
   progress.report("checking health", 0.0);
   model->health = health_report(mesh, model->geometry);

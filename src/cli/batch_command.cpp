@@ -94,7 +94,7 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
       std::ranges::count_if(rows, [](const Row& row) { return row.same_as && row.fault.empty(); }));
   if (source.left_out > 0) {
     console.warning(
-        fmt::format("{} out of the folder and left out; a list of parts may name them",
+        fmt::format("{} out of the folder: not planned; a list of parts may name what is meant",
                     source.left_out == 1 ? "1 link leads" : fmt::format("{} links lead", source.left_out)));
   }
   if (faulty > 0) {

@@ -6,7 +6,7 @@
 #include "io/part_formats.hpp"
 #include "io/read_context.hpp"
 #include "mesh/part_selection.hpp"
-#include "mesh/repair.hpp"
+#include "mold/exact/united_bodies.hpp"
 
 namespace moldlight {
 
@@ -23,7 +23,7 @@ Part read_part(const std::string& path, const ReadOptions& options, const Progre
     part.effort = options.effort;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
-    repair_part(part, options.repair);
+    mend_part(part, options.repair, progress);
     if (part.mesh.facets.empty())
       context.fail("", "has no facet with an area; nothing is left of it after the repair");
     return part;

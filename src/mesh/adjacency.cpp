@@ -1,7 +1,10 @@
 // OpenMesh accepts oriented manifolds only. So every edge that does not join two facets is cut first: corners
 // stay one vertex only where they are connected through joining edges. What is left is a manifold with
-// borders.
+// borders. OpenMesh walks around a vertex for each facet there: edges of crowded ones are cut, too, and
+// joined afterwards.
 #include "mesh/adjacency.hpp"
+
+#include <algorithm>
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -14,10 +17,14 @@ namespace {
 
 /// Corner c of facet f has number 3 * f + c, like the half-edge that starts there.
 struct CutMesh {
-  std::vector<bool> joins;          // of each half-edge: it joins its facet to another
-  std::vector<std::uint32_t> copy;  // vertex copy of each corner
+  std::vector<std::array<HalfEdgeIndex, 2>> crowded;  // edges that join, of vertices of many facets
+  std::vector<bool> joins;                            // of each half-edge: it joins its facet to another
+  std::vector<std::uint32_t> copy;                    // vertex copy of each corner
   std::uint32_t copy_count = 0;
 };
+
+constexpr std::uint32_t k_crowded = 256;  // facets of a vertex
+constexpr FacetIndex k_facets_a_report = 4096;
 
 HalfEdgeIndex next_in_facet(HalfEdgeIndex half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
@@ -27,10 +34,18 @@ CutMesh cut_mesh(const TriangleMesh& mesh) {
   CutMesh cut;
   cut.joins.assign(3 * mesh.facets.size(), false);
   UnionFind corners(3 * mesh.facets.size());
-  EdgeTable(mesh).for_each_edge([&](VertexIndex, std::span<const EdgeUse> uses) {
+  std::vector<std::uint32_t> facets_at(mesh.vertices.size(), 0);
+  for (const auto& facet : mesh.facets) {
+    for (const VertexIndex vertex : facet) ++facets_at[vertex];
+  }
+  EdgeTable(mesh).for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
     if (uses.size() != 2) return;
     const HalfEdgeIndex a = uses[0].half_edge, b = uses[1].half_edge;
     if (start_vertex(mesh, a) == start_vertex(mesh, b)) return;
+    if (std::max(facets_at[low], facets_at[uses[0].high]) > k_crowded) {
+      cut.crowded.push_back({a, b});
+      return;
+    }
     cut.joins[a] = cut.joins[b] = true;
     corners.join(a, next_in_facet(b));
     corners.join(next_in_facet(a), b);
@@ -50,7 +65,7 @@ OpenMesh::VertexHandle vertex_handle(std::uint32_t number) {
 
 }  // namespace
 
-Adjacency build_adjacency(const TriangleMesh& mesh) {
+Adjacency build_adjacency(const TriangleMesh& mesh, const Progress& progress) {
   const CutMesh cut = cut_mesh(mesh);
 
   OpenMesh::TriConnectivity half_edges;
@@ -61,6 +76,7 @@ Adjacency build_adjacency(const TriangleMesh& mesh) {
   std::vector<FacetIndex> facet_of_face;
   facet_of_face.reserve(mesh.facets.size());
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    if (facet % k_facets_a_report == 0) progress.report("finding neighbours", 0.0);
     if (is_collapsed(mesh.facets[facet])) continue;
     const std::uint32_t* copies = &cut.copy[3 * facet];
     if (!half_edges.add_face(vertex_handle(copies[0]), vertex_handle(copies[1]), vertex_handle(copies[2]))
@@ -85,6 +101,10 @@ Adjacency build_adjacency(const TriangleMesh& mesh) {
       }
       half_edge = half_edges.next_halfedge_handle(half_edge);
     }
+  }
+  for (const auto& [a, b] : cut.crowded) {
+    adjacency.across[facet_of(a)][a % 3] = facet_of(b);
+    adjacency.across[facet_of(b)][b % 3] = facet_of(a);
   }
   return adjacency;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {
@@ -17,8 +18,9 @@ struct Adjacency {
 };
 
 /// Builds the adjacency through OpenMesh half-edges. An edge joins two facets when exactly two facets use it
-/// and they run through it in opposite senses; every other edge is cut, and no facet is lost.
-[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh);
+/// and they run through it in opposite senses; every other edge is cut, and no facet is lost. Throws
+/// Cancelled.
+[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, const Progress& progress = Progress());
 
 /// Component (0, 1, …) of each facet, numbered by first facet; facets are connected when they share a vertex
 /// pair (any edge, also a non-manifold or inconsistently wound one). Facets with two equal corners get

@@ -13,6 +13,9 @@ namespace moldlight {
 
 namespace {
 
+/// Cuts of two facets are the same points, but for rounding.
+constexpr double k_cut_share = 1e-9;
+
 MeshInRepair start_repair(Part& part) {
   MeshInRepair state;
   state.mesh = std::move(part.mesh);
@@ -95,10 +98,11 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
   MeshInRepair state = start_repair(part);
   report.open_edges_before = count_open_edges(state.mesh);
   report.welded_vertices = weld_near_vertices(state.mesh, report.weld_tolerance);
-  if (options.level == RepairLevel::full) {
+  if (options.level >= RepairLevel::full) {
     report.collapsed_facets = drop_collapsed_facets(state);
     report.flattened_facets = flatten_facets_without_area(state);
-    report.duplicate_facets = drop_duplicate_facets(state);
+    // A union counts how many bodies are at a place.
+    if (options.level == RepairLevel::full) report.duplicate_facets = drop_duplicate_facets(state);
     report.turned_facets = make_winding_consistent(state.mesh);
     const double hole_side = options.largest_hole * diagonal;
     const FilledHoles filled = fill_holes(state, hole_side * hole_side, options.hole_edges);
@@ -114,6 +118,19 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
   if (same_facets) part.file_facets = std::move(file_facets);
   part.repairs = report.sentences(part.unit);
   return report;
+}
+
+std::size_t close_cuts(Part& part) {
+  const double tolerance = k_cut_share * bounds(part.mesh).diagonal();
+  MeshInRepair state = start_repair(part);
+  weld_near_vertices(state.mesh, tolerance);
+  drop_collapsed_facets(state);
+  match_open_edges(state, tolerance);
+  drop_duplicate_facets(state);
+  flatten_facets_without_area(state);
+  const std::size_t open = count_open_edges(state.mesh);
+  finish_repair(std::move(state), part);
+  return open;
 }
 
 }  // namespace moldlight

@@ -10,8 +10,9 @@
 namespace moldlight {
 
 /// Weld: vertices of open edges that nearly coincide become one; no facet comes or goes. Full: also duplicate
-/// facets and facets without area go, winding is made consistent, small holes are filled.
-enum class RepairLevel : std::uint8_t { none, weld, full };
+/// facets and facets without area go, winding is made consistent, small holes are filled. Unite: what full
+/// does, before and after mend_part() (mold/exact/united_bodies.hpp) makes bodies that overlap one solid.
+enum class RepairLevel : std::uint8_t { none, weld, full, unite };
 
 struct RepairOptions {
   RepairLevel level = RepairLevel::none;
@@ -45,5 +46,9 @@ struct RepairReport {
 /// part.repairs. Facets that fill holes are the last of their body and have k_no_facet as file facet and
 /// source.
 RepairReport repair_part(Part& part, const RepairOptions& options);
+
+/// Joins the facets of a part that was cut where its facets cross, along the cuts; returns how many edges are
+/// open.
+std::size_t close_cuts(Part& part);
 
 }  // namespace moldlight

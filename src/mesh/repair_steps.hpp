@@ -18,6 +18,10 @@ struct MeshInRepair {
 /// Vertices of open edges that lie within `tolerance` of an earlier one become it. Returns how many did.
 std::size_t weld_near_vertices(TriangleMesh& mesh, double tolerance);
 
+/// Open edges of which one runs back along another from a vertex of both, within `tolerance`, share their
+/// vertices afterwards: the facet of the longer one is cut in two. Returns how often.
+std::size_t match_open_edges(MeshInRepair& state, double tolerance);
+
 /// Drops facets with two equal corners. Returns how many went.
 std::size_t drop_collapsed_facets(MeshInRepair& state);
 

@@ -21,6 +21,8 @@ namespace {
 /// precision.
 constexpr float k_start_below = 5e-7F;
 constexpr std::size_t k_rays_at_once = 256;
+/// Embree ends the program at coordinates that are not finite.
+constexpr float k_far = 1e12F;
 
 /// Drops hits of facets that face away from the ray's origin.
 void keep_facing(const RTCFilterFunctionNArguments* arguments) {
@@ -32,7 +34,13 @@ void keep_facing(const RTCFilterFunctionNArguments* arguments) {
   if (facing >= 0.0F) arguments->valid[0] = 0;
 }
 
-RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction) {
+/// One without a place or a way, as of surface whose extent is all rounding, begins off the part and leaves
+/// it.
+RTCRay make_ray(glm::vec3 origin, glm::vec3 direction) {
+  if (!(glm::dot(origin, origin) < k_far && glm::dot(direction, direction) < k_far)) {
+    origin = glm::vec3(2.0F);
+    direction = glm::vec3(1.0F);
+  }
   RTCRay ray{};
   ray.org_x = origin.x;
   ray.org_y = origin.y;

@@ -16,7 +16,9 @@ namespace moldlight {
 namespace {
 
 constexpr int k_most_smoothings = 12;
-constexpr double k_least_gain = 1e-3;   // of a loop's length with its climb
+constexpr double k_least_gain = 1e-3;  // of a loop's length with its climb
+/// Where more pieces are around a vertex, as where thousands meet in one, the line stays as it is.
+constexpr std::size_t k_most_around = 1000;
 constexpr double k_off_surface = 1e-4;  // of the diagonal
 
 double cost_of(const std::vector<glm::dvec3>& points, const glm::dvec3& d) {
@@ -49,9 +51,17 @@ LineSmoother::LineSmoother(const Assignment& assignment)
 
 std::vector<PieceIndex> LineSmoother::around(VertexIndex vertex) const {
   std::vector<PieceIndex> found;
+  if (first_[vertex + 1] - first_[vertex] > k_most_around) return found;
+  std::vector<VertexIndex> corners;
   for (std::uint32_t k = first_[vertex]; k < first_[vertex + 1]; ++k) {
-    for (const VertexIndex v : assignment_.mesh.pieces[pieces_[k]].corners)
-      found.insert(found.end(), pieces_.begin() + first_[v], pieces_.begin() + first_[v + 1]);
+    const auto& of_piece = assignment_.mesh.pieces[pieces_[k]].corners;
+    corners.insert(corners.end(), of_piece.begin(), of_piece.end());
+  }
+  std::ranges::sort(corners);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const VertexIndex v : corners) {
+    if (found.size() + first_[v + 1] - first_[v] > k_most_around) return {};
+    found.insert(found.end(), pieces_.begin() + first_[v], pieces_.begin() + first_[v + 1]);
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -9,8 +9,8 @@
 #include "classify/figures.hpp"
 #include "classify/info_report.hpp"
 #include "mesh/part_selection.hpp"
-#include "mesh/repair.hpp"
 #include "mesh/weld.hpp"
+#include "mold/exact/united_bodies.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/work.hpp"
@@ -25,14 +25,15 @@ namespace py = pybind11;
 namespace {
 
 /// The part of a caller's arrays, by the steps of a reader.
-Part part_of(TriangleMesh mesh, const ReadOptions& options, const std::string& name) {
+Part part_of(TriangleMesh mesh, const ReadOptions& options, const std::string& name,
+             const Progress& progress) {
   Part part;
   part.file = name;
   part.format = "arrays";
   part.mesh = weld_vertices(mesh);
   part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
   if (!options.unit.empty()) set_unit(part, options.unit);
-  repair_part(part, options.repair);
+  mend_part(part, options.repair, progress);
   if (part.mesh.facets.empty())
     throw UsageError("faces: none has an area; nothing is left of the part after the repair");
   return part;
@@ -47,7 +48,7 @@ PythonPart make_part(const py::object& vertices, const py::object& faces, const 
   given.end();
   TriangleMesh mesh = mesh_of(vertices, faces);
   return {watched(progress, [&](const Progress& work_progress) {
-    return prepare_part(part_of(std::move(mesh), options, name), work_progress);
+    return prepare_part(part_of(std::move(mesh), options, name, work_progress), work_progress);
   })};
 }
 

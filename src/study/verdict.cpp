@@ -57,7 +57,7 @@ Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
   if (uncertainty.sampled_facets > 0 && uncertainty.readout >= uncertainty.mesh)
     return {fmt::format("too much crosses {}, which {} sampled", plural(uncertainty.sampled_facets, "facet"),
                         uncertainty.sampled_facets == 1 ? "is" : "are"),
-            "unite the bodies in CAD, look at one with --body, or raise --effort"};
+            "--repair union unites the bodies; else look at one with --body, or raise --effort"};
   if (health.open_edges > 0)
     return {fmt::format("the mesh is open at {}{}", plural(health.open_edges, "edge"),
                         near_text(model, EdgeDefect::open)),
@@ -69,7 +69,8 @@ Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
         "--repair full turns them"};
   if (const std::string place = near_crossing(model); !place.empty())
     return {"surfaces cross each other" + place,
-            health.components > 1 ? "unite the bodies in CAD, or look at one with --body" : "mend it in CAD"};
+            health.components > 1 ? "--repair union unites the bodies; --body looks at one"
+                                  : "--repair union leaves out what is inside; else mend it in CAD"};
   return {"the shadow found from both sides differs", "look at the mesh with moldlight info"};
 }
 

@@ -19,7 +19,7 @@ constexpr double k_concave_height = 1e-10;
 }  // namespace
 
 ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-                     const Progress& progress, double effort)
+                     const Progress& progress, double effort, bool coplanar)
     : mesh_(mesh), geometry_(geometry), frame_(frame), effort_(effort) {
   progress.report("finding edges", 0.0);
   positions_.reserve(mesh.vertices.size());
@@ -29,8 +29,9 @@ ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, co
   find_edges();
   find_equal_facets();
   progress.report("finding crossings", 0.0);
-  encounters_ = facet_encounters(mesh, positions_, geometry.normals, first_equal_,
-                                 encounter_budget(mesh.facets.size(), effort), progress);
+  EncounterBudget budget = encounter_budget(mesh.facets.size(), effort);
+  budget.coplanar = coplanar;
+  encounters_ = facet_encounters(mesh, positions_, geometry.normals, first_equal_, budget, progress);
   regular_ = regular_ && !any_crossings();
 }
 
@@ -57,6 +58,8 @@ void ExactPart::find_equal_facets() {
     }
     first_equal_[candidates[k].second] = first_equal_[candidates[k - 1].second];
   }
+  copies_.resize(first_equal_.size());
+  for (const FacetIndex first : first_equal_) ++copies_[first];
 }
 
 void ExactPart::find_edges() {

@@ -32,9 +32,10 @@ class ExactPart {
   static constexpr std::uint32_t k_no_edge = ~0U;
 
   /// Takes some 200 bytes a facet, and at most 2 KiB. `effort` multiplies what all that is found of the part
-  /// may cost: beyond it facets are sampled. Throws Cancelled.
+  /// may cost: beyond it facets are sampled. `coplanar`: facets in one plane cross each other, too. Throws
+  /// Cancelled.
   ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-            const Progress& progress, double effort = 1.0);
+            const Progress& progress, double effort = 1.0, bool coplanar = false);
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const FacetGeometry& geometry() const { return geometry_; }
@@ -66,6 +67,10 @@ class ExactPart {
   [[nodiscard]] FacetIndex first_equal(FacetIndex facet) const {
     return first_equal_.empty() ? facet : first_equal_[facet];
   }
+  /// How many facets the first of equal ones stands for.
+  [[nodiscard]] std::uint32_t copies(FacetIndex first) const {
+    return first_equal_.empty() ? 1 : copies_[first];
+  }
   /// Closed, wound consistently and free of crossings: visibility then changes at convex edges only.
   [[nodiscard]] bool regular() const { return regular_; }
   /// Facets run through each edge as often in the one sense as in the other, so that there is an inside.
@@ -85,6 +90,7 @@ class ExactPart {
   std::vector<FacetIndex> first_equal_;  // empty where none are equal
   FacetEncounters encounters_;
   bool regular_ = true, closed_ = true;
+  std::vector<std::uint32_t> copies_;  // of first_equal_
 };
 
 }  // namespace moldlight

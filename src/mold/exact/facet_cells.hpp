@@ -20,7 +20,7 @@ struct CutSegment {
 
 /// How far a triangle is cut.
 struct CutLimit {
-  std::size_t most_cells = ~std::size_t{0};  // past these, what is left is not cut
+  std::size_t most_cells = std::size_t{1} << 22U;  // past these, what is left is not cut
   bool sampled = false;    // the segments are a lattice, and no cell is of one region for certain
   std::uint32_t seed = 0;  // of the points that stand for cells of which that is not certain
 };

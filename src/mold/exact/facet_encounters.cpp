@@ -261,7 +261,8 @@ EncounterBudget encounter_budget(std::size_t facets, double effort) {
     return static_cast<std::size_t>(effort * static_cast<double>(always + a_facet * facets));
   };
   return {.pairs = of(k_always_pairs, k_pairs_a_facet),
-          .crossings = of(k_always_crossings, k_crossings_a_facet)};
+          .crossings = of(k_always_crossings, k_crossings_a_facet),
+          .coplanar = false};
 }
 
 FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
@@ -280,9 +281,22 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
   };
   const auto add_crossings = [&](FacetIndex facet, FacetIndex other, const Heights& here_over,
                                  const Heights& there_over, std::vector<Found<FacetCrossing>>& found) {
-    if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
     const auto corners = corners_of(facet), other_corners = corners_of(other);
     FacetCrossing crossing;
+    const auto lies_on = [](const Heights& heights) { return !heights.above && !heights.below; };
+    if (budget.coplanar && lies_on(here_over) && lies_on(there_over)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (clipped({corners.data(), other_corners.data(), normals[other], -k_inside},
+                    {corners[k], corners[next]}, crossing))
+          found.push_back({other, facet, crossing});
+        if (clipped({other_corners.data(), corners.data(), normals[facet], -k_inside},
+                    {other_corners[k], other_corners[next]}, crossing))
+          found.push_back({facet, other, crossing});
+      }
+      return;
+    }
+    if (shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2) return;
     if (edge_inside(there_over, {other_corners.data(), corners.data(), normals[facet], -k_inside}, crossing))
       found.push_back({facet, other, crossing});
     if (edge_inside(here_over, {corners.data(), other_corners.data(), normals[other], -k_inside}, crossing))

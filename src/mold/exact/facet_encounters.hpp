@@ -31,8 +31,8 @@ struct FacetLists {
 };
 
 struct FacetEncounters {
-  /// Where others cross a facet in a segment; facets that touch or lie in one plane do not cross. Empty
-  /// unless `complete`.
+  /// Where others cross a facet in a segment; facets that touch or lie in one plane do not, unless asked for.
+  /// Empty unless `complete`.
   FacetLists<FacetCrossing> crossings;
   /// False where facets meet so many others that to look at each pair, or to note down each crossing, would
   /// take time and memory out of proportion.
@@ -49,8 +49,10 @@ inline constexpr double k_least_in_front = 1.0 / 8192.0, k_most_in_front = 1.001
 /// What facet_encounters() may look at and note down for so many facets.
 struct EncounterBudget {
   std::size_t pairs = 0, crossings = 0;
+  bool coplanar = false;  // facets in one plane cross, too: where sides of one run inside the other
 };
-inline constexpr EncounterBudget k_any_encounters{.pairs = ~std::size_t{0}, .crossings = ~std::size_t{0}};
+inline constexpr EncounterBudget k_any_encounters{
+    .pairs = ~std::size_t{0}, .crossings = ~std::size_t{0}, .coplanar = false};
 [[nodiscard]] EncounterBudget encounter_budget(std::size_t facets, double effort = 1.0);
 
 /// Pairs of facets by a tree of boxes. `positions` in the unit frame, `normals` of the facets. Of facets with

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -94,6 +95,10 @@ class ProjectedPart {
   /// True if a blocker lies beyond the point. `last`, the one that was found last (or k_no_facet), is asked
   /// first: what hides a point often hides the next one.
   [[nodiscard]] bool blocked(const Ray& ray, FacetIndex& last) const;
+  /// How many bodies a point of the facet `own`, which is not seen edge-on, lies in, just in front of it: its
+  /// winding number there. Surface of the same sense that lies on it counts as in front if its number is
+  /// lower.
+  [[nodiscard]] int winding_in_front(const glm::dvec3& point, FacetIndex own) const;
 
  private:
   void find_contour();
@@ -104,6 +109,8 @@ class ProjectedPart {
   struct Stretch {
     double from, to;  // shares of an edge's length
   };
+  /// How far the facet lies over the point, times twice its area; nothing where it lies beside.
+  [[nodiscard]] std::optional<double> rise_over(const glm::dvec3& point, FacetIndex facet) const;
   [[nodiscard]] bool blocks(FacetIndex facet, const Ray& ray) const;
   [[nodiscard]] double hidden_until(FacetIndex facet, const ContourEdge& edge, Sense sense,
                                     double from) const;

@@ -147,6 +147,19 @@ TEST(Adjacency, HoldsForDamagedBoxPiles) {
   }
 }
 
+/// A fan of thousands of facets around one vertex, closed below by another one.
+TEST(Adjacency, HoldsAroundVerticesOfThousandsOfFacets) {
+  constexpr VertexIndex k_rim = 60'000;
+  TriangleMesh mesh{.vertices = std::vector<glm::dvec3>(k_rim + 2), .facets = {}};
+  for (VertexIndex k = 0; k < k_rim; ++k) {
+    const VertexIndex next = (k + 1) % k_rim;
+    mesh.facets.push_back({k, next, k_rim});
+    mesh.facets.push_back({next, k, k_rim + 1});
+  }
+  mesh.facets.push_back({0, 1, k_rim});  // an edge of three facets
+  EXPECT_EQ(build_adjacency(mesh).across, expected_adjacency(mesh).across);
+}
+
 TEST(Components, AreNumberedByFirstFacet) {
   const TriangleMesh near = test::box_mesh({0, 0, 0}, {1, 1, 1}), far = test::box_mesh({5, 0, 0}, {6, 1, 1});
   const Components components = connected_components(test::joined(near, far));

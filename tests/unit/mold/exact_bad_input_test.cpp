@@ -1,12 +1,15 @@
 // Exact regions of meshes that are no proper solids, and of directions and tolerances at their limits.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "mold/exact_rays.hpp"
 #include "support/box_pile.hpp"
 #include "support/boxes.hpp"
 #include "support/convex_shadows.hpp"
@@ -264,6 +267,22 @@ TEST(ExactBadInput, OnlyFacetsWithoutAreaHaveNoRegions) {
   EXPECT_EQ(split.areas.areas.total(), 0.0);
   const TriangleMesh point = {{{1, 1, 1}}, {{0, 0, 0}}};
   EXPECT_EQ(test::exact_areas_of(point, {0, 0, 1}, k_settings).areas.total(), 0.0);
+}
+
+TEST(ExactBadInput, RaysWithoutAPlaceMeetNothing) {
+  const TriangleMesh box = small_box();
+  const ExactRays rays(box, unit_positions(box, unit_frame(bounds(box))));
+  const glm::vec3 nowhere(std::numeric_limits<float>::quiet_NaN()), far(1e30F), up(0, 0, 1), inside(0.0F);
+  EXPECT_TRUE(rays.first_hit(inside, up, false));
+  for (const glm::vec3& bad : {nowhere, far}) {
+    EXPECT_FALSE(rays.first_hit(bad, up, false));
+    EXPECT_FALSE(rays.first_hit(inside, bad, true));
+    EXPECT_FALSE(rays.surface_point_blocked(bad, up, up));
+    EXPECT_FALSE(rays.surface_point_blocked(inside, bad, up));
+    std::array<std::uint8_t, 2> answers{};
+    rays.blocked(std::array{bad, inside}, up, answers);
+    EXPECT_EQ(answers, (std::array<std::uint8_t, 2>{0, 1}));
+  }
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // The parting line on wavy surface.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "parting/loops.hpp"
 #include "support/boxes.hpp"
@@ -105,6 +107,25 @@ TEST(LineSmoothing, LeavesTheLineOnCreases) {
     EXPECT_EQ(parting_verdict(found.assignment, found.line, *found.model).find("Smoothing"),
               std::string::npos);
   }
+}
+
+TEST(LineSmoothing, ThousandsOfPiecesAroundOneEdgeTakeLittleMemory) {
+  constexpr int k_blades = 8000;
+  TriangleMesh mesh{.vertices = {{0, 0, 0}, {0, 0, 1}}, .facets = {}};
+  for (int k = 0; k < k_blades; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / k_blades;
+    mesh.vertices.emplace_back(std::cos(turn), std::sin(turn), 0.3);
+    mesh.facets.push_back({0, 1, static_cast<VertexIndex>(mesh.vertices.size() - 1)});
+  }
+  const auto peak_mib = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+  };
+  const auto before = peak_mib();
+  const Smoothed found = smoothed_line(std::move(mesh), 1.0);
+  EXPECT_FALSE(found.line.loops.empty());
+  EXPECT_LT(peak_mib() - before, 300);
 }
 
 }  // namespace
