@@ -110,6 +110,33 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
   json["unreleased"] = of_insert.unreleased;
 }
 
+/// "8 shut-offs, planar parting surface, flat edge, 1 slide; block of 117 × 89 × 62 mm": of what was made.
+std::string made_text(const MoldReport& report) {
+  constexpr double k_flat = 1e-4;  // of the diagonal
+  const MoldHalves& halves = report.halves;
+  const SurfaceFigures& surface = halves.surface;
+  const FigureStyle style(report.model);
+  const double flat = k_flat * report.model.frame.diagonal;
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
+  const auto rises = [&](double by, std::string_view level, std::string_view what) {
+    return by <= flat ? std::string(level) : fmt::format("{} rises by {}", what, length(by));
+  };
+  const auto shut_offs = static_cast<std::size_t>(std::ranges::count_if(
+      report.line.loops, [](const PartingLoop& loop) { return loop.kind == LoopKind::shut_off; }));
+  const std::size_t slides = halves.slide_count(), loose = halves.inserts.size() - slides;
+  std::string text =
+      fmt::format("{}, {}, {}", shut_offs == 0 ? std::string("no shut-off") : plural(shut_offs, "shut-off"),
+                  rises(surface.high - surface.low, "planar parting surface", "parting surface"),
+                  rises(surface.rim_high - surface.rim_low, "flat edge", "edge"));
+  if (!halves.contacts.empty())
+    text += fmt::format(", {} of steel on steel without draft", plural(halves.contacts.size(), "place"));
+  if (slides > 0) text += ", " + plural(slides, "slide");
+  if (loose > 0) text += ", " + plural(loose, "insert");
+  const glm::dvec2 size = halves.scale * report.model.frame.diagonal * (halves.block_high - halves.block_low);
+  return text + fmt::format("; block of {:.4g} × {:.4g} × {}", size.x, size.y,
+                            length(halves.block_volume / (size.x * size.y)));
+}
+
 /// Of a body as it is written: the halves leave first, then slides, then what leaves with the part.
 Json piece_json(const MoldReport& report, std::size_t number) {
   const MoldHalves& halves = report.halves;
@@ -151,7 +178,7 @@ void add_halves(const MoldReport& report, Json& json) {
   const WrittenMold& written = report.written;
   json["surface"] = json["surfaces"] = json["halves"] = json["volume_gap"] = Json();
   json["pieces"] = json["inserts"] = Json::array();
-  json["transform"] = Json();
+  json["transform"] = json["made"] = Json();
   json["refused"] = refusal_json(report);
   if (!halves.made()) return;
   put_figures(found_figures(halves_figures(), halves), json);
@@ -170,6 +197,7 @@ void add_halves(const MoldReport& report, Json& json) {
        {"frame", written.part_frame ? "part" : "mold"},
        {"missed",
         {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}});
+  json["made"] = made_text(report);
   json["transform"] = transform_json(halves);
   for (std::size_t k = 0; k < written.bodies.size(); ++k) json["pieces"].push_back(piece_json(report, k));
   for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
@@ -300,6 +328,7 @@ std::vector<std::string> halves_remarks(const MoldReport& report) {
                                       : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
                                   near(*halves.forced_at)));
   for (const std::string& line : missed_lines(model, halves)) remarks.push_back(line + ".");
+  if (report.pieces != nullptr) remarks.push_back(sentence_of(made_text(report)));
   if (report.pieces != nullptr) add_piece_remarks(*report.plan, *report.pieces, remarks);
   const auto count = [](std::size_t many, std::string_view one, std::string_view more) {
     return fmt::format("{} {}", many, many == 1 ? one : more);

@@ -111,7 +111,7 @@ TEST_F(Mold, WritesSlidesAsSolids) {
   EXPECT_EQ(pieces[2]["file"], folder + "/slide_1.stl");
   const auto slide = run_moldlight({"info", folder + "/slide_1.stl", "--json", "-"});
   ASSERT_EQ(slide.exit_code, 0) << slide.err;
-  EXPECT_TRUE(json_of(slide.out)["closed"]);
+  EXPECT_EQ(json_of(slide.out)["part"]["closed"], true);
 }
 
 TEST_F(Mold, IsDrawn) {

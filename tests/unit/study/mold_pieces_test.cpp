@@ -71,6 +71,9 @@ TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
   EXPECT_TRUE(pieces[2]["closed"]);
   EXPECT_GT(pieces[2]["travel"].get<double>(), 3.0);
   EXPECT_GT(pieces[2]["thinnest"].get<double>(), 0.0);
+  const auto made = json["made"].get<std::string>();
+  EXPECT_EQ(made.find("no shut-off, planar parting surface, flat edge"), 0U) << made;
+  EXPECT_NE(made.find(", 1 slide; block of "), std::string::npos) << made;
   EXPECT_EQ(json["transform"][3], (nlohmann::ordered_json{0.0, 0.0, 0.0, 1.0}));
 }
 
