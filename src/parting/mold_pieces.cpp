@@ -18,7 +18,7 @@ namespace moldlight {
 namespace {
 
 /// The lateral tolerance, in diagonals: what moves out may come so near to what stands still.
-constexpr double k_slack = 1.0 / 2048.0;
+constexpr double k_way_slack = 1.0 / 2048.0;
 /// A way that leaves the plane across the direction by more, as a sine, is inclined.
 constexpr double k_inclined = 1e-3;
 
@@ -172,7 +172,7 @@ class PieceMaker {
     std::string in_way;
     const auto looked_at = [&](const TriangleMesh& still, std::string_view name) {
       const WayOut out = way_out(mesh, still, way);
-      if (out.blocked <= k_slack || !in_way.empty()) return;
+      if (out.blocked <= k_way_slack || !in_way.empty()) return;
       const glm::dvec3 place =
           wish_.plain.centre + wish_.model.frame.diagonal * wish_.plain.frame.to_part(out.place);
       in_way = fmt::format("{} {}, near {}", name, k_in_way, FigureStyle(wish_.model).point(place));

@@ -28,17 +28,16 @@ struct MoldPieces {
   std::vector<UnmadeAction> unmade;       // in the plan's order
 };
 
-/// The mold of the halves `plain`, made as the others say, with the side actions of a plan; `split` is that
-/// of the classification that the plan was found for. A slide that cannot be made leaves what it forms to
-/// inserts, as in `plain`. Throws Cancelled.
 struct PiecesWish {
   const PartModel& model;
-  const MoldHalves& plain;
+  const MoldHalves& plain;  // without slides
   const ActionPlan& plan;
-  const SplitMesh& split;
+  const SplitMesh& split;  // of the classification that the plan was found for
   const MeetingPlace& place;
   const MoldSettings& settings;
 };
+/// The halves with as many of the plan's slides as can be made; what the others form stays inserts, as in the
+/// halves without slides. Throws Cancelled.
 [[nodiscard]] MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress);
 
 }  // namespace moldlight

@@ -26,7 +26,7 @@ constexpr double k_depths[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4};
 constexpr double k_clear = 1e-6;
 /// So much do storeys overlap.
 constexpr double k_overlap = 1.1e-3;
-constexpr std::size_t k_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
+constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
 
 WayFrame frame_along(const glm::dvec3& way) {
   return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
@@ -160,7 +160,7 @@ class BlankMaker {
 
   /// Nothing where the part is in front of what it forms.
   [[nodiscard]] std::optional<std::vector<FrontRange>> front_ranges() const {
-    const LineGrid grid{low_, high_, k_lines};
+    const LineGrid grid{low_, high_, k_section_lines};
     const auto part = depth_columns(wish_.part, frame_, grid);
     std::vector<FrontRange> ranges;
     for (std::size_t line = 0; line < grid.lines(); ++line) {
