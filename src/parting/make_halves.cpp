@@ -32,7 +32,7 @@ constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, 
 /// in an edge.
 constexpr std::size_t k_most_for_beauty = 5;
 /// So many with other bodies beside the part, which can be left out.
-constexpr std::size_t k_most_beside = 3;
+constexpr std::size_t k_most_beside = 8;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
 /// More than this, in cubes of the diagonal, is not rounding that the ends' places may make good.
 constexpr double k_most_restored = 1e-8;

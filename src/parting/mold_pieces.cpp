@@ -23,10 +23,7 @@ constexpr double k_way_slack = 1.0 / 2048.0;
 constexpr double k_inclined = 1e-3;
 
 /// Land around what a slide forms, in shares of the usual one: the first that goes.
-constexpr double k_lands[] = {1.0, 0.1};
-
-/// What less land may help against.
-constexpr std::string_view k_in_way = "stands in its way";
+constexpr double k_lands[] = {1.0, 0.3, 0.05};
 
 struct Tried {
   SlideBlank blank;
@@ -128,7 +125,6 @@ class PieceMaker {
       std::vector<Tried> more = blanks_;
       more.push_back({std::move(blank), one.action});
       auto made = attempt(more, why);
-      if (!made && why.find(k_in_way) == std::string::npos) break;
       if (!made) continue;
       blanks_ = std::move(more);
       return made;
@@ -175,7 +171,7 @@ class PieceMaker {
       if (out.blocked <= k_way_slack || !in_way.empty()) return;
       const glm::dvec3 place =
           wish_.plain.centre + wish_.model.frame.diagonal * wish_.plain.frame.to_part(out.place);
-      in_way = fmt::format("{} {}, near {}", name, k_in_way, FigureStyle(wish_.model).point(place));
+      in_way = fmt::format("{} stands in its way, near {}", name, FigureStyle(wish_.model).point(place));
     };
     looked_at(part_, "the part");
     for (std::size_t k = 0; k < halves.inserts.size(); ++k) {
