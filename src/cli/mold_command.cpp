@@ -44,12 +44,12 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
-    MoldHalves halves = study.find<MoldHalves>(progress);
-    write_mold(flags.folder, flags.as_3mf, model->part.unit, halves.written);
-    study.keep(std::make_shared<const MoldHalves>(std::move(halves)));  // with the files' names
+    WrittenMold written = mold_halves(study, progress).written;
+    write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+    keep_written(study, std::move(written), progress);
   }
   if (!flags.image.empty()) {
-    const MoldScene scene{*model, assignment, line, study.find<MoldHalves>(progress)};
+    const MoldScene scene{*model, assignment, line, mold_halves(study, progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
   const int code =
@@ -82,14 +82,18 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
       ->check(named())
       ->allow_extra_args(false);
-  CLI::Option* folder = add_file_flag(*command, flags->folder,
-                                      {"-o,--out", "DIR",
-                                       "Write the halves to this folder: core.stl, cavity.stl, and with "
-                                       "--fill-undercut insert_1.stl and so on"});
+  CLI::Option* folder =
+      add_file_flag(*command, flags->folder,
+                    {"-o,--out", "DIR",
+                     "Write the halves to this folder: core.stl, cavity.stl, with --actions "
+                     "slide_1.stl and so on, with either that or --fill-undercut insert_1.stl "
+                     "and so on"});
   command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
       ->needs(folder);
-  command->add_flag("--actions", flags->with_actions,
-                    "Find the side actions, and list which inserts they move instead of leaving them loose");
+  command->add_flag(
+      "--actions", flags->with_actions,
+      "Find the side actions, make slides of the mold's solids, and list which of the other inserts "
+      "go with an action");
   CLI::Option* image = add_report_flags(
       *command, *flags, request,
       "Draw the part with its parting line and the opened halves, and write the picture to this file");

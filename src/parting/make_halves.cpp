@@ -12,6 +12,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
+#include "parting/hull/depth_columns.hpp"
 #include "parting/hull/half_checks.hpp"
 #include "parting/hull/parting_surface.hpp"
 #include "parting/mold_files.hpp"
@@ -30,6 +31,8 @@ constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, 
 /// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
 /// in an edge.
 constexpr std::size_t k_most_for_beauty = 5;
+/// So many with other bodies beside the part, which can be left out.
+constexpr std::size_t k_most_beside = 8;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
 /// More than this, in cubes of the diagonal, is not rounding that the ends' places may make good.
 constexpr double k_most_restored = 1e-8;
@@ -38,7 +41,8 @@ constexpr double k_most_restored = 1e-8;
 constexpr double k_speck_thickness = 0.5 / 2048.0;
 
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
-                   k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting);
+                   k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting),
+                   k_beside = Sheets::bit(Sheet::beside);
 
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
@@ -97,7 +101,8 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
 /// What the halves are made from.
 struct HalvesWish {
   const SplitMesh& split;
-  const TriangleMesh& mesh;  // of which that is
+  const TriangleMesh& mesh;  // of which that is, and of what is beside it
+  const Beside& beside;
   const PartModel& model;
   const MeetingPlace& place;
   const std::vector<FacetWish>& wished;
@@ -154,7 +159,7 @@ class Trial {
   /// The sheets with the parting surface between them.
   std::optional<MoldFault> make_surface(const Progress& progress) {
     const double diagonal = frame_.diagonal;
-    sheets_ = part_sheets(asked_.split, frame_, attempt_);
+    sheets_ = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_, attempt_);
     progress.report(k_halves_stage, 0.1);
     hand_ = hand_walls(asked_.split, sheets_, asked_.wished, attempt_);
     if (const auto at = sheets_.stand_in_columns(attempt_.tolerance))
@@ -168,8 +173,10 @@ class Trial {
     const Bounds box = box_of(sheets_);
     const std::vector<LinePiece> line = line_pieces(asked_.place.line, frame_);
     const double middle = glm::dot(halves_.centre, halves_.frame.z);
-    const SurfaceWish wish{.low = on_grid(glm::dvec2(box.min) - margin),
-                           .high = on_grid(glm::dvec2(box.max) + margin),
+    const bool fixed = !asked_.beside.blanks.empty();
+    const SurfaceWish wish{.low = fixed ? asked_.beside.low : on_grid(glm::dvec2(box.min) - margin),
+                           .high = fixed ? asked_.beside.high : on_grid(glm::dvec2(box.max) + margin),
+                           .grows = !fixed,
                            .height = (asked_.place.height - middle) / diagonal,
                            .shape = shelf_shape(asked_.settings, diagonal),
                            .tolerance = attempt_.tolerance,
@@ -181,8 +188,11 @@ class Trial {
     const Bounds all = box_of(sheets_);
     block_ = {.low = all.min.z - margin, .high = all.max.z + margin};
     rectangle_ = (surface.high.x - surface.low.x) * (surface.high.y - surface.low.y);
-    halves_.margin = diagonal * std::max({box.min.x - surface.low.x, box.min.y - surface.low.y,
-                                          surface.high.x - box.max.x, surface.high.y - box.max.y});
+    halves_.block_low = surface.low;
+    halves_.block_high = surface.high;
+    halves_.margin = fixed ? asked_.beside.margin
+                           : diagonal * std::max({box.min.x - surface.low.x, box.min.y - surface.low.y,
+                                                  surface.high.x - box.max.x, surface.high.y - box.max.y});
     halves_.land = wish.shape.land * diagonal;
     tell_surface(surface.forced);
     return std::nullopt;
@@ -238,9 +248,11 @@ class Trial {
   std::optional<MoldFault> make_bodies() {
     Facets core, cavity;
     for (const auto& [body, bounded] :
-         {std::pair{BodySheets{.sheets = k_upper | k_parting, .turned = k_upper | k_parting}, &core},
-          {BodySheets{.sheets = k_lower | k_parting, .turned = k_lower}, &cavity},
-          {BodySheets{.sheets = k_hidden, .turned = k_hidden}, &fill_}}) {
+         {std::pair{
+              BodySheets{k_upper | k_parting, k_upper | k_parting, halves_.block_low, halves_.block_high},
+              &core},
+          {BodySheets{k_lower | k_parting, k_lower, halves_.block_low, halves_.block_high}, &cavity},
+          {BodySheets{.sheets = k_hidden | k_beside, .turned = k_hidden}, &fill_}}) {
       if (const auto at = close_upright(sheets_, body, *bounded))
         return MoldFault{
             bounded == &fill_ ? "the walls of an insert do not close" : "the walls of a half do not close",
@@ -261,6 +273,8 @@ class Trial {
     const double scale = frame_.diagonal * halves_.scale;
     halves_.core = scaled_body(sheets_.vertices, core, scale);
     halves_.cavity = scaled_body(sheets_.vertices, cavity, scale);
+    halves_.core.name = "core";
+    halves_.cavity.name = "cavity";
     for (const Facets* half : {&core, &cavity}) {
       if (const BodyCheck check = check_body(sheets_.vertices, *half); check.open_at)
         return MoldFault{"a half is not closed", k_avoid_rounding, check.open_at};
@@ -269,10 +283,26 @@ class Trial {
     return std::nullopt;
   }
 
+  /// The slides' blanks that are in a body.
+  [[nodiscard]] std::vector<std::size_t> blanks_in(const Facets& facets) const {
+    constexpr double k_same = 1e-5;
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < asked_.beside.blanks.size(); ++k) {
+      const glm::dvec3& end = asked_.beside.blanks[k].end;
+      if (std::ranges::any_of(facets, [&](const auto& facet) {
+            return std::ranges::any_of(
+                facet, [&](SheetVertex v) { return glm::distance(sheets_.vertices[v], end) < k_same; });
+          }))
+        found.push_back(k);
+    }
+    return found;
+  }
+
   std::optional<MoldFault> make_inserts() {
     const double scale = frame_.diagonal * halves_.scale;
     for (const Facets& facets : components(sheets_.vertices.size(), fill_)) {
       MoldBody body = scaled_body(sheets_.vertices, facets, scale);
+      body.blanks = blanks_in(facets);
       halves_.insert_volume += body.volume;
       const double area = facet_geometry(body.mesh).total_area;
       if (2.0 * std::abs(body.volume) <= k_speck_thickness * scale * area) {
@@ -284,7 +314,14 @@ class Trial {
         return MoldFault{"bodies of the part overlap", k_mend_surface, bounds(body.mesh).center() / scale};
       halves_.inserts.push_back(std::move(body));
     }
-    std::ranges::stable_sort(halves_.inserts, std::greater(), &MoldBody::volume);
+    std::ranges::stable_sort(halves_.inserts, [](const MoldBody& p, const MoldBody& q) {
+      if (p.blanks.empty() != q.blanks.empty()) return q.blanks.empty();
+      return p.blanks.empty() ? p.volume > q.volume : p.blanks < q.blanks;
+    });
+    std::size_t loose = 0;
+    for (MoldBody& body : halves_.inserts)
+      body.name = body.blanks.empty() ? fmt::format("insert_{}", ++loose)
+                                      : fmt::format("slide_{}", body.blanks.front() + 1);
     return std::nullopt;
   }
 
@@ -330,6 +367,14 @@ class Trial {
       half.crowded_edges = written.bodies[k].crowded_edges;
       half.leaning = written.bodies[k].leaning;
     }
+    for (std::size_t k = 0; k < halves_.inserts.size(); ++k) {
+      MoldBody& insert = halves_.inserts[k];
+      const TriangleMesh& mesh = written.bodies[k + 2].mesh;
+      const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+      insert.crossed_facets = crossed.size();
+      if (!crossed.empty())
+        insert.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
+    }
     return std::nullopt;
   }
 
@@ -347,12 +392,15 @@ class Trial {
 }  // namespace
 
 MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
-                       const MoldSettings& settings, const Progress& progress) {
+                       const MoldSettings& settings, const Progress& progress, const Beside& beside) {
   validate(settings, model.frame.diagonal);
   MoldHalves halves;
   halves.frame = mold_frame(direction);
   halves.centre = model.frame.center;
   halves.scale = 1.0 / (1.0 - 0.01 * settings.shrink_pct);
+  Bounds box;
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) box.add(halves.frame.to_mold(vertex));
+  halves.part_height = halves.scale * (box.max.z - box.min.z);
   if (!model.health.closed) {
     halves.refusal = "the part is not closed, so that it has no inside";
     halves.change = "close it: --repair full mends small holes, moldlight info lists all of them";
@@ -367,13 +415,14 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   const std::vector<FacetWish> wished = wished_facets(model, settings);
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
-  const auto try_all = [&](const ExactPart& part) {
+  const auto try_all = [&](const ExactPart& part, const TriangleMesh& alone) {
     const ExactSplit split =
         exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
-    const HalvesWish asked{split.mesh, part.mesh(), model, place, wished, settings};
+    const HalvesWish asked{split.mesh, alone, beside, model, place, wished, settings};
     std::size_t tried = 0;
     first.reset();
     for (const SheetTolerance& attempt : k_attempts) {
+      if (tried >= k_most_beside && !beside.blanks.empty()) return;
       if (best && tried >= k_most_for_beauty) return;
       ++tried;
       progress.report(k_halves_stage, 0.0);
@@ -382,16 +431,39 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
         if (!first) first = std::move(fault);
         continue;
       }
-      const bool clean = attempted.clean();
+      const bool clean = attempted.clean() || (!beside.blanks.empty() && attempted.certified());
       if (!best || attempted.better_than(*best)) best = std::move(attempted);
       if (clean) return;
     }
   };
+  // The part's mesh, with the other bodies.
+  const auto try_mesh = [&](const TriangleMesh& alone) {
+    TriangleMesh all = alone;
+    for (const SlideBlank& blank : beside.blanks) {
+      const auto number = static_cast<VertexIndex>(all.vertices.size());
+      for (const glm::dvec3& vertex : blank.mesh.vertices)
+        all.vertices.push_back(halves.centre + model.frame.diagonal * halves.frame.to_part(vertex));
+      for (const auto& [a, b, c] : blank.mesh.facets)
+        all.facets.push_back({number + a, number + b, number + c});
+    }
+    try_all(ExactPart(all, facet_geometry(all), beside.blanks.empty() ? model.frame : unit_frame(bounds(all)),
+                      progress, model.part.effort),
+            alone);
+  };
   if (const auto upright =
           with_upright_walls(model.part.mesh, {halves.frame, halves.centre, model.frame.diagonal}))
-    try_all(ExactPart(*upright, facet_geometry(*upright), model.frame, progress, model.part.effort));
-  if (!best || !best->clean() || best->contact_area > 0.0) try_all(model.exact(progress));
-  if (best) return *best;
+    try_mesh(*upright);
+  if (!beside.blanks.empty()) {
+    if (!best) try_mesh(model.part.mesh);
+  } else if (!best || !best->clean() || best->contact_area > 0.0) {
+    try_all(model.exact(progress), model.part.mesh);
+  }
+  if (best) {
+    best->core.thinnest = thinnest_of(best->core.mesh);
+    best->cavity.thinnest = thinnest_of(best->cavity.mesh);
+    for (MoldBody& insert : best->inserts) insert.thinnest = thinnest_of(insert.mesh);
+    return *best;
+  }
   halves.refusal = first->what;
   halves.change = first->change;
   if (first->place)

@@ -6,6 +6,7 @@
 #include "parting/loops.hpp"
 #include "parting/mold_halves.hpp"
 #include "parting/mold_settings.hpp"
+#include "parting/slide_blank.hpp"
 
 namespace moldlight {
 
@@ -15,11 +16,18 @@ struct MeetingPlace {
   const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
 };
 
+/// Bodies beside the part that slides are cut from, with the block whose sides they reach.
+struct Beside {
+  std::vector<SlideBlank> blanks;
+  glm::dvec2 low{0.0}, high{0.0};  // in the mold's frame, in diagonals
+  double margin = 0.0;             // what MoldHalves::margin says of that block
+};
+
 /// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
 /// have them, outweigh the place. Throws UsageError for faces that the part has not and for a margin without
-/// bounds, Cancelled.
+/// bounds, Cancelled. With `beside` they leave the room of its bodies, too.
 [[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
                                      const MeetingPlace& place, const MoldSettings& settings,
-                                     const Progress& progress);
+                                     const Progress& progress, const Beside& beside = {});
 
 }  // namespace moldlight

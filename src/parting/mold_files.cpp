@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -110,8 +111,9 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
   const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
   std::optional<glm::dvec3> open_at;
   const auto in_part = [&](const glm::dvec3& at) { return place_in_part(halves, mold, at); };
-  const auto add = [&](const std::string& name, const MoldBody& body, const glm::dvec3& pull) {
-    WrittenBody written{.name = name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
+  const auto add = [&](const MoldBody& body, const glm::dvec3& pull) {
+    WrittenBody written{
+        .name = body.name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
     tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
     const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
     written.closed = check.open_edges == 0;
@@ -119,10 +121,9 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     if (written.closed) written.crowded_edges = split_touching(written.mesh);
     mold.bodies.push_back(std::move(written));
   };
-  add("core", halves.core, up);
-  add("cavity", halves.cavity, -up);
-  for (std::size_t k = 0; k < halves.inserts.size(); ++k)
-    add(fmt::format("insert_{}", k + 1), halves.inserts[k], glm::dvec3(0.0));
+  add(halves.core, up);
+  add(halves.cavity, -up);
+  for (const MoldBody& insert : halves.inserts) add(insert, glm::dvec3(0.0));
   for (std::size_t k = 0; k < 2; ++k) {
     // As large as the lid, rounded as it is.
     WrittenBody& half = mold.bodies[k];
@@ -188,12 +189,16 @@ void write_mold(const std::string& folder, bool as_3mf, const std::string& unit,
     solids.push_back({body.name, &body.mesh});
   }
   if (as_3mf) write_solids_3mf((fs::path(folder) / "mold.3mf").string(), solids, unit);
-  for (std::size_t k = mold.bodies.size() - 1;; ++k) {
-    const fs::path former = fs::path(folder) / fmt::format("insert_{}.stl", k);
-    if (!fs::exists(former, error)) break;
-    fs::remove(former, error);
-    if (error)
-      throw FileError(former.string(), "", "is out of date and cannot be removed: " + error.message());
+  for (const std::string_view kind : {"slide", "insert"}) {
+    const auto many = std::ranges::count_if(
+        mold.bodies, [&](const WrittenBody& body) { return body.name.starts_with(kind); });
+    for (auto k = many + 1;; ++k) {
+      const fs::path former = fs::path(folder) / fmt::format("{}_{}.stl", kind, k);
+      if (!fs::exists(former, error)) break;
+      fs::remove(former, error);
+      if (error)
+        throw FileError(former.string(), "", "is out of date and cannot be removed: " + error.message());
+    }
   }
 }
 

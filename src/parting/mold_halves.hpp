@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "parting/hull/bodies.hpp"
@@ -23,10 +25,13 @@ namespace moldlight {
 struct MoldBody {
   TriangleMesh mesh;
   double volume = 0.0;
+  std::string name = {};                 // "core", "slide_1", "insert_1"
+  std::vector<std::size_t> blanks = {};  // numbers of the slides' blanks that are in it
   std::size_t open_edges = 0;
-  // Of a half, in single precision: by rounding.
-  std::size_t crowded_edges = 0;  // in which it touches itself
-  std::size_t crossed_facets = 0;
+  std::optional<double> thinnest = {};  // way through it between faces that are opposite to each other
+  std::size_t crossed_facets = 0;       // in single precision, by rounding
+  // Of a half, likewise.
+  std::size_t crowded_edges = 0;              // in which it touches itself
   std::optional<glm::dvec3> crossed_at = {};  // one of these, in the part's coordinates
   std::size_t needles = 0;                    // facets thinner than a ten-millionth of the part's diagonal
   std::optional<glm::dvec3> needle_at = {};   // the longest of these, in the part's coordinates
@@ -49,7 +54,7 @@ struct WrittenBody {
 /// frame where the direction is one of its axes and the coordinates keep what the halves need; else in the
 /// mold's, the parting direction upward, about the part's centre.
 struct WrittenMold {
-  std::vector<WrittenBody> bodies;  // core, cavity, inserts
+  std::vector<WrittenBody> bodies;  // core, cavity, and what stands between them
   bool part_frame = false;
   std::string refusal;                   // why they cannot be written; empty where they can
   std::optional<glm::dvec3> refused_at;  // in the part's coordinates
@@ -71,8 +76,9 @@ struct MoldHalves {
   glm::dvec3 centre{0.0};  // of the part, in its coordinates; the origin of the bodies
   double scale = 1.0;      // of the bodies against the part, for the shrinkage
   MoldBody core, cavity;
-  std::vector<MoldBody> inserts;  // the largest first; what is thinner than a tolerance is left out
-  double specks_volume = 0.0;     // of what is left out
+  std::vector<MoldBody>
+      inserts;  // slides, then the others, the largest first; what is thinner than a tolerance is left out
+  double specks_volume = 0.0;  // of what is left out
 
   // The certificate. Volumes are those of the bodies.
   double block_volume = 0.0, part_volume = 0.0, insert_volume = 0.0;
@@ -83,8 +89,10 @@ struct MoldHalves {
   double cover_gap = 0.0;  // rectangle less what the facets of a half cover, as a share of it
 
   SurfaceFigures surface;
-  double margin = 0.0;  // the most between the part's box and the block's sides
-  double land = 0.0;    // width of what is level between the line and a ramp
+  glm::dvec2 block_low{0.0}, block_high{0.0};  // the block's rectangle in the mold's frame, in diagonals
+  double part_height = 0.0;                    // along the direction
+  double margin = 0.0;                         // the most between the part's box and the block's sides
+  double land = 0.0;                           // width of what is level between the line and a ramp
   /// How steep the part's own outline is, where that is more than was asked: less than that no parting
   /// surface can be that meets it, so that the halves touch on upright walls there. 90 at steps, 0: nowhere.
   double forced_deg = 0.0;
@@ -120,7 +128,12 @@ struct MoldHalves {
     return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
+  [[nodiscard]] std::size_t slide_count() const;
+  [[nodiscard]] double slide_volume() const;
 };
+
+/// Takes coordinates of the files to the part's, whose origin is where it is enlarged from for shrinkage.
+[[nodiscard]] glm::dmat4 to_part_of(const MoldHalves& halves);
 
 /// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
 [[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);

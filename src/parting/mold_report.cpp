@@ -110,12 +110,75 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
   json["unreleased"] = of_insert.unreleased;
 }
 
+/// "8 shut-offs, planar parting surface, flat edge, 1 slide; block of 117 × 89 × 62 mm": of what was made.
+std::string made_text(const MoldReport& report) {
+  constexpr double k_flat = 1e-4;  // of the diagonal
+  const MoldHalves& halves = report.halves;
+  const SurfaceFigures& surface = halves.surface;
+  const FigureStyle style(report.model);
+  const double flat = k_flat * report.model.frame.diagonal;
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
+  const auto rises = [&](double by, std::string_view level, std::string_view what) {
+    return by <= flat ? std::string(level) : fmt::format("{} rises by {}", what, length(by));
+  };
+  const auto shut_offs = static_cast<std::size_t>(std::ranges::count_if(
+      report.line.loops, [](const PartingLoop& loop) { return loop.kind == LoopKind::shut_off; }));
+  const std::size_t slides = halves.slide_count(), loose = halves.inserts.size() - slides;
+  std::string text =
+      fmt::format("{}, {}, {}", shut_offs == 0 ? std::string("no shut-off") : plural(shut_offs, "shut-off"),
+                  rises(surface.high - surface.low, "planar parting surface", "parting surface"),
+                  rises(surface.rim_high - surface.rim_low, "flat edge", "edge"));
+  if (!halves.contacts.empty())
+    text += fmt::format(", {} of steel on steel without draft", plural(halves.contacts.size(), "place"));
+  if (slides > 0) text += ", " + plural(slides, "slide");
+  if (loose > 0) text += ", " + plural(loose, "insert");
+  const glm::dvec2 size = halves.scale * report.model.frame.diagonal * (halves.block_high - halves.block_low);
+  return text + fmt::format("; block of {:.4g} × {:.4g} × {}", size.x, size.y,
+                            length(halves.block_volume / (size.x * size.y)));
+}
+
+/// Of a body as it is written: the halves leave first, then slides, then what leaves with the part.
+Json piece_json(const MoldReport& report, std::size_t number) {
+  const MoldHalves& halves = report.halves;
+  const WrittenBody& written = report.written.bodies[number];
+  const bool half = number < 2;
+  const MoldBody& body = number == 0 ? halves.core : half ? halves.cavity : halves.inserts[number - 2];
+  const bool slide = !body.blanks.empty();
+  Json json = {{"name", written.name}, {"kind", half ? written.name : slide ? "slide" : "insert"}};
+  json["file"] = written.file.empty() ? Json() : Json(written.file);
+  json["direction"] = json["travel"] = Json();
+  if (half) {
+    json["direction"] = point_json(number == 0 ? halves.frame.z : -halves.frame.z);
+    json["travel"] = halves.part_height;
+  } else if (slide) {
+    const SideAction& action = report.plan->actions[report.pieces->of_slides[body.blanks.front()]];
+    json["direction"] = point_json(action.direction);
+    json["travel"] = action.travel;
+  }
+  json["sequence"] = half ? 1 : slide ? 2 : 3;
+  json.update({{"volume", written.volume},
+               {"closed", written.closed},
+               {"crossings", body.crossed_facets},
+               {"thinnest", body.thinnest ? Json(*body.thinnest) : Json()}});
+  return json;
+}
+
+/// Rows of 4 x 4 numbers.
+Json transform_json(const MoldHalves& halves) {
+  const glm::dmat4 transform = to_part_of(halves);
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row)
+    rows.push_back({transform[0][row], transform[1][row], transform[2][row], transform[3][row]});
+  return rows;
+}
+
 /// Halves, surfaces, inserts; null where there are none.
 void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
   const WrittenMold& written = report.written;
   json["surface"] = json["surfaces"] = json["halves"] = json["volume_gap"] = Json();
-  json["inserts"] = Json::array();
+  json["pieces"] = json["inserts"] = Json::array();
+  json["transform"] = json["made"] = Json();
   json["refused"] = refusal_json(report);
   if (!halves.made()) return;
   put_figures(found_figures(halves_figures(), halves), json);
@@ -134,12 +197,33 @@ void add_halves(const MoldReport& report, Json& json) {
        {"frame", written.part_frame ? "part" : "mold"},
        {"missed",
         {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}});
+  json["made"] = made_text(report);
+  json["transform"] = transform_json(halves);
+  for (std::size_t k = 0; k < written.bodies.size(); ++k) json["pieces"].push_back(piece_json(report, k));
   for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
     Json insert = body_json(written.bodies[k + 2]);
     insert["place"] = point_json(insert_place(halves, k));
-    if (report.plan != nullptr) add_actions(*report.plan, report.by_action[k], insert);
+    if (report.pieces != nullptr) add_actions(*report.plan, report.pieces->of_inserts[k], insert);
     json["inserts"].push_back(std::move(insert));
   }
+}
+
+void add_piece_remarks(const ActionPlan& plan, const MoldPieces& pieces, std::vector<std::string>& remarks) {
+  const auto named = [&](std::size_t action) {
+    return fmt::format("{} along {}", facts(plan.actions[action].kind).singular,
+                       direction_words(plan.actions[action].direction));
+  };
+  for (std::size_t k = 0; k < pieces.of_inserts.size(); ++k) {
+    const MoldBody& body = pieces.halves.inserts[k];
+    for (const std::size_t number : pieces.of_inserts[k].actions) {
+      remarks.push_back(body.blanks.empty()
+                            ? fmt::format("{} goes with a {}{}.", body.name, named(number),
+                                          pieces.of_inserts[k].unreleased > 0 ? ", but not all of it" : "")
+                            : fmt::format("{} is the {}.", body.name, named(number)));
+    }
+  }
+  for (const UnmadeAction& unmade : pieces.unmade)
+    remarks.push_back(fmt::format("The {} is no solid of its own: {}.", named(unmade.action), unmade.why));
 }
 
 }  // namespace
@@ -210,7 +294,7 @@ std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& 
 }
 
 nlohmann::ordered_json mold_json(const MoldReport& report) {
-  const auto& [model, query, settings, assignment, line, halves, written, plan, by_action] = report;
+  const auto& [model, query, settings, assignment, line, halves, written, plan, pieces] = report;
   Json json;
   json["schema"] = "moldlight.mold/2";
   std::vector<std::string> warnings = model.warnings;
@@ -244,14 +328,8 @@ std::vector<std::string> halves_remarks(const MoldReport& report) {
                                       : fmt::format("is up to {:.1f}° steep", halves.forced_deg),
                                   near(*halves.forced_at)));
   for (const std::string& line : missed_lines(model, halves)) remarks.push_back(line + ".");
-  for (std::size_t k = 0; k < report.by_action.size(); ++k) {
-    for (const std::size_t number : report.by_action[k].actions) {
-      const SideAction& action = report.plan->actions[number];
-      remarks.push_back(fmt::format("insert_{} goes with a {} along {}{}.", k + 1,
-                                    facts(action.kind).singular, direction_words(action.direction),
-                                    report.by_action[k].unreleased > 0 ? ", but not all of it" : ""));
-    }
-  }
+  if (report.pieces != nullptr) remarks.push_back(sentence_of(made_text(report)));
+  if (report.pieces != nullptr) add_piece_remarks(*report.plan, *report.pieces, remarks);
   const auto count = [](std::size_t many, std::string_view one, std::string_view more) {
     return fmt::format("{} {}", many, many == 1 ? one : more);
   };

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "parting/insert_actions.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/mold_pieces.hpp"
 
 namespace moldlight {
 
@@ -20,9 +20,9 @@ struct MoldReport {
   const Assignment& assignment;
   const PartingLine& line;
   const MoldHalves& halves;
-  const WrittenMold& written;                 // bodies that were not asked for have no file
-  const ActionPlan* plan = nullptr;           // side actions, where they were asked for
-  std::vector<InsertActions> by_action = {};  // one an insert then
+  const WrittenMold& written;          // bodies that were not asked for have no file
+  const ActionPlan* plan = nullptr;    // side actions, where they were asked for
+  const MoldPieces* pieces = nullptr;  // then, too
 };
 
 /// "shut-off 3": the loop of a part's parting line that runs nearest to a place, numbered as the report lists

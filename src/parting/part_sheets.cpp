@@ -33,13 +33,17 @@ Sheet sheet_of(const SplitPiece& piece, const Sheets& sheets) {
 
 }  // namespace
 
-Sheets part_sheets(const SplitMesh& split, const SheetFrame& frame, const SheetTolerance& attempt) {
+Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
+                   const SheetTolerance& attempt) {
   Sheets sheets;
   for (const glm::dvec3& vertex : split.vertices) sheets.vertices.push_back(frame.in_mold(vertex));
   sheets.column_of.assign(sheets.vertices.size(), k_no_column);
   for (const SplitPiece& piece : split.pieces) {
-    if (!is_upright(piece, sheets, attempt))
-      sheets.facets.push_back({piece.corners, sheet_of(piece, sheets)});
+    if (is_upright(piece, sheets, attempt)) continue;
+    const Sheet sheet = sheet_of(piece, sheets);
+    if (piece.facet < beside || sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, sheet});
+    if (piece.facet >= beside && sheet != Sheet::hidden)
+      sheets.facets.push_back({piece.corners, Sheet::beside});
   }
   return sheets;
 }
@@ -49,7 +53,7 @@ HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets, const std::ve
   HandWalls found;
   double most = 0.0;
   for (const SplitPiece& piece : split.pieces) {
-    if (wished[piece.facet] == FacetWish::none) continue;
+    if (piece.facet >= wished.size() || wished[piece.facet] == FacetWish::none) continue;
     const bool core = wished[piece.facet] == FacetWish::core;
     const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
                      &c = sheets.vertices[piece.corners[2]];

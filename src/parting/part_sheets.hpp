@@ -33,8 +33,9 @@ struct SheetFrame {
   }
 };
 
-/// Of a mesh that is split at no draft. Upright facets are left out; ends do not stand in columns yet.
-[[nodiscard]] Sheets part_sheets(const SplitMesh& split, const SheetFrame& frame,
+/// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
+/// facets are left out; ends do not stand in columns yet.
+[[nodiscard]] Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
                                  const SheetTolerance& attempt);
 
 /// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean

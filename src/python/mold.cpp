@@ -30,7 +30,9 @@ struct PythonMold {
   [[nodiscard]] const PartModel& model() const { return study.model(); }
   [[nodiscard]] const Assignment& assignment() const { return study.known<MoldLine>()->assignment; }
   [[nodiscard]] const PartingLine& line() const { return study.known<MoldLine>()->line; }
-  [[nodiscard]] const MoldHalves& halves() const { return *study.known<MoldHalves>(); }
+  [[nodiscard]] const MoldHalves& halves() const {
+    return study.questions().with_actions ? study.known<MoldPieces>()->halves : *study.known<MoldHalves>();
+  }
   [[nodiscard]] const WrittenMold& written() const { return halves().written; }
   [[nodiscard]] Json json() const {
     Study shared = study;
@@ -112,16 +114,10 @@ py::array picture_of_mold(const PythonMold& self, const py::kwargs& keywords) {
 
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
 py::array frame_of(const PythonMold& self) {
-  const MoldHalves& halves = self.halves();
-  const bool as_part = self.written().part_frame;
-  const glm::dvec3 zero(0.0), origin = as_part ? zero : halves.scale * halves.centre;
+  const glm::dmat4 numbers = to_part_of(self.halves());
   py::array_t<double> frame({py::ssize_t{4}, py::ssize_t{4}});
   for (int column = 0; column < 4; ++column) {
-    glm::dvec3 axis(0.0);
-    if (column < 3) axis[column] = 1.0;
-    const glm::dvec3 numbers = column == 3 ? origin : as_part ? axis : halves.frame.to_part(axis);
-    for (int row = 0; row < 3; ++row) *frame.mutable_data(row, column) = numbers[row];
-    *frame.mutable_data(3, column) = column == 3 ? 1.0 : 0.0;
+    for (int row = 0; row < 4; ++row) *frame.mutable_data(row, column) = numbers[column][row];
   }
   return frame;
 }

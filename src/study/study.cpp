@@ -108,15 +108,17 @@ std::shared_ptr<const MoldHalves> Asked<MoldHalves>::find(Study& study, const Pr
                             study.questions().mold, progress));
 }
 
-Asked<InsertPlan>::Inputs Asked<InsertPlan>::inputs(const Study& study) {
+Asked<MoldPieces>::Inputs Asked<MoldPieces>::inputs(const Study& study) {
   return {Asked<MoldHalves>::inputs(study), Asked<ActionPlan>::inputs(study)};
 }
-std::shared_ptr<const InsertPlan> Asked<InsertPlan>::find(Study& study, const Progress& progress) {
+std::shared_ptr<const MoldPieces> Asked<MoldPieces>::find(Study& study, const Progress& progress) {
+  const MoldLine& line = study.find<MoldLine>(progress);
   const MoldHalves& halves = study.find<MoldHalves>(progress);
-  if (halves.inserts.empty()) return shared(InsertPlan{});
   const ActionPlan& plan = study.find<ActionPlan>(progress);
-  return shared(
-      InsertPlan{actions_of_inserts(halves, *study.find<SplitRegions>(progress).result.split, plan)});
+  const MeetingPlace place{line.assignment.height, &line.line};
+  return shared(make_pieces({study.model(), halves, plan, *study.find<SplitRegions>(progress).result.split,
+                             place, study.questions().mold},
+                            progress));
 }
 
 Asked<DraftCheck>::Inputs Asked<DraftCheck>::inputs(const Study& study) {

@@ -12,10 +12,10 @@
 #include "actions/to_be_free.hpp"
 #include "classify/classification.hpp"
 #include "parting/draft/draft_check.hpp"
-#include "parting/insert_actions.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/mold_halves.hpp"
+#include "parting/mold_pieces.hpp"
 #include "study/verdict.hpp"
 #include "sweep/sweep.hpp"
 
@@ -47,11 +47,6 @@ struct MoldLine {
       : assignment(std::move(assigned)), line(std::move(found)) {}
   Assignment assignment;
   PartingLine line;
-};
-
-/// Which side actions form the inserts between the halves.
-struct InsertPlan {
-  std::vector<InsertActions> of_inserts;
 };
 
 class Study;
@@ -103,10 +98,10 @@ struct Asked<MoldHalves> {
   static std::shared_ptr<const MoldHalves> find(Study& study, const Progress& progress);
 };
 template <>
-struct Asked<InsertPlan> {
+struct Asked<MoldPieces> {
   using Inputs = std::pair<Asked<MoldHalves>::Inputs, Asked<ActionPlan>::Inputs>;
   static Inputs inputs(const Study& study);
-  static std::shared_ptr<const InsertPlan> find(Study& study, const Progress& progress);
+  static std::shared_ptr<const MoldPieces> find(Study& study, const Progress& progress);
 };
 template <>
 struct Asked<DraftCheck> {
@@ -167,7 +162,7 @@ class Study {
   std::shared_ptr<const PartModel> model_;
   Questions questions_;
   std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
-             Kept<MoldLine>, Kept<MoldHalves>, Kept<InsertPlan>, Kept<DraftCheck>>
+             Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<DraftCheck>>
       kept_;
 };
 

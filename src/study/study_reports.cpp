@@ -1,5 +1,8 @@
 #include "study/study_reports.hpp"
 
+#include <memory>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -35,9 +38,25 @@ ActionsReport actions_report(Study& study, const Progress& progress) {
           study.find<ActionPlan>(progress), changes.of_patches};
 }
 
+const MoldHalves& mold_halves(Study& study, const Progress& progress) {
+  return study.questions().with_actions ? study.find<MoldPieces>(progress).halves
+                                        : study.find<MoldHalves>(progress);
+}
+
+void keep_written(Study& study, WrittenMold written, const Progress& progress) {
+  if (study.questions().with_actions) {
+    MoldPieces pieces = study.find<MoldPieces>(progress);
+    pieces.halves.written = std::move(written);
+    study.keep(std::make_shared<const MoldPieces>(std::move(pieces)));
+  } else {
+    MoldHalves halves = study.find<MoldHalves>(progress);
+    halves.written = std::move(written);
+    study.keep(std::make_shared<const MoldHalves>(std::move(halves)));
+  }
+}
+
 MoldReport mold_report(Study& study, const Progress& progress) {
-  static const std::vector<InsertActions> k_no_actions;
-  const MoldHalves& halves = study.find<MoldHalves>(progress);
+  const MoldHalves& halves = mold_halves(study, progress);
   const MoldLine& line = study.find<MoldLine>(progress);
   const bool with_actions = study.questions().with_actions;
   return {study.model(),
@@ -48,15 +67,16 @@ MoldReport mold_report(Study& study, const Progress& progress) {
           halves,
           halves.written,
           with_actions ? &study.find<ActionPlan>(progress) : nullptr,
-          with_actions ? study.find<InsertPlan>(progress).of_inserts : k_no_actions};
+          with_actions ? &study.find<MoldPieces>(progress) : nullptr};
 }
 
 std::string mold_refusal(Study& study, const Progress& progress) {
-  const MoldHalves& halves = study.find<MoldHalves>(progress);
+  const MoldHalves& halves = mold_halves(study, progress);
   const PartingLine& line = study.find<MoldLine>(progress).line;
   if (!halves.written.refusal.empty())
     return refusal_text(study.model(), halves, halves.written,
                         halves.refused_at ? loop_near(line, *halves.refused_at) : std::string());
+  if (study.questions().with_actions) return {};
   const std::string unfilled = unfilled_text(study.model(), study.questions().mold, halves);
   if (unfilled.empty()) return {};
   return "no halves are written: " + unfilled +
@@ -65,9 +85,8 @@ std::string mold_refusal(Study& study, const Progress& progress) {
 
 Verdict mold_verdict(Study& study, const Progress& progress) {
   Verdict verdict = study.verdict(progress);
-  if (!study.find<MoldHalves>(progress).written.refusal.empty())
-    verdict.reasons.push_back(sentence_of(mold_refusal(study, progress)));
-  const MoldHalves& halves = study.find<MoldHalves>(progress);
+  const MoldHalves& halves = mold_halves(study, progress);
+  if (!halves.written.refusal.empty()) verdict.reasons.push_back(sentence_of(mold_refusal(study, progress)));
   for (const std::string& fault : half_faults(study.model(), halves))
     verdict.reasons.push_back(fmt::format("The halves are not certified: {}.", fault));
   return verdict;

@@ -17,6 +17,10 @@ namespace moldlight {
 
 /// The answers that a report of side actions shows; they hold until the study is asked something else.
 [[nodiscard]] ActionsReport actions_report(Study& study, const Progress& progress);
+/// The halves, with slides where the side actions belong to the question.
+[[nodiscard]] const MoldHalves& mold_halves(Study& study, const Progress& progress);
+/// Keeps what was written of them.
+void keep_written(Study& study, WrittenMold written, const Progress& progress);
 /// The same of a mold; its side actions, where they belong to the question.
 [[nodiscard]] MoldReport mold_report(Study& study, const Progress& progress);
 /// The study's verdict, with why there are no halves where there are none.

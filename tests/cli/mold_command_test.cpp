@@ -98,7 +98,20 @@ TEST_F(Mold, TellsWhichInsertsGoWithSideActions) {
   EXPECT_EQ(inserts[0]["actions"][0]["kind"], "slide");
   EXPECT_EQ(inserts[0]["unreleased"], 0);
   const auto table = run_moldlight(mold({"--actions", "--registration"}));
-  EXPECT_NE(table.out.find("insert_1 goes with a slide"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("slide_1 is the slide along"), std::string::npos) << table.out;
+}
+
+TEST_F(Mold, WritesSlidesAsSolids) {
+  const std::string folder = part.output("pieces");
+  const auto run = run_moldlight(mold({"--actions", "--out", folder, "--json", "-"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto pieces = json_of(run.out)["pieces"];
+  ASSERT_EQ(pieces.size(), 3U) << pieces.dump();
+  EXPECT_EQ(pieces[2]["kind"], "slide");
+  EXPECT_EQ(pieces[2]["file"], folder + "/slide_1.stl");
+  const auto slide = run_moldlight({"info", folder + "/slide_1.stl", "--json", "-"});
+  ASSERT_EQ(slide.exit_code, 0) << slide.err;
+  EXPECT_EQ(json_of(slide.out)["part"]["closed"], true);
 }
 
 TEST_F(Mold, IsDrawn) {

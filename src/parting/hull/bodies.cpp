@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
@@ -71,6 +72,130 @@ class Columns {
   std::unordered_map<Column, std::vector<SheetVertex>> standing_;
 };
 
+/// The walls and the lid of a half, from its open edges.
+class BlockSides {
+ public:
+  BlockSides(Sheets& sheets, double height, bool up, Facets& facets)
+      : sheets_(sheets), height_(height), up_(up), facets_(facets) {
+    for (const auto& [from, to] : open_edges(facets)) {
+      edges_.push_back({from, to});
+      for (const SheetVertex v : {from, to}) {
+        low_ = glm::min(low_, at(v));
+        high_ = glm::max(high_, at(v));
+      }
+    }
+  }
+
+  void run() {
+    const glm::dvec2 corners[4] = {low_, {high_.x, low_.y}, high_, {low_.x, high_.y}};
+    std::array<SheetVertex, 4> lid{};
+    for (std::size_t k = 0; k < 4; ++k) lid[k] = add(corners[k]);
+    std::vector<SheetVertex> around;
+    for (std::size_t k = 0; k < 4; ++k) {
+      around.push_back(lid[k]);
+      const auto more = close_side(lid[k], lid[(k + 1) % 4]);
+      around.insert(around.end(), more.begin(), more.end());
+    }
+    if (around.size() == 4) {
+      add_lid(lid[0], lid[1], lid[2]);
+      add_lid(lid[0], lid[2], lid[3]);
+      return;
+    }
+    const SheetVertex middle = add(0.5 * (low_ + high_));
+    for (std::size_t k = 0; k < around.size(); ++k)
+      add_lid(middle, around[k], around[(k + 1) % around.size()]);
+  }
+
+ private:
+  using Edge = std::array<SheetVertex, 2>;
+
+  static std::vector<Edge> open_edges(const Facets& facets) {
+    std::map<Edge, int> count;
+    for (const auto& facet : facets) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const SheetVertex from = facet[k], to = facet[(k + 1) % 3];
+        from < to ? ++count[{from, to}] : --count[{to, from}];
+      }
+    }
+    std::vector<Edge> open;
+    for (const auto& [edge, uses] : count) {
+      if (uses != 0) open.push_back(edge);
+    }
+    return open;
+  }
+
+  [[nodiscard]] glm::dvec2 at(SheetVertex v) const { return glm::dvec2(sheets_.vertices[v]); }
+  SheetVertex add(const glm::dvec2& place) {
+    sheets_.vertices.emplace_back(place.x, place.y, height_);
+    sheets_.column_of.push_back(k_no_column);
+    return static_cast<SheetVertex>(sheets_.vertices.size() - 1);
+  }
+  void add_lid(SheetVertex a, SheetVertex b, SheetVertex c) {
+    facets_.push_back(up_ ? std::array{a, b, c} : std::array{a, c, b});
+  }
+
+  /// The wall between two of the lid's corners; returns the lid's points between them.
+  std::vector<SheetVertex> close_side(SheetVertex first, SheetVertex last) {
+    const int fixed = at(first).x == at(last).x ? 0 : 1;  // the coordinate that the side has everywhere
+    const double sense = at(last)[1 - fixed] > at(first)[1 - fixed] ? 1.0 : -1.0;
+    // Seen from outside, the side runs from left to right.
+    const auto along = [&](SheetVertex v) { return sense * at(v)[1 - fixed]; };
+    std::vector<SheetVertex> side;
+    std::vector<Edge> level;  // from left to right
+    bool steps = false;
+    for (const auto& [from, to] : edges_) {
+      if (at(from)[fixed] != at(first)[fixed] || at(to)[fixed] != at(first)[fixed]) continue;
+      side.insert(side.end(), {from, to});
+      if (along(from) == along(to)) steps = true;
+      if (along(from) != along(to))
+        level.push_back(along(from) < along(to) ? Edge{from, to} : Edge{to, from});
+    }
+    std::ranges::sort(side, {},
+                      [&](SheetVertex v) { return std::tuple(along(v), sheets_.vertices[v].z, v); });
+    side.erase(std::unique(side.begin(), side.end()), side.end());
+    if (!steps) {
+      const std::vector<SheetVertex> edge = {first, last};
+      add_strip(sheets_.vertices, up_ ? edge : side, up_ ? side : edge, false, facets_);
+      return {};
+    }
+    std::ranges::sort(level, {}, [&](const Edge& edge) { return along(edge[0]); });
+    std::vector<SheetVertex> between;
+    SheetVertex left = first;
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      SheetVertex right = last;
+      if (k + 1 < level.size()) {
+        right = add(at(level[k][1]));
+        between.push_back(right);
+      }
+      add_strip(sheets_.vertices, standing(side, level[k][0], left), standing(side, level[k][1], right),
+                false, facets_);
+      left = right;
+    }
+    return between;
+  }
+
+  /// What stands between a vertex of the side and the lid, from below.
+  [[nodiscard]] std::vector<SheetVertex> standing(const std::vector<SheetVertex>& side, SheetVertex from,
+                                                  SheetVertex lid) const {
+    std::vector<SheetVertex> list;
+    if (!up_) list.push_back(lid);
+    const double z = sheets_.vertices[from].z;
+    for (const SheetVertex v : side) {
+      if (at(v) == at(from) && (up_ ? sheets_.vertices[v].z >= z : sheets_.vertices[v].z <= z))
+        list.push_back(v);
+    }
+    if (up_) list.push_back(lid);
+    return list;
+  }
+
+  Sheets& sheets_;
+  double height_;
+  bool up_;
+  Facets& facets_;
+  std::vector<Edge> edges_;
+  glm::dvec2 low_{INFINITY}, high_{-INFINITY};
+};
+
 }  // namespace
 
 std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& body, Facets& facets) {
@@ -82,7 +207,13 @@ std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& 
   const std::vector<SheetEdge> edges = sheets.ends(body.sheets, body.turned);
   const Columns columns(sheets, edges);
   std::optional<glm::dvec3> fault;
+  const auto on_side = [&](const SegmentEdges& segment) {
+    const glm::dvec2 &a = sheets.columns[segment.a], &b = sheets.columns[segment.b];
+    return (a.x == b.x && (a.x == body.low.x || a.x == body.high.x)) ||
+           (a.y == b.y && (a.y == body.low.y || a.y == body.high.y));
+  };
   for (SegmentEdges& segment : sheets.by_segment(edges)) {
+    if (on_side(segment)) continue;
     std::ranges::sort(segment.edges, [&](const SegmentEdge& x, const SegmentEdge& y) {
       return height_of(sheets, x) < height_of(sheets, y);
     });
@@ -106,45 +237,7 @@ std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& 
 }
 
 void add_block(Sheets& sheets, const BlockHeights& heights, bool up, Facets& facets) {
-  std::vector<SheetVertex> rim;
-  glm::dvec2 low(INFINITY), high(-INFINITY);
-  for (const SheetEdge& edge : sheets.ends(Sheets::bit(Sheet::parting))) {
-    if (sheets.column_of[edge.from] != k_no_column) continue;
-    rim.push_back(edge.from);
-    low = glm::min(low, glm::dvec2(sheets.vertices[edge.from]));
-    high = glm::max(high, glm::dvec2(sheets.vertices[edge.from]));
-  }
-  const glm::dvec2 corners[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
-  std::array<SheetVertex, 4> lid{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    lid[k] = static_cast<SheetVertex>(sheets.vertices.size());
-    sheets.vertices.emplace_back(corners[k].x, corners[k].y, up ? heights.high : heights.low);
-    sheets.column_of.push_back(k_no_column);
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const glm::dvec2 &from = corners[k], &to = corners[(k + 1) % 4];
-    const int fixed = from.x == to.x ? 0 : 1;  // the coordinate that the side has everywhere
-    std::vector<SheetVertex> side;
-    for (const SheetVertex v : rim) {
-      if (sheets.vertices[v][fixed] == from[fixed]) side.push_back(v);
-    }
-    const double sense = to[1 - fixed] > from[1 - fixed] ? 1.0 : -1.0;
-    std::ranges::sort(side, {}, [&](SheetVertex v) { return sense * sheets.vertices[v][1 - fixed]; });
-    // Seen from outside, the side runs from left to right: a strip between its chain and the lid's.
-    const std::vector<SheetVertex> edge = {lid[k], lid[(k + 1) % 4]};
-    if (up) {
-      add_strip(sheets.vertices, edge, side, false, facets);
-    } else {
-      add_strip(sheets.vertices, side, edge, false, facets);
-    }
-  }
-  if (up) {
-    facets.push_back({lid[0], lid[1], lid[2]});
-    facets.push_back({lid[0], lid[2], lid[3]});
-  } else {
-    facets.push_back({lid[0], lid[2], lid[1]});
-    facets.push_back({lid[0], lid[3], lid[2]});
-  }
+  BlockSides(sheets, up ? heights.high : heights.low, up, facets).run();
 }
 
 BodyCheck check_body(const std::vector<glm::dvec3>& vertices, const Facets& facets) {

@@ -1,6 +1,7 @@
 // Closed bodies from sheets: what is upright follows from where the sheets end.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace moldlight {
 struct BodySheets {
   unsigned sheets = 0;  // a bit each
   unsigned turned = 0;  // of these, those that are turned over
+  // Over the sides of this rectangle it stays open.
+  glm::dvec2 low{-INFINITY}, high{INFINITY};
 };
 
 /// The sheets and the only upright surface that has their ends: on every segment, from below upwards, as many
@@ -21,11 +24,11 @@ struct BodySheets {
 [[nodiscard]] std::optional<glm::dvec3> close_upright(const Sheets& sheets, const BodySheets& body,
                                                       std::vector<std::array<SheetVertex, 3>>& facets);
 
-/// A box around the rectangle from `low` to `high` above and below the parting surface, without the surface.
 struct BlockHeights {
   double low = 0.0, high = 0.0;
 };
-/// Adds the walls from the parting surface's rim up to `high` (or down to `low`) and the lid there.
+/// Adds the walls from where a half ends, at the sides of a rectangle, up to `high` (or down to `low`) and
+/// the lid there.
 void add_block(Sheets& sheets, const BlockHeights& heights, bool up,
                std::vector<std::array<SheetVertex, 3>>& facets);
 

@@ -163,7 +163,7 @@ class SheetBuilder {
 /// one body, but a column too many does no harm.
 std::vector<SegmentCut> find_crossings(Sheets& sheets, double tolerance) {
   std::vector<SheetEdge> edges;
-  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::parting}) {
+  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::beside, Sheet::parting}) {
     const auto more = sheets.ends(Sheets::bit(sheet));
     edges.insert(edges.end(), more.begin(), more.end());
   }
@@ -205,8 +205,10 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
   std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape, progress);
   const LevelOutside level = level_outside(rims[0], fields[0].shelf().height, wish.shape);
-  surface.low = on_grid(glm::min(wish.low, level.low));
-  surface.high = on_grid(glm::max(wish.high, level.high));
+  if (wish.grows) {
+    surface.low = on_grid(glm::min(wish.low, level.low));
+    surface.high = on_grid(glm::max(wish.high, level.high));
+  }
   if (surface.low != wish.low || surface.high != wish.high) {
     plane = OutlinePlane(surface.low, surface.high);
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;

@@ -20,6 +20,7 @@ inline constexpr double k_narrow = 1e-5;
 /// In the mold's frame.
 struct SurfaceWish {
   glm::dvec2 low{0.0}, high{0.0};  // the block's least rectangle, on the grid of columns
+  bool grows = true;               // for a level rim
   double height = 0.0;             // where the halves are to meet if nothing else tells
   ShelfShape shape = {};
   double tolerance = 1e-7;

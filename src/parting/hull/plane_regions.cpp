@@ -1,5 +1,8 @@
 // Which triangles of a plane mesh lie inside of its outline, and the regions outside.
+#include <algorithm>
 #include <deque>
+#include <utility>
+#include <vector>
 
 #include "parting/hull/plane_mesh.hpp"
 
@@ -9,10 +12,11 @@ void PlaneMesh::find_inside() {
   std::vector<std::uint8_t> depth(triangles_.size(), 2);
   std::deque<std::uint32_t> queue;
   for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-    const auto& across = triangles_[k].across;
-    if (across[0] != k_none && across[1] != k_none && across[2] != k_none) continue;
-    depth[k] = 0;
-    queue.push_back(k);
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (triangles_[k].across[side] != k_none) continue;
+      depth[k] = triangles_[k].fixed[side] == k_outline ? 1 : 0;
+      queue.push_back(k);
+    }
   }
   while (!queue.empty()) {
     const std::uint32_t here = queue.front();
@@ -31,9 +35,8 @@ void PlaneMesh::find_inside() {
 void PlaneMesh::number_regions() {
   std::vector<std::uint8_t> done(triangles_.size(), 0);
   regions_ = 0;
-  const auto flood = [&](std::uint32_t start) {
-    std::vector<std::uint32_t> waiting = {start};
-    done[start] = 1;
+  const auto flood = [&](std::vector<std::uint32_t> waiting) {
+    for (const std::uint32_t start : waiting) done[start] = 1;
     while (!waiting.empty()) {
       const std::uint32_t here = waiting.back();
       waiting.pop_back();
@@ -47,9 +50,16 @@ void PlaneMesh::number_regions() {
     }
     ++regions_;
   };
-  flood(triangle_at_[0]);
+  // Where the outline reaches the rectangle's sides, what is around it lies in several pieces.
+  std::vector<std::uint32_t> around;
   for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-    if (done[k] == 0 && !triangles_[k].inside) flood(k);
+    if (!triangles_[k].inside &&
+        std::ranges::find(triangles_[k].across, k_none) != triangles_[k].across.end())
+      around.push_back(k);
+  }
+  flood(std::move(around));
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+    if (done[k] == 0 && !triangles_[k].inside) flood({k});
   }
 }
 

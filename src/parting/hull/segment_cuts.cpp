@@ -13,7 +13,7 @@ void cut_segments(Sheets& sheets, const std::vector<SegmentCut>& cuts) {
   std::unordered_map<std::uint64_t, std::vector<Column>> on_segment;
   for (const SegmentCut& cut : cuts) on_segment[Sheets::edge_key(cut.a, cut.b)].push_back(cut.at);
   Sheets::OnEdges on_edges;
-  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::parting}) {
+  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::beside, Sheet::parting}) {
     for (const SheetEdge& edge : sheets.ends(Sheets::bit(sheet))) {
       const auto [low, high] = std::minmax(edge.from, edge.to);
       const auto found = on_segment.find(Sheets::edge_key(sheets.column_of[low], sheets.column_of[high]));

@@ -73,7 +73,7 @@ std::vector<SegmentEdges> Sheets::by_segment(std::span<const SheetEdge> edges) c
   placed.reserve(edges.size());
   for (const SheetEdge& edge : edges) {
     const Column from = column_of[edge.from], to = column_of[edge.to];
-    if (from == to) continue;
+    if (from == to || from == k_no_column || to == k_no_column) continue;
     placed.push_back(from < to ? Placed{edge_key(from, to), {edge.from, edge.to, edge.count}}
                                : Placed{edge_key(from, to), {edge.to, edge.from, -edge.count}});
   }
@@ -89,7 +89,7 @@ std::vector<SegmentEdges> Sheets::by_segment(std::span<const SheetEdge> edges) c
 
 void Sheets::make_columns(double tolerance) {
   std::vector<SheetVertex> ends_at;
-  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden}) {
+  for (const Sheet sheet : k_standing_sheets) {
     for (const SheetEdge& edge : ends(bit(sheet))) {
       ends_at.push_back(edge.from);
       ends_at.push_back(edge.to);
@@ -121,7 +121,7 @@ void Sheets::make_columns(double tolerance) {
 
 std::optional<glm::dvec3> Sheets::insert_columns(double tolerance) {
   std::vector<SheetEdge> edges;
-  for (const Sheet sheet : {Sheet::upper, Sheet::lower, Sheet::hidden}) {
+  for (const Sheet sheet : k_standing_sheets) {
     const auto more = ends(bit(sheet));
     edges.insert(edges.end(), more.begin(), more.end());
   }
@@ -219,7 +219,7 @@ double Sheets::volume() const {
     const glm::dvec3 &a = vertices[facet.corners[0]], &b = vertices[facet.corners[1]],
                      &c = vertices[facet.corners[2]];
     const double seen = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    sum += static_cast<long double>(seen * (a.z + b.z + c.z)) / 6.0L;
+    sum += static_cast<long double>((facet.sheet == Sheet::beside ? -seen : seen) * (a.z + b.z + c.z)) / 6.0L;
   }
   return static_cast<double>(sum);
 }
@@ -233,6 +233,7 @@ void Sheets::keep_volume(double wished, double most) {
     if (facet.sheet == Sheet::parting) continue;
     double height = 0.0;
     for (const SheetVertex v : facet.corners) height += vertices[v].z / 6.0;
+    if (facet.sheet == Sheet::beside) height = -height;
     for (std::size_t k = 0; k < 3; ++k) {
       const Column column = column_of[facet.corners[k]];
       if (column == k_no_column) continue;

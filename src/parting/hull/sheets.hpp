@@ -1,5 +1,6 @@
 // The surfaces that a mold is made of, as sheets over a plane: what is seen from above of the part, what from
-// below, what is hidden, and the parting surface. Where they end, their ends stand in shared columns.
+// below, what is hidden, and the parting surface. Where they end, their ends stand in shared columns. Other
+// bodies may stand beside the part, whose surface is in the sheets as far as it is seen.
 #pragma once
 
 #include <array>
@@ -14,7 +15,10 @@
 
 namespace moldlight {
 
-enum class Sheet : std::uint8_t { upper, lower, hidden, parting };
+/// `beside`: what of `upper` and `lower` is of other bodies than the part, once more.
+enum class Sheet : std::uint8_t { upper, lower, hidden, parting, beside };
+/// The sheets whose ends have columns of their own.
+inline constexpr std::array k_standing_sheets = {Sheet::upper, Sheet::lower, Sheet::hidden, Sheet::beside};
 
 using SheetVertex = std::uint32_t;
 using Column = std::uint32_t;
@@ -63,7 +67,8 @@ class Sheets {
   [[nodiscard]] std::vector<SheetEdge> ends(unsigned sheets, unsigned turned = 0) const;
   [[nodiscard]] static constexpr unsigned bit(Sheet sheet) { return 1U << static_cast<unsigned>(sheet); }
 
-  /// Edges by the segment of the plane over which they are; those that are upright are over none.
+  /// Edges by the segment of the plane over which they are; those that are upright, or at the block's rim,
+  /// are over none.
   [[nodiscard]] std::vector<SegmentEdges> by_segment(std::span<const SheetEdge> edges) const;
 
   [[nodiscard]] Column add_column(const glm::dvec2& at);

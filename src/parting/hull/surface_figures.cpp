@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -30,8 +31,7 @@ struct SurfaceFacet {
 std::vector<SurfaceFacet> facets_of(const Sheets& sheets) {
   std::vector<SurfaceFacet> facets;
   UnionFind joined(sheets.vertices.size());
-  SheetVertex rim = 0;
-  double least = INFINITY;
+  glm::dvec2 low(INFINITY), high(-INFINITY);
   for (const SheetFacet& facet : sheets.facets) {
     if (facet.sheet != Sheet::parting) continue;
     const auto& [a, b, c] = facet.corners;
@@ -40,13 +40,19 @@ std::vector<SurfaceFacet> facets_of(const Sheets& sheets) {
     facets.push_back({facet.corners, glm::cross(sheets.vertices[b] - sheets.vertices[a],
                                                 sheets.vertices[c] - sheets.vertices[a])});
     for (const SheetVertex v : facet.corners) {
-      const double place = sheets.vertices[v].x + sheets.vertices[v].y;
-      if (place >= least) continue;
-      least = place;
-      rim = v;
+      low = glm::min(low, glm::dvec2(sheets.vertices[v]));
+      high = glm::max(high, glm::dvec2(sheets.vertices[v]));
     }
   }
-  for (SurfaceFacet& facet : facets) facet.around = joined.find(facet.corners[0]) == joined.find(rim);
+  // Pieces of the surface that reach the block's sides; slides may part it.
+  std::vector<char> around(sheets.vertices.size(), 0);
+  for (const SurfaceFacet& facet : facets) {
+    for (const SheetVertex v : facet.corners) {
+      const glm::dvec3& at = sheets.vertices[v];
+      if (at.x == low.x || at.x == high.x || at.y == low.y || at.y == high.y) around[joined.find(v)] = 1;
+    }
+  }
+  for (SurfaceFacet& facet : facets) facet.around = around[joined.find(facet.corners[0])] != 0;
   return facets;
 }
 

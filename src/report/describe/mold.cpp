@@ -84,7 +84,7 @@ Section halves_section(const MoldReport& found) {
                         halves.refused_at ? loop_near(found.line, *halves.refused_at) : std::string()));
     return section;
   }
-  notice(sentence_of(unfilled_text(found.model, found.settings, halves)));
+  if (found.pieces == nullptr) notice(sentence_of(unfilled_text(found.model, found.settings, halves)));
   section.blocks.emplace_back(grid_of(FigureStyle(found.model), found_figures(halves_figures(), halves), ""));
   for (const std::string& remark : halves_remarks(found)) notice(remark);
   for (const WrittenBody& body : found.written.bodies)

@@ -228,7 +228,7 @@ TEST(MoldHalvesRefused, WhereTheFilesWouldBeWrong) {
   ASSERT_TRUE(over.refused_at.has_value());
   EXPECT_LE(glm::distance(*over.refused_at, sound.centre), 1.5);
   MoldHalves open = sound;
-  MoldBody hollow{.mesh = test::box_mesh({0, 0, 0}, {1, 1, 1})};
+  MoldBody hollow{.mesh = test::box_mesh({0, 0, 0}, {1, 1, 1}), .name = "insert_1"};
   hollow.mesh.facets.pop_back();
   open.inserts.push_back(hollow);
   const WrittenMold gap = written_mold(open);

@@ -1,0 +1,43 @@
+// The mold in all its pieces: the two halves with the slides between them as solids, and what is left to
+// loose inserts. A slide's room is taken out of the halves as that of the part is: as one more body between
+// them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "actions/side_action.hpp"
+#include "parting/insert_actions.hpp"
+#include "parting/mold_halves.hpp"
+
+namespace moldlight {
+
+struct MeetingPlace;
+
+/// An action that is no solid of the mold.
+struct UnmadeAction {
+  std::size_t action = 0;  // number in the plan
+  std::string why;         // a clause
+};
+
+struct MoldPieces {
+  MoldHalves halves;
+  std::vector<InsertActions> of_inserts;  // one each of its inserts, slides among them
+  std::vector<std::size_t> of_slides;     // the action of each slide
+  std::vector<UnmadeAction> unmade;       // in the plan's order
+};
+
+struct PiecesWish {
+  const PartModel& model;
+  const MoldHalves& plain;  // without slides
+  const ActionPlan& plan;
+  const SplitMesh& split;  // of the classification that the plan was found for
+  const MeetingPlace& place;
+  const MoldSettings& settings;
+};
+/// The halves with as many of the plan's slides as can be made; what the others form stays inserts, as in the
+/// halves without slides. Throws Cancelled.
+[[nodiscard]] MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,336 @@
+#include "parting/slide_blank.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "parting/hull/depth_columns.hpp"
+
+namespace moldlight {
+
+namespace {
+
+const double k_draft = std::tan(glm::radians(3.0));
+/// The bottom lies so much within the shelf's plane, in diagonals, so that it does not lie in a face of the
+/// part; the sheets make one height of both.
+constexpr double k_off_shelf = 1e-8;
+/// How deep in the part, in diagonals, the front of a blank is to be: the first of these that can be had.
+constexpr double k_depths[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4};
+constexpr double k_clear = 1e-6;
+/// So much do storeys overlap.
+constexpr double k_overlap = 1.1e-3;
+constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
+
+WayFrame frame_along(const glm::dvec3& way) {
+  return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
+}
+
+/// Between what heights along the way the blank has to begin at a place of its section.
+struct FrontRange {
+  glm::dvec2 at{0.0};
+  double low = -INFINITY, high = INFINITY;
+};
+
+/// Strips beside each other, each a plane: heights along the way at even places across it, and how they
+/// change upward.
+struct Front {
+  double low = 0.0, high = 0.0;  // across
+  std::vector<double> knots;     // at least two
+  double tilt = 0.0;
+
+  [[nodiscard]] double across(std::size_t knot) const {
+    return glm::mix(low, high, static_cast<double>(knot) / static_cast<double>(knots.size() - 1));
+  }
+  /// The strip that a place is in, and its share of the way to the next knot.
+  [[nodiscard]] std::pair<std::size_t, double> strip(double at) const {
+    const double strips = static_cast<double>(knots.size() - 1);
+    const double place = std::clamp((at - low) / (high - low), 0.0, 1.0) * strips;
+    const double first = std::min(std::floor(place), strips - 1.0);
+    return {static_cast<std::size_t>(first), place - first};
+  }
+  [[nodiscard]] double at(const glm::dvec2& place) const {
+    const auto [first, share] = strip(place.x);
+    return glm::mix(knots[first], knots[first + 1], share) + tilt * place.y;
+  }
+};
+
+/// Brings a front into the ranges by `depth` (Agmon 1954); square to the way where that goes.
+bool bring_within(const std::vector<FrontRange>& ranges, double depth, Front& front) {
+  double low = -INFINITY, high = INFINITY, middle = 0.0, spread = 1e-9;
+  for (const FrontRange& range : ranges) {
+    low = std::max(low, range.low);
+    high = std::min(high, range.high);
+    middle += range.at.y / static_cast<double>(ranges.size());
+  }
+  for (const FrontRange& range : ranges) spread = std::max(spread, std::abs(range.at.y - middle));
+  const double start = !std::isfinite(high) ? (std::isfinite(low) ? low + depth : 0.0)
+                       : std::isfinite(low) ? 0.5 * (low + high)
+                                            : high - depth;
+  front.tilt = 0.0;
+  front.knots.assign(front.knots.size(), start);
+  if (low + depth <= high - depth) return true;
+  double lean = 0.0;  // per spread, about the middle
+  for (std::size_t step = 0; step < k_most_steps; ++step) {
+    double worst = 0.0, sign = 0.0;
+    glm::dvec2 at(0.0);
+    for (const FrontRange& range : ranges) {
+      const double here = front.at({range.at.x, 0.0}) + lean * (range.at.y - middle) / spread;
+      const double off = std::max(range.low + depth - here, here - (range.high - depth));
+      if (off <= worst) continue;
+      worst = off;
+      sign = here < range.low + depth ? 1.0 : -1.0;
+      at = range.at;
+    }
+    if (worst <= 1e-3 * depth) {
+      front.tilt = lean / spread;
+      for (double& knot : front.knots) knot -= front.tilt * middle;
+      return true;
+    }
+    const auto [first, share] = front.strip(at.x);
+    const double upward = (at.y - middle) / spread;
+    const double move =
+        1.2 * sign * worst / ((1.0 - share) * (1.0 - share) + share * share + upward * upward);
+    front.knots[first] += move * (1.0 - share);
+    front.knots[first + 1] += move * share;
+    lean += move * upward;
+  }
+  return false;
+}
+
+class BlankMaker {
+ public:
+  explicit BlankMaker(const BlankWish& wish) : wish_(wish), frame_(frame_along(wish.way)) {}
+
+  SlideBlank run() {
+    SlideBlank blank;
+    set_section(wish_.land);
+    const std::optional<std::vector<FrontRange>> ranges = front_ranges();
+    if (!ranges) {
+      blank.refusal = "the part stands in its way";
+      return blank;
+    }
+    // Storeys, each with a front of its own: as few as go.
+    const double head = below_ ? low_.y : formed_low_ - wish_.land,
+                 top = above_ ? high_.y : formed_high_ + wish_.land;
+    const bool extended = !below_ && head > low_.y + k_overlap, hangs = !above_ && top < high_.y - k_overlap;
+    std::vector<std::vector<double>> floors = {{low_.y}};
+    if (extended) floors.push_back({low_.y, head});
+    if (hangs) floors.push_back({low_.y, top});
+    for (const int parts : {3, 6}) {
+      floors.emplace_back();
+      for (int k = 0; k < parts; ++k)
+        floors.back().push_back(glm::mix(low_.y, high_.y, static_cast<double>(k) / parts));
+    }
+    for (const std::size_t strips : {1, 4, 12}) {
+      for (const std::vector<double>& floor : floors) {
+        if (build(floor, strips, *ranges, blank)) return blank;
+      }
+    }
+    if (blank.refusal.empty()) blank.refusal = "no front closes on the part around what it forms";
+    return blank;
+  }
+
+ private:
+  void set_section(double land) {
+    low_ = glm::dvec2(INFINITY);
+    high_ = glm::dvec2(-INFINITY);
+    for (const TriangleMesh* insert : wish_.inserts) {
+      for (const glm::dvec3& vertex : insert->vertices) {
+        low_ = glm::min(low_, glm::dvec2(frame_.of(vertex)));
+        high_ = glm::max(high_, glm::dvec2(frame_.of(vertex)));
+      }
+    }
+    formed_low_ = low_.y;
+    formed_high_ = high_.y;
+    low_.x -= land;
+    high_.x += land;
+    // It reaches the height at which the halves meet, so that these need not climb to it.
+    below_ = low_.y < wish_.shelf - k_clear;
+    above_ = high_.y > wish_.shelf + k_clear;
+    low_.y = below_ ? low_.y - land : wish_.shelf + k_off_shelf;
+    high_.y = above_ ? high_.y + land : wish_.shelf - k_off_shelf;
+  }
+
+  /// Nothing where the part is in front of what it forms.
+  [[nodiscard]] std::optional<std::vector<FrontRange>> front_ranges() const {
+    const LineGrid grid{low_, high_, k_section_lines};
+    const auto part = depth_columns(wish_.part, frame_, grid);
+    std::vector<FrontRange> ranges;
+    for (std::size_t line = 0; line < grid.lines(); ++line) {
+      FrontRange range{.at = grid.at(line)};
+      if (!part[line].empty()) range.low = part[line].back().from;
+      ranges.push_back(range);
+    }
+    std::size_t behind = 0, formed = 0;
+    for (const TriangleMesh* insert : wish_.inserts) {
+      const auto own = depth_columns(*insert, frame_, grid);
+      for (std::size_t line = 0; line < grid.lines(); ++line) {
+        if (own[line].empty()) continue;
+        ++formed;
+        const double out = own[line].back().to;
+        if (!part[line].empty() && part[line].back().from > out - k_clear) {
+          ++behind;
+          continue;
+        }
+        ranges[line].high = std::min(ranges[line].high, out);
+      }
+    }
+    // A line along a face may see it as in front.
+    if (50 * behind > formed) return std::nullopt;
+    return ranges;
+  }
+
+  /// A storey's front, and its heights.
+  struct Storey {
+    Front front;
+    double low = 0.0, high = 0.0;
+  };
+
+  /// From a knot of the storey's front to the block's side.
+  [[nodiscard]] std::array<glm::dvec3, 2> edge(const Storey& storey, std::size_t knot, bool top) const {
+    const bool outer = top ? above_ && storey.high == high_.y : below_ && storey.low == low_.y;
+    const glm::dvec2 corner(storey.front.across(knot), top ? storey.high : storey.low);
+    const double beside = 2.0 * (corner.x - low_.x) / (high_.x - low_.x) - 1.0;
+    // place(s) = corner + slope · (s − from_)
+    const glm::dvec2 slope(beside * k_draft, !outer ? 0.0 : top ? k_draft : -k_draft);
+    const double s =
+        (storey.front.at(corner) - from_ * storey.front.tilt * slope.y) / (1.0 - storey.front.tilt * slope.y);
+    const auto in_mold = [&](double along) {
+      const glm::dvec2 place = corner + (along - from_) * slope;
+      return place.x * frame_.across + place.y * frame_.up + along * frame_.way;
+    };
+    const glm::dvec3 start = in_mold(s), onward = in_mold(s + 1.0) - start;
+    glm::dvec3 end = start + (side_ - start[axis_]) / onward[axis_] * onward;
+    end[axis_] = side_;
+    return {start, end};
+  }
+
+  bool build(const std::vector<double>& floors, std::size_t strips, const std::vector<FrontRange>& ranges,
+             SlideBlank& blank) {
+    std::vector<Storey> storeys;
+    for (std::size_t k = 0; k < floors.size(); ++k) {
+      Storey storey{{low_.x, high_.x, std::vector<double>(strips + 1), 0.0},
+                    floors[k],
+                    k + 1 < floors.size() ? floors[k + 1] + k_overlap : high_.y};
+      std::vector<FrontRange> own;
+      for (const FrontRange& range : ranges) {
+        if (range.at.y >= storey.low && range.at.y <= storey.high) own.push_back(range);
+      }
+      if (own.empty() || std::ranges::none_of(
+                             k_depths, [&](double depth) { return bring_within(own, depth, storey.front); }))
+        return false;
+      storeys.push_back(storey);
+    }
+    const glm::dvec2 place(0.5 * (low_.x + high_.x), 0.5 * (storeys[0].low + storeys[0].high));
+    from_ = storeys[0].front.at(place);
+    choose_side(place.x * frame_.across + place.y * frame_.up + from_ * frame_.way);
+    blank.mesh = {};
+    for (const Storey& storey : storeys) {
+      if (!add(storey, blank.mesh)) {
+        blank.refusal = "it would leave the block at a corner";
+        return false;
+      }
+    }
+    blank.end = blank.mesh.vertices[1];
+    blank.refusal.clear();
+    return true;
+  }
+
+  /// The block's side that is met first from a place along the way.
+  void choose_side(const glm::dvec3& place) {
+    double least = INFINITY;
+    for (const int axis : {0, 1}) {
+      if (std::abs(frame_.way[axis]) < 1e-9) continue;
+      const double side = frame_.way[axis] > 0.0 ? wish_.high[axis] : wish_.low[axis];
+      const double way = (side - place[axis]) / frame_.way[axis];
+      if (way >= least) continue;
+      least = way;
+      axis_ = axis;
+      side_ = side;
+    }
+  }
+
+  [[nodiscard]] bool add(const Storey& storey, TriangleMesh& mesh) const {
+    const double room = 0.1 * wish_.land;
+    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+    const std::size_t knots = storey.front.knots.size();
+    for (std::size_t knot = 0; knot < knots; ++knot) {
+      for (const bool top : {false, true}) {
+        const auto [start, end] = edge(storey, knot, top);
+        const double beside = end[1 - axis_];
+        if ((end[axis_] - start[axis_]) * frame_.way[axis_] <= 0.0 || beside < wish_.low[1 - axis_] + room ||
+            beside > wish_.high[1 - axis_] - room)
+          return false;
+        mesh.vertices.push_back(start);
+        mesh.vertices.push_back(end);
+      }
+    }
+    const auto quad = [&](VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) {
+      mesh.facets.push_back({first + a, first + b, first + c});
+      mesh.facets.push_back({first + a, first + c, first + d});
+    };
+    // Four vertices a knot: bit 0 the end, bit 1 the top; seen against the way, the next knot is on the
+    // right.
+    for (std::size_t knot = 0; knot + 1 < knots; ++knot) {
+      const auto k = static_cast<VertexIndex>(4 * knot), r = k + 4;
+      quad(k, k + 2, r + 2, r);          // front
+      quad(k + 1, r + 1, r + 3, k + 3);  // end
+      quad(k, r, r + 1, k + 1);          // bottom
+      quad(k + 2, k + 3, r + 3, r + 2);  // top
+    }
+    const auto last = static_cast<VertexIndex>(4 * (knots - 1));
+    quad(0, 1, 3, 2);                          // left
+    quad(last, last + 2, last + 3, last + 1);  // right
+    return true;
+  }
+
+  const BlankWish& wish_;
+  WayFrame frame_;
+  glm::dvec2 low_{0.0}, high_{0.0};  // the section where it begins
+  bool below_ = false, above_ = false;
+  double formed_low_ = 0.0, formed_high_ = 0.0;  // heights of what it forms
+  double from_ = 0.0;                            // along the way, where drafts begin
+  int axis_ = 0;
+  double side_ = 0.0;
+};
+
+}  // namespace
+
+SlideBlank slide_blank(const BlankWish& wish) { return BlankMaker(wish).run(); }
+
+WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way) {
+  const WayFrame frame = frame_along(way);
+  LineGrid grid{glm::dvec2(INFINITY), glm::dvec2(-INFINITY), k_exit_lines};
+  for (const glm::dvec3& vertex : piece.vertices) {
+    grid.low = glm::min(grid.low, glm::dvec2(frame.of(vertex)));
+    grid.high = glm::max(grid.high, glm::dvec2(frame.of(vertex)));
+  }
+  const auto own = depth_columns(piece, frame, grid), others = depth_columns(still, frame, grid);
+  WayOut found;
+  for (std::size_t line = 0; line < grid.lines(); ++line) {
+    if (own[line].empty() || others[line].empty()) continue;
+    // What of the other lies beyond where the piece begins: the thinner of the two is what would be cut.
+    double beyond = 0.0;
+    const double first = own[line].front().from;
+    for (const Stretch& stretch : others[line])
+      beyond += std::max(0.0, stretch.to - std::max(stretch.from, first));
+    double before = 0.0;
+    const double last = others[line].back().to;
+    for (const Stretch& stretch : own[line])
+      before += std::max(0.0, std::min(stretch.to, last) - stretch.from);
+    const double blocked = std::min(beyond, before);
+    if (blocked <= found.blocked) continue;
+    const glm::dvec2 at = grid.at(line);
+    found = {blocked, at.x * frame.across + at.y * frame.up + others[line].back().to * frame.way};
+  }
+  return found;
+}
+
+}  // namespace moldlight
