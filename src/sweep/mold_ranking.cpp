@@ -276,6 +276,7 @@ Recommendation recommendation(const PartModel& model, const MethodSettings& meth
   Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
                        .why = mold_text(model, best),
                        .beside = best.beside};
+  if (found.why.empty()) found.why = "its side actions were not looked for";
   found.name = direction_words(found.direction);
   if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
     found.name = best.candidate.canonical->name;
