@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "actions/release.hpp"
 #include "mesh/symmetric_eigen.hpp"
 #include "mold/map_frame.hpp"
 
@@ -114,14 +115,15 @@ struct ScrewMotion {
 };
 
 /// Share of the samples' area that meets the part when it is screwed out; of few of them, where these say
-/// that most does.
+/// that most does, or where they are more than k_nearly_meets of it.
 double met_share(const PartModel& model, std::span<const UndercutSample> samples, const ScrewMotion& motion) {
   const double step = glm::radians(k_step_deg);
+  const double enough = k_nearly_meets * area_of(samples);
   double met = 0.0, total = 0.0;
   std::size_t asked = 0;
   for (const UndercutSample& sample : samples) {
     // The first of them are spread over all of it.
-    if (asked++ == k_first_turned && met > k_hopeless * total) break;
+    if (met > enough || (asked++ == k_first_turned && met > k_hopeless * total)) break;
     total += sample.area;
     const glm::dvec3 start = glm::dvec3(sample.position) + motion.off * sample.normal - motion.point;
     const auto placed = [&](double turned) {

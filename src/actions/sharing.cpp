@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <tbb/parallel_for.h>
 
 namespace moldlight {
 
@@ -18,7 +20,15 @@ constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a g
 class Sharing {
  public:
   Sharing(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach)
-      : atoms_(atoms), pulls_(pulls), reach_(reach) {}
+      : atoms_(atoms), pulls_(pulls), reach_(reach) {
+    for (const Atom& atom : atoms_) {
+      Ball& ball = balls_.emplace_back();
+      for (const UndercutSample& sample : atom.samples) ball.centre += glm::dvec3(sample.position);
+      ball.centre /= static_cast<double>(std::max<std::size_t>(1, atom.samples.size()));
+      for (const UndercutSample& sample : atom.samples)
+        ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(sample.position), ball.centre));
+    }
+  }
 
   void add(std::vector<Column>& columns, std::size_t atom, const Pull& pull) const {
     if (is_slide(pull.kind)) add_shared(columns, atom, pull);
@@ -26,13 +36,19 @@ class Sharing {
   }
 
  private:
+  struct Ball {
+    glm::dvec3 centre{0.0};
+    double radius = 0.0;
+  };
+
   void add_shared(std::vector<Column>& columns, std::size_t first, Pull pull) const {
     std::vector<std::size_t> group = {first};
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (std::size_t k = 0; k < atoms_.size(); ++k) {
         pulls_.release().end_if_cancelled();
         if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
-            !may_share(first, k, pull.direction) || !are_near(group[next], k, pull.direction) ||
+            are_far(group[next], k, pull.direction) || !may_share(first, k, pull.direction) ||
+            !are_near(group[next], k, pull.direction) ||
             !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))
           continue;
         group.push_back(k);
@@ -80,6 +96,16 @@ class Sharing {
     return overlap(level) && overlap(glm::cross(pull, level));
   }
 
+  /// By the balls around them: certainly not near.
+  [[nodiscard]] bool are_far(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+    constexpr double k_rounding = 1e-9;
+    const glm::dvec3 between = balls_[a].centre - balls_[b].centre;
+    const double along = glm::dot(between, pull);
+    const double both = balls_[a].radius + balls_[b].radius + k_rounding;
+    return std::abs(along) - both > reach_.along ||
+           glm::length(between - along * pull) - both > reach_.across;
+  }
+
   [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
     for (const std::size_t which : {a, b}) {
@@ -106,6 +132,7 @@ class Sharing {
   const std::vector<Atom>& atoms_;
   const PullFinder& pulls_;
   SharingReach reach_;
+  std::vector<Ball> balls_;  // around the samples of each atom
 };
 
 }  // namespace
@@ -117,10 +144,13 @@ void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, c
 
 std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
                                  const SharingReach& reach) {
+  const Sharing sharing(atoms, pulls, reach);
+  std::vector<std::vector<Column>> of_atoms(atoms.size());
+  tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
+    for (const Pull& pull : atoms[k].pulls) sharing.add(of_atoms[k], k, pull);
+  });
   std::vector<Column> columns;
-  for (std::size_t k = 0; k < atoms.size(); ++k) {
-    for (const Pull& pull : atoms[k].pulls) add_pull_columns(atoms, pulls, reach, k, pull, columns);
-  }
+  for (std::vector<Column>& of_atom : of_atoms) std::ranges::move(of_atom, std::back_inserter(columns));
   return columns;
 }
 

@@ -36,9 +36,16 @@ DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
 }
 
 bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercuts) const {
-  return least_weight + per_area * undercuts.area > most ||
+  return (left <= left_band && least_weight + per_area * undercuts.area > most) ||
          (beside && undercuts.area >= beside->area &&
           (undercuts.count >= beside->count || undercuts.area > beside->area + worth));
+}
+
+bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
+  const double more_left = rough.totals.unreleased_area - left;
+  return more_left > 2.0 * left_band ||
+         ((left <= left_band || more_left > -0.5 * left_band) &&
+          rough.weight + per_area * rough.formed_area > most + k_rough_margin);
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
@@ -55,11 +62,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
                                                  Progress(&progress), settings_.least_travel_mm);
       const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       const UndercutTotals totals = totals_of(undercuts);
-      const auto is_too_much = [&] {
-        const DirectionActions rough = found(PlanDetail::rough);
-        return rough.weight + limit.per_area * rough.formed_area > limit.most + k_rough_margin;
-      };
-      if (limit.is_exceeded(weight, totals) || (limit.roughly && is_too_much()))
+      if (limit.is_exceeded(weight, totals) ||
+          (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))
         return DirectionActions{
             .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
     }

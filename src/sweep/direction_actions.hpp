@@ -39,6 +39,9 @@ struct DirectionActions {
 struct ActionLimit {
   double most = std::numeric_limits<double>::infinity();  // of their weight and what is added for the surface
   double per_area = 0.0;                                  // that they form, for the part's unit squared
+  /// Areas: what the best so far leaves unreleased, and a difference that counts. What leaves less than that
+  /// is not given up by its weight.
+  double left = 0.0, left_band = 0.0;
   /// Of a direction beside it whose side actions are known: as many undercuts, as large, need no fewer, nor
   /// do those that are larger by more than `worth`, an area.
   std::optional<UndercutTotals> beside = {};
@@ -46,6 +49,7 @@ struct ActionLimit {
   bool roughly = false;  // what few samples show to be too much is given up, too
 
   [[nodiscard]] bool is_exceeded(double least_weight, const UndercutTotals& undercuts) const;
+  [[nodiscard]] bool is_far_exceeded(const DirectionActions& rough) const;
 };
 
 class DirectionActionFinder {

@@ -59,11 +59,15 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
   const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
   const Classification& known = contender.measured->classification;
   const double without_draft = (known.near_vertical_area + known.reverse_draft.area) / area;
+  const double band = mold_band(MoldCriterion::unreleased);
+  const double left = std::isfinite(least_left_) ? least_left_ : 0.0;
   // What is left unreleased is no more than what ties.
-  const double formed = known.areas[Region::undercut] / area - mold_band(MoldCriterion::unreleased);
+  const double formed = known.areas[Region::undercut] / area - left - band;
   ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
                             k_effort_of_draft * without_draft - effort_on_its_side(formed),
                     .per_area = k_effort_of_formed / area,
+                    .left = left * area,
+                    .left_band = band * area,
                     .worth = 0.01 * settings_.worth_pct * area,
                     .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
@@ -115,13 +119,25 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
       contender.measured = with_line[k];
       contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
       contender.cost = cost(contender);
-      if (contender.cost->of(MoldCriterion::unreleased) > mold_band(MoldCriterion::unreleased)) continue;
-      least_effort_ = std::min(least_effort_, contender.cost->of(MoldCriterion::effort));
-      if (contender.canonical())
-        released_.push_back({contender.candidate.direction, contender.actions->undercuts});
-      free_ = free_ || (contender.canonical() && contender.cost->weight <= 0.0);
+      take_down(contender);
     }
   }
+}
+
+void MoldRanking::take_down(const Contender& contender) {
+  const double left = contender.cost->of(MoldCriterion::unreleased);
+  const double effort = contender.cost->of(MoldCriterion::effort);
+  const double band = mold_band(MoldCriterion::unreleased);
+  if (left < least_left_ - band) {
+    least_left_ = left;
+    least_effort_ = effort;
+  } else if (left <= least_left_ + band) {
+    least_left_ = std::min(least_left_, left);
+    least_effort_ = std::min(least_effort_, effort);
+  }
+  if (left > band || !contender.canonical()) return;
+  released_.push_back({contender.candidate.direction, contender.actions->undercuts});
+  free_ = free_ || contender.cost->weight <= 0.0;
 }
 
 bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const Contender> found) const {
@@ -239,8 +255,7 @@ void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::siz
   bool ties = false;
   if (!contender.cost) {
     reasons = {contender.actions
-                   ? fmt::format("its side actions weigh {:.2g} at least and form {:.2g} % of the surface",
-                                 contender.actions->weight,
+                   ? fmt::format("needs side actions for {:.2g} % of the surface",
                                  100.0 * contender.actions->formed_area / model_.geometry.total_area)
                    : "its side actions were not looked for"};
     contender.actions.reset();
@@ -261,6 +276,7 @@ Recommendation recommendation(const PartModel& model, const MethodSettings& meth
   Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
                        .why = mold_text(model, best),
                        .beside = best.beside};
+  if (found.why.empty()) found.why = "its side actions were not looked for";
   found.name = direction_words(found.direction);
   if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
     found.name = best.candidate.canonical->name;

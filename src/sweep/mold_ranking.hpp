@@ -65,6 +65,7 @@ class MoldRanking {
   [[nodiscard]] MoldCost cost(const Contender& contender) const;
   /// Where its side actions are not worth looking for, beside what is known.
   [[nodiscard]] ActionLimit limit(const Contender& contender) const;
+  void take_down(const Contender& contender);
   [[nodiscard]] bool is_worth(const Contender& found, const Contender& canonical) const;
   [[nodiscard]] BesideDirection beside(const Contender& contender, const Contender& of) const;
   void put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const;
@@ -77,7 +78,10 @@ class MoldRanking {
   const SweepClock& clock_;
   DirectionMeasurer& measurer_;
   DirectionActionFinder& actions_;
-  double least_effort_ = std::numeric_limits<double>::infinity();  // of those that leave nothing unreleased
+  /// Of the best so far: what it leaves unreleased, share of the surface, and the least effort of those that
+  /// leave no more, but for what ties.
+  double least_left_ = std::numeric_limits<double>::infinity();
+  double least_effort_ = std::numeric_limits<double>::infinity();
   std::vector<Released> released_;
   bool free_ = false, best_alone_ = false;
 };
