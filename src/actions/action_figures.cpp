@@ -1,5 +1,7 @@
 #include "actions/action_figures.hpp"
 
+#include <cmath>
+
 namespace moldlight {
 
 namespace {
@@ -46,14 +48,16 @@ constexpr FigureRow<SideAction> k_body_figures[] = {
      "Across its way, where it is greatest, of its thinnest piece."},
 };
 
+constexpr FigureRow<Undercut> k_undercut_sizes[] = {
+    {"area", "area", Kind::area, [](const Undercut& u) -> Found { return u.area; }},
+    {"size_across", "across", Kind::length, [](const Undercut& u) -> Found { return u.size_across; }},
+    {"size_along", "along", Kind::length, [](const Undercut& u) -> Found { return u.size_along; }},
+};
+
 constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
-    {"area", "area", Kind::area, [](const UndercutReport& u) -> Found { return u.undercut.area; }},
     {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
-    {"size_across", "across", Kind::length,
-     [](const UndercutReport& u) -> Found { return u.undercut.size_across; }},
-    {"size_along", "along", Kind::length,
-     [](const UndercutReport& u) -> Found { return u.undercut.size_along; }},
-    {"depth", "depth", Kind::length, [](const UndercutReport& u) -> Found { return u.depth; },
+    {"depth", "depth", Kind::length,
+     [](const UndercutReport& u) { return std::isfinite(u.depth) ? Found(u.depth) : std::nullopt; },
      "How far across the parting direction until nothing is in its way along it."},
 };
 
@@ -61,6 +65,7 @@ constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
 
 std::span<const FigureRow<SideAction>> action_figures() { return k_action_figures; }
 std::span<const FigureRow<SideAction>> body_figures() { return k_body_figures; }
+std::span<const FigureRow<Undercut>> undercut_sizes() { return k_undercut_sizes; }
 std::span<const FigureRow<UndercutReport>> undercut_figures() { return k_undercut_figures; }
 
 }  // namespace moldlight

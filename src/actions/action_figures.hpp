@@ -10,6 +10,8 @@ namespace moldlight {
 [[nodiscard]] std::span<const FigureRow<SideAction>> action_figures();
 /// Of the solid that it moves.
 [[nodiscard]] std::span<const FigureRow<SideAction>> body_figures();
+[[nodiscard]] std::span<const FigureRow<Undercut>> undercut_sizes();
+/// Beside its size.
 [[nodiscard]] std::span<const FigureRow<UndercutReport>> undercut_figures();
 
 }  // namespace moldlight

@@ -21,8 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
 std::string_view side_name(bool core_side) { return region_name(core_side ? Region::core : Region::cavity); }
 
 /// Counted from 1.
@@ -44,7 +42,7 @@ Json window_json(const Part& part, const UndercutWindow& window) {
   Json polygon = Json::array();
   for (const std::vector<glm::dvec3>& loop : window.loops) {
     Json points = Json::array();
-    for (const glm::dvec3& point : loop) points.push_back(vector_json(point));
+    for (const glm::dvec3& point : loop) points.push_back(point_json(point));
     polygon.push_back(std::move(points));
   }
   return {{"side", side_name(window.core_side)},
@@ -52,23 +50,24 @@ Json window_json(const Part& part, const UndercutWindow& window) {
           {"polygon", polygon},
           {"through",
            {{"facets", facets_json(part, window.through)},
-            {"place", vector_json(window.place)},
+            {"place", point_json(window.place)},
             {"thickness", {window.least_thickness, window.thickness}}}}};
 }
 
 Json change_json(const Part& part, const ToBeFree& change) {
   return {{"depth", change.depth ? Json(*change.depth) : Json()},
-          {"direction", change.direction ? vector_json(*change.direction) : Json()},
+          {"direction", change.direction ? point_json(*change.direction) : Json()},
           {"window", change.window ? window_json(part, *change.window) : Json()}};
 }
 
 Json patch_json(const Part& part, const UndercutReport& patch, std::size_t number) {
   Json json = {{"id", number},
-               {"centre", vector_json(patch.undercut.centre)},
+               {"centre", point_json(patch.undercut.centre)},
                {"side", side_name(patch.core_side)},
                {"blocked_by", facets_json(part, patch.blocked_by)},
-               {"point", vector_json(patch.point)},
+               {"point", point_json(patch.point)},
                {"pinned", patch.pin ? Json(pin_name(*patch.pin)) : Json()}};
+  put_figures(found_figures(undercut_sizes(), patch.undercut), json);
   put_figures(found_figures(undercut_figures(), patch), json);
   return json;
 }
@@ -78,18 +77,18 @@ Json hit_json(const std::optional<BodyHit>& hit) {
   if (!hit) return true;
   return {{"hits", hit->action ? Json(*hit->action + 1) : Json("part")},
           {"depth", hit->depth},
-          {"place", vector_json(hit->place)},
+          {"place", point_json(hit->place)},
           {"when", stage_text(hit->stage)}};
 }
 
 Json action_json(const SideAction& action) {
   Json axis;
   if (action.about)
-    axis = {{"point", vector_json(action.about->point)}, {"direction", vector_json(action.about->direction)}};
+    axis = {{"point", point_json(action.about->point)}, {"direction", point_json(action.about->direction)}};
   Json json = {{"kind", facts(action.kind).name},
                {"feature", action.feature},
                {"sequence", sequence_of(action.kind)},
-               {"direction", vector_json(action.direction)},
+               {"direction", point_json(action.direction)},
                {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
                {"axis", axis},
                {"patches", numbers_json(action.patches)},
@@ -121,11 +120,11 @@ Json saving_json(const SavingChange& change, const ActionsReport& report) {
 Json rejected_json(const RejectedAction& rejected) {
   return {{"patch", rejected.patch + 1},
           {"kind", facts(rejected.kind).name},
-          {"direction", vector_json(rejected.direction)},
+          {"direction", point_json(rejected.direction)},
           {"travel", rejected.travel},
           {"side", side_name(rejected.core_side)},
           {"reason", reject_text(rejected.reason)},
-          {"place", vector_json(rejected.place)},
+          {"place", point_json(rejected.place)},
           {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()}};
 }
 
@@ -220,7 +219,7 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   Json json;
   json["schema"] = "moldlight.actions/2";
   json["part"] = part_json(model, result.warnings);
-  json["direction"] = vector_json(result.direction);
+  json["direction"] = point_json(result.direction);
   json["settings"] = options_json(method_options(), result.settings);
   json["settings"].update(options_json(action_options(), settings));
   json["patches"] = Json::array();
@@ -240,7 +239,7 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   json["specks"] = Json::array();
   for (const Speck& speck : plan.specks)
     json["specks"].push_back(
-        {{"area", speck.area}, {"place", vector_json(speck.place)}, {"reason", speck_text(speck.reason)}});
+        {{"area", speck.area}, {"place", point_json(speck.place)}, {"reason", speck_text(speck.reason)}});
   json["optimal"] = plan.optimal;
   return json;
 }

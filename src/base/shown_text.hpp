@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,11 @@ namespace moldlight {
 /// One line of valid UTF-8 without such letters: they stand as escapes, bytes that are no UTF-8 as "\xFF". At
 /// most `most_bytes`, and then "...".
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t most_bytes = std::string_view::npos);
+
+/// Lines of at most `width` columns, broken at blanks; all but the first are indented.
+[[nodiscard]] std::string wrapped_text(std::string_view text, std::size_t width, std::size_t indent = 0);
+
+/// Words in one line, as a shell takes them.
+[[nodiscard]] std::string shell_text(std::span<const std::string> words);
 
 }  // namespace moldlight

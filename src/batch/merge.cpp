@@ -1,63 +1,149 @@
 #include "batch/merge.hpp"
 
-#include <vector>
+#include <filesystem>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "base/shown_text.hpp"
 #include "batch/csv.hpp"
 #include "io/atomic_file.hpp"
+#include "page/page.hpp"
 
 namespace moldlight::batch {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-std::string text_of(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+std::string csv_text(const Json& value) {
+  if (value.is_string()) return spreadsheet_text(value.get<std::string>());
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
+  return value.is_null() ? "" : value.dump();
+}
 
 class CsvSink : public MergeSink {
  public:
   explicit CsvSink(const std::string& path) : file_(path) {
-    std::vector<std::string> names = {"row",         "path",        "settings",   "state",   "reason",
-                                      "unit",        "facets",      "closed",     "verdict", "sentence",
-                                      "direction_x", "direction_y", "direction_z"};
-    for (std::size_t k = 0; k < k_figure_count; ++k) names.emplace_back(figure_name(static_cast<Figure>(k)));
-    for (const char* name : {"undercut_share", "elapsed_s", "tries", "content", "key"})
-      names.emplace_back(name);
+    std::vector<std::string> names;
+    for (const ResultColumn& column : result_columns()) names.push_back(column.name);
     file_.write(csv_record(names));
   }
-
   void add(const PartResult& result) override {
-    std::vector<std::string> fields = {fmt::format("{}", result.row),
-                                       spreadsheet_text(result.path),
-                                       spreadsheet_text(result.settings),
-                                       std::string(state_name(result.state)),
-                                       spreadsheet_text(result.reason),
-                                       spreadsheet_text(result.unit),
-                                       text_of(result.facets),
-                                       !result.closed   ? ""
-                                       : *result.closed ? "yes"
-                                                        : "no",
-                                       result.verdict,
-                                       result.sentence};
-    for (std::size_t k = 0; k < 3; ++k)
-      fields.push_back(result.direction ? fmt::format("{}", (*result.direction)[k]) : "");
-    for (const auto& figure : result.figures) fields.push_back(text_of(figure));
-    fields.push_back(text_of(result.undercut_share()));
-    fields.push_back(text_of(result.elapsed_s));
-    fields.push_back(result.tries ? fmt::format("{}", *result.tries) : "");
-    fields.push_back(result.content);
-    fields.push_back(hex_of(result.key));
+    std::vector<std::string> fields;
+    for (const ResultColumn& column : result_columns()) fields.push_back(csv_text(column.of(result)));
     file_.write(csv_record(fields));
   }
-
   void finish() override { file_.commit(); }
 
  private:
   AtomicFile file_;
 };
 
+/// A page for a browser, without a server: the rows are data in it, and its script shows, sorts and filters
+/// them.
+const page::PageFrame& frame() {
+  static const page::PageFrame k_frame = {"moldlight batch", "batch.css", {"batch.js"}, true};
+  return k_frame;
+}
+
+constexpr std::string_view k_content = R"(<h1>moldlight batch</h1><p id="about"></p>
+<input id="filter" type="search" placeholder="part, settings or reason" aria-label="Filter">
+<select id="state" aria-label="State"><option value="">all</option><option>done</option><option>failed</option>
+<option>missing</option></select> <span id="count"></span>
+<table><thead><tr id="head"></tr></thead><tbody id="body"></tbody></table>
+<p><button id="more">Show more</button></p>
+<script type="application/json" id="batch">)";
+
+class HtmlSink : public MergeSink {
+ public:
+  HtmlSink(const std::string& path, const Manifest& manifest) : file_(path) {
+    const fs::path page_folder = fs::absolute(path).lexically_normal().parent_path();
+    const fs::path results = fs::absolute(fs::path(manifest.folder) / "results").lexically_normal();
+    const fs::path relative = results.lexically_relative(page_folder);
+    file_.write(page::page_begin(frame()));
+    file_.write(k_content);
+    file_.write(fmt::format(
+        "{{\"results\": {},\n\"about\": {},\n\"rows\": [",
+        page::script_json(page::url_of(relative.string()) + "/"),
+        page::script_json(fmt::format("{} of {} parts of {}, planned {} by moldlight {}", manifest.command,
+                                      manifest.rows, shown_text(manifest.source),
+                                      shown_text(manifest.planned_at), shown_text(manifest.version)))));
+  }
+
+  void add(const PartResult& result) override {
+    const std::string name = hex_of(result.key), beside = name.substr(0, 2) + "/" + name;
+    file_.write(
+        separator_ +
+        page::script_json(
+            {result.row, shown_text(result.path), state_name(result.state), shown_text(result.reason),
+             shown_text(result.unit), or_null(result.facets), or_null(result.figure(Figure::area)),
+             or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
+             or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
+             or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
+             shown_text(result.settings), result.picture ? beside + ".png" : std::string(),
+             result.report ? beside + ".html" : std::string(), result.verdict, shown_text(result.sentence)}));
+    separator_ = ",\n";
+  }
+
+  void finish() override {
+    file_.write("]}</script>\n");
+    file_.write(page::page_end(frame()));
+    file_.commit();
+  }
+
+ private:
+  AtomicFile file_;
+  std::string separator_ = "\n";
+};
+
 }  // namespace
 
+const std::vector<ResultColumn>& result_columns() {
+  using R = PartResult;
+  static const auto k_columns = [] {
+    std::vector<ResultColumn> columns = {
+        {"row", "INTEGER PRIMARY KEY", [](const R& r) { return Json(r.row); }},
+        {"path", "TEXT NOT NULL", [](const R& r) { return Json(r.path); }},
+        {"settings", "TEXT NOT NULL", [](const R& r) { return Json(r.settings); }},
+        {"state", "TEXT NOT NULL", [](const R& r) { return Json(state_name(r.state)); }},
+        {"reason", "TEXT", [](const R& r) { return Json(r.reason); }},
+        {"unit", "TEXT", [](const R& r) { return Json(r.unit); }},
+        {"facets", "INTEGER", [](const R& r) { return or_null(r.facets); }},
+        {"closed", "INTEGER", [](const R& r) { return or_null(r.closed); }},
+        {"verdict", "TEXT", [](const R& r) { return Json(r.verdict); }},
+        {"sentence", "TEXT", [](const R& r) { return Json(r.sentence); }}};
+    for (const std::size_t axis : {0U, 1U, 2U})
+      columns.push_back({fmt::format("direction_{}", "xyz"[axis]), "REAL",
+                         [axis](const R& r) { return r.direction ? Json((*r.direction)[axis]) : Json(); }});
+    for (std::size_t k = 0; k < k_figure_count; ++k) {
+      const auto figure = static_cast<Figure>(k);
+      const bool whole = figure == Figure::undercuts || figure == Figure::side_actions;
+      columns.push_back({std::string(figure_name(figure)), whole ? "INTEGER" : "REAL",
+                         [figure](const R& r) { return or_null(r.figure(figure)); }});
+    }
+    columns.insert(columns.end(),
+                   {{"undercut_share", "REAL", [](const R& r) { return or_null(r.undercut_share()); }},
+                    {"elapsed_s", "REAL", [](const R& r) { return or_null(r.elapsed_s); }},
+                    {"tries", "INTEGER", [](const R& r) { return or_null(r.tries); }},
+                    {"content", "TEXT", [](const R& r) { return Json(r.content); }},
+                    {"key", "TEXT", [](const R& r) { return Json(hex_of(r.key)); }}});
+    return columns;
+  }();
+  return k_columns;
+}
+
 std::unique_ptr<MergeSink> csv_sink(const std::string& path) { return std::make_unique<CsvSink>(path); }
+
+std::unique_ptr<MergeSink> html_sink(const std::string& path, const Manifest& manifest) {
+  return std::make_unique<HtmlSink>(path, manifest);
+}
 
 ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress,
                     MergeSink* first) {

@@ -2,8 +2,10 @@
 // not at all.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "batch/part_result.hpp"
 
@@ -12,6 +14,14 @@ namespace moldlight::batch {
 struct MergeFiles {
   std::string csv, sqlite, html;  // empty: not wanted
 };
+
+/// A column of table and database: its name, its type in SQLite, and what it has of a part, null where that
+/// is not known.
+struct ResultColumn {
+  std::string name, type;
+  std::function<Json(const PartResult&)> of;
+};
+[[nodiscard]] const std::vector<ResultColumn>& result_columns();
 
 /// What takes the rows one by one; without finish() nothing is left behind.
 class MergeSink {

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
 #include <unistd.h>
 
@@ -22,14 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int k_application_id = 0x6D6C6274;  // marks the databases that are made here
-
-constexpr const char* k_columns =
-    "row INTEGER PRIMARY KEY, path TEXT NOT NULL, settings TEXT NOT NULL, state TEXT NOT NULL, reason TEXT, "
-    "unit TEXT, facets INTEGER, closed INTEGER, verdict TEXT, sentence TEXT, direction_x REAL, direction_y "
-    "REAL, direction_z REAL, "
-    "area REAL, undercut_area REAL, projected_area REAL, undercuts INTEGER, side_actions INTEGER, "
-    "unreleased_area REAL, undercut_share REAL, elapsed_s REAL, tries INTEGER, content TEXT, key TEXT";
-constexpr int k_column_count = 24;
 
 constexpr const char* k_indices_and_views = R"(
 CREATE INDEX parts_by_path ON parts (path, settings);
@@ -106,16 +99,18 @@ class Statement {
   void bind_bytes(std::string_view bytes) {
     sqlite3_bind_blob(handle_, ++bound_, bytes.data(), static_cast<int>(bytes.size()), SQLITE_TRANSIENT);
   }
-  void bind_or_null(std::string_view text) {
-    if (text.empty()) return bind_null();
-    bind(text);
-  }
-  void bind(double value) { sqlite3_bind_double(handle_, ++bound_, value); }
-  void bind_whole(double value) { sqlite3_bind_int64(handle_, ++bound_, static_cast<sqlite3_int64>(value)); }
   void bind_null() { sqlite3_bind_null(handle_, ++bound_); }
-  void bind(const std::optional<double>& value) { value ? bind(*value) : bind_null(); }
-  void bind_whole(const std::optional<double>& value) { value ? bind_whole(*value) : bind_null(); }
-
+  /// As the column has it, text fit to be shown.
+  void bind(const ResultColumn& column, const Json& value) {
+    const std::string text = value.is_string() ? shown_text(value.get<std::string>()) : "";
+    if (!text.empty() || column.type == "TEXT NOT NULL") return bind(text);
+    if (value.is_null() || value.is_string()) return bind_null();
+    const double number = value.is_boolean() ? static_cast<double>(value.get<bool>()) : value.get<double>();
+    if (column.type == "REAL")
+      sqlite3_bind_double(handle_, ++bound_, number);
+    else
+      sqlite3_bind_int64(handle_, ++bound_, static_cast<sqlite3_int64>(number));
+  }
   void run() {
     if (sqlite3_step(handle_) != SQLITE_DONE) database_.fail();
     sqlite3_reset(handle_);
@@ -134,9 +129,11 @@ class Statement {
   int bound_ = 0;
 };
 
-bool is_figure_whole(std::size_t figure) {
-  return static_cast<Figure>(figure) == Figure::undercuts ||
-         static_cast<Figure>(figure) == Figure::side_actions;
+std::string column_texts() {
+  std::string text;
+  for (const ResultColumn& column : result_columns())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", column.name, column.type);
+  return text;
 }
 
 class SqliteSink : public MergeSink {
@@ -150,12 +147,12 @@ class SqliteSink : public MergeSink {
           fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};"
                       "CREATE TABLE batch (name TEXT PRIMARY KEY, value TEXT);"
                       "CREATE TABLE parts ({}, path_bytes BLOB); CREATE TABLE previous ({});",
-                      k_application_id, k_columns, k_columns));
+                      k_application_id, column_texts(), column_texts()));
       if (fs::exists(path)) take_previous(manifest);
       database_->run("BEGIN");
       describe(manifest);
       std::string places = "?";
-      for (int k = 0; k < k_column_count; ++k) places += ",?";
+      for (std::size_t k = 0; k < result_columns().size(); ++k) places += ",?";
       insert_ = std::make_unique<Statement>(*database_, "INSERT INTO parts VALUES (" + places + ")");
     } catch (...) {
       clear_away();
@@ -166,26 +163,8 @@ class SqliteSink : public MergeSink {
 
   void add(const PartResult& result) override {
     Statement& row = *insert_;
-    row.bind_whole(static_cast<double>(result.row));
+    for (const ResultColumn& column : result_columns()) row.bind(column, column.of(result));
     const std::string path = shown_text(result.path);
-    row.bind(path);
-    row.bind(shown_text(result.settings));
-    row.bind(state_name(result.state));
-    row.bind_or_null(shown_text(result.reason));
-    row.bind_or_null(shown_text(result.unit));
-    row.bind_whole(result.facets);
-    row.bind_whole(result.closed ? std::optional(*result.closed ? 1.0 : 0.0) : std::nullopt);
-    row.bind_or_null(result.verdict);
-    row.bind_or_null(shown_text(result.sentence));
-    for (std::size_t k = 0; k < 3; ++k)
-      row.bind(result.direction ? std::optional((*result.direction)[k]) : std::nullopt);
-    for (std::size_t k = 0; k < k_figure_count; ++k)
-      is_figure_whole(k) ? row.bind_whole(result.figures[k]) : row.bind(result.figures[k]);
-    row.bind(result.undercut_share());
-    row.bind(result.elapsed_s);
-    row.bind_whole(result.tries ? std::optional<double>(*result.tries) : std::nullopt);
-    row.bind_or_null(result.content);
-    row.bind(hex_of(result.key));
     path == result.path ? row.bind_null() : row.bind_bytes(result.path);
     row.run();
   }

@@ -8,15 +8,16 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "base/shown_text.hpp"
 #include "base/stopwatch.hpp"
 #include "batch/csv.hpp"
 #include "batch/merge.hpp"
+#include "batch/part_result.hpp"
 #include "batch/runner.hpp"
-#include "batch/status.hpp"
 #include "cli/batch_baseline.hpp"
 #include "cli/batch_work.hpp"
+#include "cli/console.hpp"
 #include "cli/flags.hpp"
-#include "cli/meter.hpp"
 
 namespace moldlight::cli {
 
@@ -108,7 +109,7 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
                                 shared == 1 ? "s" : ""));
   }
   console.result(fmt::format("{}: {} planned; moldlight batch run {} begins\n", manifest.folder,
-                             plural(rows.size(), "part"), settings_text({manifest.folder})));
+                             plural(rows.size(), "part"), shell_text({&manifest.folder, 1})));
   return 0;
 }
 
@@ -128,7 +129,7 @@ int run_plan(const PlanFlags& flags, Console& console, const Progress& progress)
     throw UsageError(
         fmt::format("--out: {0} is a batch already; plan it anew with moldlight batch plan --anew {1}, "
                     "which keeps its results, or name another folder",
-                    flags.out, settings_text({flags.out})));
+                    flags.out, shell_text({&flags.out, 1})));
   }
   std::error_code error;
   if (fs::exists(flags.out, error) &&
@@ -168,7 +169,7 @@ void check_version(const Manifest& manifest) {
   throw Error(fmt::format(
       "{}: was planned by moldlight {}, and this is {}: plan it anew with moldlight batch plan "
       "--anew {}, which keeps what is there, or run it by that version",
-      manifest.folder, one_line(manifest.version), MOLDLIGHT_VERSION, settings_text({manifest.folder})));
+      manifest.folder, one_line(manifest.version), MOLDLIGHT_VERSION, shell_text({&manifest.folder, 1})));
 }
 
 int run_run(const RunFlags& flags, Console& console, const Progress& progress) {

@@ -40,23 +40,15 @@ inline constexpr std::array k_add_commands = {
     add_info_command,    add_classify_command, add_actions_command, add_mold_command,   add_sweep_command,
     add_compare_command, add_view_command,     add_batch_command,   add_doctor_command, add_manual_command};
 
-/// Where the command line asks for `command`, its work is `run` with these flags.
-template <typename Flags>
-void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>& flags,
-              int (*run)(const Flags&, Console&, const Progress&)) {
-  command.callback([=, &request] {
-    request.body = [=](Console& console, const Progress& progress) { return run(*flags, console, progress); };
-  });
-}
-
-/// The same for a command that can be the work of a batch: `settings` gives what Request::settings does.
+/// Where the command line asks for `command`, its work is `run` with these flags; `settings` gives what
+/// Request::settings does, of a command that can be the work of a batch.
 template <typename Flags>
 void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>& flags,
               int (*run)(const Flags&, Console&, const Progress&),
-              nlohmann::ordered_json (*settings)(const Flags&)) {
+              nlohmann::ordered_json (*settings)(const Flags&) = nullptr) {
   command.callback([=, &request] {
     request.body = [=](Console& console, const Progress& progress) { return run(*flags, console, progress); };
-    request.settings = [=] { return settings(*flags); };
+    if (settings != nullptr) request.settings = [=] { return settings(*flags); };
   });
 }
 

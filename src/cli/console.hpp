@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace moldlight::cli {
 
@@ -72,5 +75,24 @@ class Console {
 
 /// The text with control characters replaced, so that it stays one line and cannot steer a terminal.
 [[nodiscard]] std::string one_line(std::string_view text);
+
+/// A terminal with fewer columns has no room for a bar.
+inline constexpr int k_least_columns_for_bar = 70;
+
+/// "45 s", "12 min", "3.5 h"
+[[nodiscard]] inline std::string time_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// A bar for a share in [0, 1].
+[[nodiscard]] inline std::string bar(double share) {
+  constexpr std::size_t k_cells = 24;
+  const auto full = static_cast<std::size_t>(share * static_cast<double>(k_cells));
+  std::string cells;
+  for (std::size_t i = 0; i < k_cells; ++i) cells += i < full ? "█" : "░";
+  return cells;
+}
 
 }  // namespace moldlight::cli

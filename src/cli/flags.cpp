@@ -8,7 +8,6 @@
 
 #include "classify/option_json.hpp"
 #include "io/part_formats.hpp"
-#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 

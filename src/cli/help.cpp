@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
+
 namespace moldlight::cli {
 
 namespace {
@@ -103,7 +105,7 @@ const std::vector<CommandExample>& command_examples() {
       {"view", "The window with a part", "moldlight view clip.step"},
       {"batch plan", "All parts of a folder along their best direction",
        "moldlight batch plan parts -o results -- classify -d best"},
-      {"batch run", "Work on it until all is done", "moldlight batch run results -j 4"},
+      {"batch run", "Work on it until all is done", "moldlight batch run results --processes 4"},
       {"batch merge", "One table of it for a spreadsheet", "moldlight batch merge results --csv results.csv"},
       {"manual", "Completion of commands and flags in bash", "source <(moldlight manual --form bash)"}};
   return k_examples;
@@ -150,24 +152,7 @@ std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  const std::string text = option->get_description();
-  const std::size_t width = k_help_width - get_column_width();
-  std::string wrapped;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column > 0 && column + 1 + end - begin > width) {
-      wrapped += '\n';
-      column = 0;
-    } else if (column > 0) {
-      wrapped += ' ';
-      ++column;
-    }
-    wrapped += text.substr(begin, end - begin);
-    column += end - begin;
-    begin = end + 1;
-  }
-  return wrapped;
+  return wrapped_text(option->get_description(), k_help_width - get_column_width());
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

@@ -1,26 +1,23 @@
 #include "cli/report_flags.hpp"
 
-#include <algorithm>
+#include <utility>
 
+#include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "cli/console.hpp"
-#include "cli/flags.hpp"
+#include "compare/compare_figures.hpp"
+#include "io/file_contents.hpp"
 #include "report/html_writer.hpp"
 
 namespace moldlight::cli {
 
 namespace {
 
-/// Whether a shell takes the letter as it is.
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("_-+=:,./@%").find(c) != std::string_view::npos;
-}
-
-std::string quoted(const std::string& word) {
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+nlohmann::ordered_json read_report(const std::string& file) {
+  const FileContents contents(file, Progress());
+  auto json = nlohmann::ordered_json::parse(contents.bytes(), nullptr, false);
+  if (json.is_discarded()) throw FileError(file, "", "is no JSON, as --json writes it");
+  return json;
 }
 
 }  // namespace
@@ -51,7 +48,7 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
           .gl = &context,
           .palette = palette,
           .version = MOLDLIGHT_VERSION,
-          .command = command_text(flags.request->words)};
+          .command = "moldlight " + shell_text(flags.request->words)};
 }
 
 void write_reports(const ReportFlags& flags, const report::Report& report) {
@@ -59,10 +56,58 @@ void write_reports(const ReportFlags& flags, const report::Report& report) {
   if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper);
 }
 
-std::string command_text(const std::vector<std::string>& words) {
-  std::string text = "moldlight";
-  for (const std::string& word : words) text += " " + quoted(word);
-  return text;
+void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {
+  add_file_flag(command, flags.file,
+                {"--baseline", "FILE.json",
+                 "Compare the figures with those of an earlier report of this command, as --json writes it"});
+  add_criteria_flag(command, flags.fail_on, report_figure_names(name));
+}
+
+Baseline::Baseline(const BaselineFlags& flags, std::string command)
+    : flags_(flags), command_(std::move(command)) {
+  if (!flags.file.empty()) before_ = read_report(flags.file);
+}
+
+void Baseline::compare(const std::function<nlohmann::ordered_json()>& report) {
+  if (flags_.file.empty() && flags_.fail_on.empty()) return;
+  for (const Criterion& criterion : flags_.fail_on)
+    if (criterion.of_change && flags_.file.empty())
+      throw UsageError(fmt::format("--fail-on: '{}' is of a change; give --baseline, too", criterion.text));
+  const nlohmann::ordered_json now = report();
+  figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
+  failed_ = met_criteria(flags_.fail_on, figures_);
+}
+
+std::string Baseline::table() const {
+  if (flags_.file.empty()) return {};
+  return fmt::format("\nagainst {}:\n{}", one_line(flags_.file), figure_changes_table(figures_));
+}
+
+void Baseline::add_to(nlohmann::ordered_json& report) const {
+  if (flags_.file.empty()) return;
+  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+  for (const ComparedFigure& figure : figures_)
+    figures[std::string(figure.name)] = {
+        {"was", figure.before}, {"is", figure.after}, {"error", figure.error}};
+  report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed_}};
+}
+
+void Baseline::put_report(Console& console, const std::string& json_path,
+                          const std::function<nlohmann::ordered_json()>& json,
+                          const std::function<std::string()>& text) const {
+  cli::put_report(
+      console, json_path,
+      [&] {
+        nlohmann::ordered_json report = json();
+        add_to(report);
+        return report;
+      },
+      [&] { return text() + table(); });
+}
+
+int Baseline::exit_code(Console& console) const {
+  for (const std::string& sentence : failed_) console.failure(sentence);
+  return failed_.empty() ? 0 : k_criterion_failed;
 }
 
 }  // namespace moldlight::cli

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/baseline.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "study/study.hpp"

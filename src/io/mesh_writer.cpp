@@ -136,25 +136,11 @@ std::uint16_t stl_colour(Colour colour) {
 /// Binary STL of the facets that `takes` lets through by their groups.
 template <typename Filter>
 void write_stl_of(const std::string& path, const GroupedMesh& grouped, const Filter& takes) {
-  const TriangleMesh& mesh = grouped.mesh;
-  AtomicFile file(path);
-  std::string row = description(grouped);
-  row.resize(80, ' ');
-  append_bytes(row, static_cast<std::uint32_t>(
-                        std::count_if(grouped.of_facet.begin(), grouped.of_facet.end(), takes)));
-  file.write(row);
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const std::uint32_t group = grouped.of_facet[facet];
-    if (!takes(group)) continue;
-    row.assign(12, '\0');  // readers take the normal from the corners' order where it is zero
-    for (int corner = 0; corner < 3; ++corner) {
-      const glm::dvec3& point = mesh.corner(facet, corner);
-      for (int axis = 0; axis < 3; ++axis) append_bytes(row, static_cast<float>(point[axis]));
-    }
-    append_bytes(row, stl_colour(grouped.groups[group].colour));
-    file.write(row);
-  }
-  file.commit();
+  write_stl_facets(
+      path, description(grouped), grouped.mesh, [&](FacetIndex facet) -> std::optional<std::uint16_t> {
+        const std::uint32_t group = grouped.of_facet[facet];
+        return takes(group) ? std::optional(stl_colour(grouped.groups[group].colour)) : std::nullopt;
+      });
 }
 
 void write_whole_stl(const std::string& path, const GroupedMesh& grouped) {
@@ -249,6 +235,29 @@ void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped) {
 
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured) {
   write_grouped_mesh(path, RegionGroups(coloured).mesh());
+}
+
+void write_stl_facets(const std::string& path, std::string header, const TriangleMesh& mesh,
+                      const std::function<std::optional<std::uint16_t>(FacetIndex)>& attribute) {
+  std::uint32_t count = 0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) count += attribute(facet) ? 1 : 0;
+  AtomicFile file(path);
+  header.resize(80, ' ');
+  append_bytes(header, count);
+  file.write(header);
+  std::string row;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    const std::optional<std::uint16_t> bits = attribute(facet);
+    if (!bits) continue;
+    row.assign(12, '\0');  // readers take the normal from the corners' order where it is zero
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::dvec3& point = mesh.corner(facet, corner);
+      for (int axis = 0; axis < 3; ++axis) append_bytes(row, static_cast<float>(point[axis]));
+    }
+    append_bytes(row, *bits);
+    file.write(row);
+  }
+  file.commit();
 }
 
 void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,7 +67,11 @@ template <typename Content>
 void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped);
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
 
-/// Binary STL of one colour, coordinates in float; the file is replaced whole or not at all.
+/// Binary STL, coordinates in float: the facets that have an attribute, each with it; the header is cut or
+/// filled to 80 bytes. The file is replaced whole or not at all.
+void write_stl_facets(const std::string& path, std::string header, const TriangleMesh& mesh,
+                      const std::function<std::optional<std::uint16_t>(FacetIndex)>& attribute);
+/// The same of one colour, coordinates in float; the file is replaced whole or not at all.
 void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour);
 
 /// The file beside an .obj that write_coloured_mesh writes, too; empty for others.

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh_writer.hpp"
 
 namespace moldlight {
 
@@ -90,21 +91,8 @@ std::string zipped(const std::string& path,
 }  // namespace
 
 void write_solid_stl(const std::string& path, const TriangleMesh& mesh, const std::string& unit) {
-  AtomicFile file(path);
-  std::string row = "moldlight" + (unit.empty() ? "" : ", unit " + unit);
-  row.resize(80, ' ');
-  append_bytes(row, static_cast<std::uint32_t>(mesh.facets.size()));
-  file.write(row);
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    row.assign(12, '\0');
-    for (int corner = 0; corner < 3; ++corner) {
-      for (int axis = 0; axis < 3; ++axis)
-        append_bytes(row, static_cast<float>(mesh.corner(facet, corner)[axis]));
-    }
-    row.append(2, '\0');
-    file.write(row);
-  }
-  file.commit();
+  write_stl_facets(path, "moldlight" + (unit.empty() ? "" : ", unit " + unit), mesh,
+                   [](FacetIndex) { return std::uint16_t{0}; });
 }
 
 void write_solids_3mf(const std::string& path, std::span<const NamedSolid> solids, const std::string& unit) {

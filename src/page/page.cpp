@@ -1,13 +1,16 @@
 #include "page/page.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/shown_text.hpp"
+#include "base/utf8.hpp"
 #include "io/digest.hpp"
-#include "page/html.hpp"
-#include "page/page_files.hpp"
+#include "io/png.hpp"
 
 namespace moldlight::page {
 
@@ -30,6 +33,74 @@ std::string script_of(const PageFrame& frame) {
 }
 
 }  // namespace
+
+using Json = nlohmann::ordered_json;
+
+std::string html_text(std::string_view text) {
+  std::string html;
+  html.reserve(text.size());
+  for (const char32_t letter : letters_of(text)) {
+    switch (letter) {
+      case U'&':
+        html += "&amp;";
+        break;
+      case U'<':
+        html += "&lt;";
+        break;
+      case U'>':
+        html += "&gt;";
+        break;
+      case U'"':
+        html += "&quot;";
+        break;
+      case U'\'':
+        html += "&#39;";
+        break;
+      default: {
+        const bool obeyed = is_command_letter(letter) && letter != U'\n' && letter != U'\t';
+        html += obeyed ? letter_escape(letter) : utf8_of(std::u32string(1, letter));
+      }
+    }
+  }
+  return html;
+}
+
+std::string script_json(const Json& json) {
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  for (std::size_t k = text.find('<'); k != std::string::npos; k = text.find('<', k))
+    text.replace(k, 1, "\\u003c");
+  return text;
+}
+
+std::string data_block(std::string_view id, const Json& json) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, script_json(json));
+}
+
+std::string url_of(std::string_view path) {
+  std::string url;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/._-~").find(c) != std::string_view::npos;
+    url += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return url;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view k_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - k);
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      group = group << 8 | (i < count ? static_cast<unsigned char>(bytes[k + i]) : 0U);
+    for (std::size_t i = 0; i < 4; ++i) text += i <= count ? k_digits[group >> (18 - 6 * i) & 63] : '=';
+  }
+  return text;
+}
+
+std::string picture_url(const Image& image) { return "data:image/png;base64," + base64(png_bytes(image)); }
 
 std::string_view page_file(std::string_view name) {
   const auto found = std::ranges::find(page_files(), name, &PageFile::name);

@@ -4,16 +4,25 @@
 #include <cstring>
 #include <vector>
 
+#include <cairo-pdf.h>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "base/utf8.hpp"
-#include "picture/canvas_surface.hpp"
+#include "picture/letters.hpp"
 
 namespace moldlight {
 
 namespace {
+
+/// Whether Unicode may give the letter a meaning: Cairo refuses text with others, and all that follows.
+constexpr bool is_assigned(char32_t letter) {
+  return (letter & 0xFFFE) != 0xFFFE && (letter < 0xFDD0 || letter > 0xFDEF);
+}
 
 /// Cairo keeps pixels as native 32-bit words, alpha uppermost, colours multiplied by alpha.
 std::uint32_t to_word(const std::uint8_t* rgba) {
@@ -52,7 +61,75 @@ cairo_surface_t* surface_of(const Image& image) {
   return surface;
 }
 
+cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(more), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// UTF-8 that Cairo takes: without what would end a C string, or what it refuses.
+std::string label(std::string_view text) {
+  std::u32string letters = letters_of(shown_text(text));
+  std::ranges::replace_if(
+      letters, [](char32_t letter) { return !is_assigned(letter); }, U'\uFFFD');
+  return utf8_of(letters);
+}
+
+cairo_surface_t* pdf_surface(std::string& bytes, const glm::dvec2& size_pt, std::string_view title) {
+  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(append, &bytes, size_pt.x, size_pt.y);
+  CHECK(cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS);
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, label(title).c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "moldlight");
+  // Cairo's is the time at which it is made, which would make every document another.
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+  return surface;
+}
+
 }  // namespace
+
+/// What a Canvas draws on: pixels, or the pages of a document.
+struct CanvasSurface {
+  explicit CanvasSurface(cairo_surface_t* owned) : target(owned), cairo(cairo_create(owned)) {}
+  ~CanvasSurface() {
+    cairo_destroy(cairo);
+    cairo_surface_destroy(target);
+  }
+  CanvasSurface(const CanvasSurface&) = delete;
+  CanvasSurface& operator=(const CanvasSurface&) = delete;
+
+  void set(const Ink& ink) const {
+    cairo_set_source_rgba(cairo, ink.colour.r / 255.0, ink.colour.g / 255.0, ink.colour.b / 255.0,
+                          ink.opacity);
+  }
+  void box_path(const Box& box, double radius) const {
+    const glm::dvec2 low = box.corner, high = box.far_corner();
+    const double r = std::min({radius, 0.5 * box.size.x, 0.5 * box.size.y});
+    const double quarter = glm::half_pi<double>();
+    cairo_new_path(cairo);
+    cairo_arc(cairo, high.x - r, low.y + r, r, -quarter, 0.0);
+    cairo_arc(cairo, high.x - r, high.y - r, r, 0.0, quarter);
+    cairo_arc(cairo, low.x + r, high.y - r, r, quarter, 2.0 * quarter);
+    cairo_arc(cairo, low.x + r, low.y + r, r, 2.0 * quarter, 3.0 * quarter);
+    cairo_close_path(cairo);
+  }
+  void circle_path(const glm::dvec2& centre, double radius) const {
+    cairo_new_path(cairo);
+    cairo_arc(cairo, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
+  }
+  /// A glyph that stays a letter, for what keeps text as text.
+  void show(const cairo_glyph_t& glyph, char32_t letter) const {
+    const std::string utf8 = utf8_of(std::u32string(1, is_assigned(letter) ? letter : U'\uFFFD'));
+    const cairo_text_cluster_t cluster{static_cast<int>(utf8.size()), 1};
+    cairo_show_text_glyphs(cairo, utf8.data(), cluster.num_bytes, &glyph, 1, &cluster, 1,
+                           cairo_text_cluster_flags_t{});
+  }
+  [[nodiscard]] std::vector<SetLetter> set_text(std::string_view text, const TextStyle& style) {
+    return letters.set(text, style.size_px, style.weight, style.tabular);
+  }
+
+  cairo_surface_t* target;
+  cairo_t* cairo;
+  LetterSetter letters;
+};
 
 Canvas::Canvas(int width, int height) : Canvas(empty_image(width, height)) {}
 Canvas::Canvas(const Image& image) : surface_(std::make_unique<CanvasSurface>(surface_of(image))) {}
@@ -204,6 +281,32 @@ Image Canvas::image() const {
     }
   }
   return image;
+}
+
+PdfPages::PdfPages(const glm::dvec2& size_pt, std::string_view title)
+    : canvas_(std::make_unique<CanvasSurface>(pdf_surface(bytes_, size_pt, title))) {}
+
+void PdfPages::next_page() {
+  cairo_show_page(canvas_.surface_->cairo);
+  ++number_;
+}
+
+void PdfPages::outline(std::string_view title, double top_pt) {
+  // Its numbers are written with a point, whatever the locale.
+  const std::string target = fmt::format("page={} pos=[0 {:.1f}]", number_, top_pt);
+  cairo_pdf_surface_add_outline(canvas_.surface_->target, CAIRO_PDF_OUTLINE_ROOT, label(title).c_str(),
+                                target.c_str(), cairo_pdf_outline_flags_t{});
+}
+
+std::string PdfPages::finish() {
+  cairo_surface_finish(canvas_.surface_->target);
+  for (const cairo_status_t status :
+       {cairo_status(canvas_.surface_->cairo), cairo_surface_status(canvas_.surface_->target)}) {
+    // A context whose surface is finished says so.
+    if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
+      throw Error(fmt::format("the PDF cannot be made: {}", cairo_status_to_string(status)));
+  }
+  return bytes_;
 }
 
 }  // namespace moldlight

@@ -1,15 +1,11 @@
 // Part.actions(): the side actions that release the undercuts of one direction.
-#include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
 #include "study/study_reports.hpp"
 
 namespace moldlight::python {
@@ -65,16 +61,6 @@ py::list bodies_of_actions(const PythonActions& self, const py::object& /*progre
   return list;
 }
 
-py::array picture_of_actions(const PythonActions& self, const py::kwargs& keywords) {
-  py::object progress_given;
-  const StillSettings still = picture_settings(keywords, progress_given);
-  return image_array(watched(progress_given, [&](const Progress& progress) {
-    const auto context = create_context(self.result().settings.backend);
-    const auto pulled = pulled_bodies(self.report());
-    return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
-  }));
-}
-
 constexpr std::string_view k_actions_text =
     "The slides, lifters and other side actions that release the undercuts. Returns an Actions.\n\n"
     "direction, progress: as for classify().";
@@ -84,39 +70,41 @@ constexpr std::string_view k_actions_text =
 void add_actions(py::module_& module, PartClass& part) {
   py::class_<PythonActions, SharedActions> found(
       module, "Actions", "What part.actions() finds. Lengths and areas are in the part's unit.");
+  add_members(
+      found,
+      {{"actions",
+        "A dict each, the largest area first: kind, direction, travel, the undercuts that it releases, and "
+        "the rest of the report."},
+       {"undercuts",
+        "A dict each, the largest first: area, depth, where it is, and what to change to do without an "
+        "action.",
+        "/patches"},
+       {"verdict", "What is said of the part first: a dict with state, sentence and reasons."},
+       {"unreleased", "What nothing releases."},
+       {"optimal", "No cheaper set of the actions that were tried releases as much."},
+       {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"}});
   found
-      .def_property_readonly(
-          "actions", report_member<PythonActions>("actions"),
-          "A dict each, the largest area first: kind, direction, travel, the undercuts that "
-          "it releases, and the rest of the report.")
-      .def_property_readonly(
-          "undercuts", report_member<PythonActions>("patches"),
-          "A dict each, the largest first: area, depth, where it is, and what to change to do "
-          "without an action.")
-      .def_property_readonly("verdict", report_member<PythonActions>("verdict"),
-                             "What is said of the part first: a dict with state, sentence and reasons.")
-      .def_property_readonly("unreleased", report_member<PythonActions>("unreleased"),
-                             "What nothing releases.")
       .def_property_readonly(
           "direction", [](const PythonActions& self) { return to_python(self.result().direction); },
           "Of length one.")
-      .def_property_readonly(
-          "optimal", [](const PythonActions& self) { return self.plan().optimal; },
-          "No cheaper set of the actions that were tried releases as much.")
-      .def_property_readonly(
-          "warnings", [](const PythonActions& self) { return to_python(Json(self.result().warnings)); })
       .def("bodies", &bodies_of_actions, py::arg("progress") = py::none(),
            "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
            "closed: "
            "a dict each with name, action\n(its place in actions), vertices and faces. Some actions have "
            "none.")
-      .def("picture", &picture_of_actions,
-           picture_doc("Draws the part with the bodies of its actions, pulled out: height x width x 4 uint8. "
-                       "Needs\nOpenGL, no display."))
       .def("__repr__", [](const PythonActions& self) {
         return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan())));
       });
-  add_report(found, "The report", "actions", [](const PythonActions& self) { return self.json(); });
+  add_picture(
+      found,
+      "Draws the part with the bodies of its actions, pulled out: height x width x 4 uint8. Needs\n"
+      "OpenGL, no display.",
+      [](const PythonActions& self, const StillSettings& still, const Progress& progress) {
+        const auto context = create_context(self.result().settings.backend);
+        const auto pulled = pulled_bodies(self.report());
+        return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
+      });
+  add_report(found, "The report", "actions");
   part.def("actions", &find_side_actions, py::arg("direction"),
            call_doc({.name = "actions",
                      .arguments = "self, direction",

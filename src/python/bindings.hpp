@@ -1,19 +1,22 @@
 // The classes of the Python module, one file each, and what they share.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
 #include "classify/still_picture.hpp"
+#include "python/arrays.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
+#include "python/work.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -54,6 +57,9 @@ namespace moldlight::python {
 struct PythonPart {
   using BoundToPython = void;
   std::shared_ptr<const PartModel> model;
+
+  /// The health report.
+  [[nodiscard]] nlohmann::ordered_json json() const;
 };
 using PartClass = pybind11::class_<PythonPart>;
 
@@ -64,29 +70,47 @@ void add_classify(pybind11::module_& module, PartClass& part);
 void add_sweep(pybind11::module_& module, PartClass& part);
 void add_actions(pybind11::module_& module, PartClass& part);
 void add_mold(pybind11::module_& module, PartClass& part);
+inline constexpr std::array k_add_calls = {add_classify, add_sweep, add_actions, add_mold};
 
 /// The report's text as the program writes it.
 [[nodiscard]] pybind11::str report_text(const nlohmann::ordered_json& json);
 
-/// to_json() and to_dict(): `what` the command writes with --json, which `json` makes of an object.
-template <typename Bound, typename Json>
-void add_report(Bound& bound, const std::string& what, const std::string& command, const Json& json) {
+/// to_json() and to_dict(): `what` the command writes with --json, which json() of the object makes.
+template <typename Bound>
+void add_report(Bound& bound, const std::string& what, const std::string& command) {
   using Type = typename Bound::type;
   bound.def(
-      "to_json", [json](const Type& self) { return report_text(json(self)); },
+      "to_json", [](const Type& self) { return report_text(self.json()); },
       fmt::format("to_json(self)\n--\n\n{}, as `moldlight {} --json` writes it.", what, command).c_str());
   bound.def(
-      "to_dict", [json](const Type& self) { return to_python(json(self)); },
+      "to_dict", [](const Type& self) { return to_python(self.json()); },
       fmt::format("to_dict(self)\n--\n\n{} as a dict.", what).c_str());
 }
 
-/// Reads a member of an object's report, as to_dict() has it; None where the report is without it.
-template <typename Type>
-auto report_member(const char* key) {
-  return [key](const Type& self) {
-    const auto json = self.json();
-    return json.contains(key) ? to_python(json[key]) : pybind11::object(pybind11::none());
-  };
+/// What a call for a picture asks for.
+[[nodiscard]] StillSettings picture_settings(const pybind11::kwargs& keywords, pybind11::object& progress);
+/// Its docstring, which begins with this text.
+[[nodiscard]] const char* picture_doc(std::string_view text);
+
+/// A property that is a member of the report, as to_dict() has it.
+struct ReportMember {
+  const char *name, *help;
+  const char* place = nullptr;  // JSON pointer, where it is not the report's own member of that name
+};
+/// Adds them; where the report is without one it is None.
+template <typename Bound>
+void add_members(Bound& bound, std::initializer_list<ReportMember> members) {
+  using Type = typename Bound::type;
+  for (const auto& [name, help, place] : members) {
+    const nlohmann::ordered_json::json_pointer at(place != nullptr ? place : std::string("/") + name);
+    bound.def_property_readonly(
+        name,
+        [at](const Type& self) {
+          const auto json = self.json();
+          return json.contains(at) ? to_python(json[at]) : pybind11::object(pybind11::none());
+        },
+        help);
+  }
 }
 
 /// A call that asks for the study of one direction.
@@ -100,12 +124,21 @@ struct StudyCall {
 [[nodiscard]] Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
                              const std::function<void(Study&, const Progress&)>& find);
 
-/// What a call for a picture asks for: size and settings.
-[[nodiscard]] StillSettings picture_settings(const pybind11::kwargs& keywords, pybind11::object& progress);
-/// The first lines of such a call's docstring.
-[[nodiscard]] const char* picture_doc(std::string_view text);
-
-/// {"core": …, "cavity": …, "both": …, "undercut": …}.
-[[nodiscard]] pybind11::dict region_dict(const RegionValues& values);
+/// Adds picture(), which asks for size and settings and returns what `draw(self, still, progress)` draws;
+/// `text` begins its docstring.
+template <typename Bound, typename Draw>
+void add_picture(Bound& bound, std::string_view text, const Draw& draw) {
+  using Type = typename Bound::type;
+  bound.def(
+      "picture",
+      [draw](const Type& self, const pybind11::kwargs& keywords) {
+        pybind11::object progress_given;
+        const StillSettings still = picture_settings(keywords, progress_given);
+        validate(still);
+        return image_array(
+            watched(progress_given, [&](const Progress& progress) { return draw(self, still, progress); }));
+      },
+      picture_doc(text));
+}
 
 }  // namespace moldlight::python

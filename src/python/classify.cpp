@@ -10,9 +10,7 @@
 #include "classify/classify_report.hpp"
 #include "classify/figures.hpp"
 #include "classify/headless.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
 #include "study/study_reports.hpp"
 
 namespace moldlight::python {
@@ -98,6 +96,13 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
       study_of({"classify", self, direction, keywords}, take, find));
 }
 
+/// {"core": …, "cavity": …, "both": …, "undercut": …}.
+py::dict region_dict(const RegionValues& values) {
+  py::dict dict;
+  for (const Region region : k_regions) dict[py::str(std::string(region_name(region)))] = values[region];
+  return dict;
+}
+
 /// m x 4: shares, or shares of the facets' areas.
 py::array facet_areas(const PythonClassification& self) {
   const FacetFractions& fractions = self.result().facet_fractions;
@@ -142,16 +147,6 @@ std::shared_ptr<PythonSplit> split_mesh(const PythonClassification& self, const 
   });
   for (const RegionBorder& border : borders) split->borders.append(border_of(*split->mesh, border));
   return split;
-}
-
-py::array picture_of_classification(const PythonClassification& self, const py::kwargs& keywords) {
-  py::object progress_given;
-  const StillSettings still = picture_settings(keywords, progress_given);
-  return image_array(watched(progress_given, [&](const Progress& progress) {
-    const Classification whole = self.with_split(progress);
-    const auto context = create_context(whole.settings.backend);
-    return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
-  }));
 }
 
 /// An array over the pieces, whose numbers lie in the pieces themselves.
@@ -210,12 +205,14 @@ void add_split(py::module_& module) {
 
 void add_figures(py::class_<PythonClassification, SharedClassification>& result) {
   using C = PythonClassification;
+  add_members(result, {{"fractions", "Shares of each region in the surface."},
+                       {"uncertainty_parts", "Of what that is made: rounding, mesh, readout."},
+                       {"identity", "The part's shadow found in two ways, and whether they agree."},
+                       {"settings", "Every setting with its value."}});
   result
       .def_property_readonly(
           "areas", [](const C& self) { return region_dict(self.result().areas); },
           "The area of each region, in the part's unit squared.")
-      .def_property_readonly("fractions", report_member<PythonClassification>("fractions"),
-                             "Shares of each region in the surface.")
       .def_property_readonly(
           "verdict", [](const C& self) { return to_python(self.verdict()); },
           "What is said of the part first: a dict with state, sentence, undercuts and reasons.")
@@ -225,10 +222,6 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
       .def_property_readonly(
           "undercut_uncertainty", [](const C& self) { return self.result().uncertainty.total(); },
           "How far the undercut's area may be off.")
-      .def_property_readonly("uncertainty_parts", report_member<PythonClassification>("uncertainty_parts"),
-                             "Of what that is made: rounding, mesh, readout.")
-      .def_property_readonly("identity", report_member<PythonClassification>("identity"),
-                             "The part's shadow found in two ways, and whether they agree.")
       .def_property_readonly("projected_area", [](const C& self) { return self.result().shadow_area; })
       .def_property_readonly("projected_undercut",
                              [](const C& self) { return self.result().projected_undercut; })
@@ -236,8 +229,6 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
                              [](const C& self) { return self.result().lateral_tolerance; })
       .def_property_readonly(
           "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
-      .def_property_readonly("settings", report_member<PythonClassification>("settings"),
-                             "Every setting with its value.")
       .def_property_readonly(
           "warnings", [](const C& self) { return to_python(Json(self.result().warnings)); },
           "What puts figures in doubt, a sentence each.")
@@ -273,16 +264,22 @@ void add_classify(py::module_& module, PartClass& part) {
            "split_mesh(self, progress=None)\n--\n\nThe part's mesh, split at the borders of the exact "
            "regions: "
            "a SplitMesh.")
-      .def("picture", &picture_of_classification,
-           picture_doc("Draws the part in the colours of its regions: height x width x 4 uint8, red, green, "
-                       "blue,\nalpha, rows from above. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonClassification& self) {
         const Classification& found = self.result();
         return py::str(fmt::format("<moldlight.Classification along {}: undercut {} of {}>",
                                    figures(found.direction, 1.0), figure(found.areas[Region::undercut]),
                                    figure(found.total_area)));
       });
-  add_report(result, "The report", "classify", [](const PythonClassification& self) { return self.json(); });
+  add_picture(
+      result,
+      "Draws the part in the colours of its regions: height x width x 4 uint8, red, green, blue,\nalpha, "
+      "rows from above. Needs OpenGL, no display.",
+      [](const PythonClassification& self, const StillSettings& still, const Progress& progress) {
+        const Classification whole = self.with_split(progress);
+        const auto context = create_context(whole.settings.backend);
+        return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
+      });
+  add_report(result, "The report", "classify");
   part.def("classify", &classify, py::arg("direction"),
            call_doc({.name = "classify",
                      .arguments = "self, direction",

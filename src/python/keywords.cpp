@@ -1,13 +1,12 @@
 #include "python/keywords.hpp"
 
-#include <array>
 #include <cctype>
 #include <deque>
 #include <functional>
 #include <map>
 
 #include "actions/action_settings.hpp"
-#include "classify/look_options.hpp"
+#include "base/shown_text.hpp"
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "parting/draft/draft_check.hpp"
@@ -70,39 +69,31 @@ Keyword keyword_of(const Option<S>& option, const S& defaults) {
   return keyword;
 }
 
+/// Those of a table under these keys.
 template <typename S>
-void add(std::vector<Keyword>& keywords, std::span<const Option<S>> options, const S& defaults = {}) {
-  for (const Option<S>& option : options) keywords.push_back(keyword_of(option, defaults));
+std::vector<Option<S>> chosen_options(std::span<const Option<S>> options,
+                                      std::initializer_list<std::string_view> keys) {
+  std::vector<Option<S>> chosen;
+  for (const std::string_view key : keys) chosen.push_back(option_named(options, key));
+  return chosen;
 }
 
-std::vector<Keyword> picture_keywords() {
-  std::vector<Keyword> keywords;
-  add(keywords, still_options(), StillSettings{});
-  for (const std::string_view key : picture_looks())
-    keywords.push_back(keyword_of(option_named(look_options(), key), LookSettings{}));
-  return keywords;
-}
-
-std::map<std::string, std::vector<Keyword>, std::less<>> all_keywords() {
-  std::map<std::string, std::vector<Keyword>, std::less<>> calls;
-  add(calls["Part"], array_options());
-  add(calls["read"], reading_options());
-  add(calls["classify"], method_options());
-  add(calls["classify"], draft_options());
-  add(calls["sweep"], sweep_options());
-  add(calls["sweep"], action_options());
-  add(calls["sweep"], method_options());
-  add(calls["actions"], action_options());
-  add(calls["actions"], method_options());
-  add(calls["mold"], mold_options());
-  add(calls["mold"], method_options());
-  calls["picture"] = picture_keywords();
-  return calls;
-}
-
-template <typename S>
-void add_flags(std::map<std::string_view, std::string_view>& keys, std::span<const Option<S>> options) {
-  for (const Option<S>& option : options) keys.emplace(option.flag, option.key);
+/// Calls `visit(call, options, defaults)` for every table of every call, in order.
+template <typename Visit>
+void visit_tables(const Visit& visit) {
+  visit("Part", array_options(), ReadOptions{});
+  visit("read", reading_options(), ReadOptions{});
+  visit("classify", method_options(), MethodSettings{});
+  visit("classify", draft_options(), DraftSettings{});
+  visit("sweep", sweep_options(), SweepSettings{});
+  visit("sweep", action_options(), ActionSettings{});
+  visit("sweep", method_options(), MethodSettings{});
+  visit("actions", action_options(), ActionSettings{});
+  visit("actions", method_options(), MethodSettings{});
+  visit("mold", mold_options(), MoldSettings{});
+  visit("mold", method_options(), MethodSettings{});
+  visit("picture", still_options(), StillSettings{});
+  visit("picture", picture_looks(), LookSettings{});
 }
 
 /// As Python writes the value.
@@ -114,27 +105,6 @@ std::string literal(const Json& value) {
   std::string text;
   for (const Json& item : value) text += (text.empty() ? "" : ", ") + literal(item);
   return "[" + text + "]";
-}
-
-/// Lines of at most k_help_width columns, all but the first indented by `indent`.
-std::string wrapped(std::string_view text, std::size_t indent) {
-  std::string lines;
-  std::size_t column = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (column > indent && column + 1 + word.size() > k_help_width) {
-      lines += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > 0) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-    column += word.size();
-  }
-  return lines;
 }
 
 std::string keyword_help(const Keyword& keyword) {
@@ -184,22 +154,23 @@ void Given::end() const {
 }
 
 std::span<const Option<ReadOptions>> array_options() {
-  static const std::vector<Option<ReadOptions>> k_options = [] {
-    std::vector<Option<ReadOptions>> options;
-    for (const std::string_view key : {"unit", "repair", "weld_tolerance"})
-      options.push_back(option_named(reading_options(), key));
-    return options;
-  }();
+  static const auto k_options = chosen_options(reading_options(), {"unit", "repair", "weld_tolerance"});
   return k_options;
 }
 
-std::span<const std::string_view> picture_looks() {
-  static constexpr std::array<std::string_view, 3> k_looks = {"palette", "regions", "mark_difference"};
-  return k_looks;
+std::span<const Option<LookSettings>> picture_looks() {
+  static const auto k_options = chosen_options(look_options(), {"palette", "regions", "mark_difference"});
+  return k_options;
 }
 
 const std::vector<Keyword>& keywords_of(std::string_view call) {
-  static const auto k_calls = all_keywords();
+  static const auto k_calls = [] {
+    std::map<std::string, std::vector<Keyword>, std::less<>> calls;
+    visit_tables([&](const char* name, const auto options, const auto& defaults) {
+      for (const auto& option : options) calls[name].push_back(keyword_of(option, defaults));
+    });
+    return calls;
+  }();
   const auto found = k_calls.find(call);
   if (found == k_calls.end())
     throw UsageError(fmt::format("settings: '{}' is none of {}", call, [] {
@@ -213,14 +184,10 @@ const std::vector<Keyword>& keywords_of(std::string_view call) {
 std::string_view keyword_of_flag(std::string_view flag) {
   static const auto k_keys = [] {
     std::map<std::string_view, std::string_view> keys;
-    add_flags(keys, method_options());
-    add_flags(keys, reading_options());
-    add_flags(keys, draft_options());
-    add_flags(keys, sweep_options());
-    add_flags(keys, action_options());
-    add_flags(keys, mold_options());
-    add_flags(keys, still_options());
-    add_flags(keys, look_options());
+    visit_tables([&](const char*, const auto options, const auto&) {
+      for (const auto& option : options) keys.emplace(option.flag, option.key);
+    });
+    for (const Option<LookSettings>& option : look_options()) keys.emplace(option.flag, option.key);
     // Of a sweep its given directions, elsewhere the direction itself.
     keys.erase("--direction");
     keys.emplace("--compare-maps", "compare_maps");
@@ -255,7 +222,7 @@ const char* call_doc(const CallText& call) {
     for (const Keyword& keyword : keywords_of(call.settings)) {
       keywords +=
           fmt::format("{}{}={}", keywords.empty() ? "" : ", ", keyword.key, literal(keyword.standard));
-      help += "    " + wrapped(keyword_help(keyword), 8) + "\n";
+      help += "    " + wrapped_text(keyword_help(keyword), k_help_width, 8) + "\n";
     }
   }
   const std::string_view comma = call.arguments.empty() || keywords.empty() ? "" : ", ";

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 
+#include "classify/look_options.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_table.hpp"
 #include "classify/settings.hpp"
@@ -80,7 +81,7 @@ class Given {
 /// The options that a part of arrays has, out of reading_options().
 [[nodiscard]] std::span<const Option<ReadOptions>> array_options();
 /// What a picture takes of look_options().
-[[nodiscard]] std::span<const std::string_view> picture_looks();
+[[nodiscard]] std::span<const Option<LookSettings>> picture_looks();
 
 /// The settings of a call, "Part", "read", "classify", "sweep", "actions", "mold", "picture", in order.
 /// Throws UsageError for another name.

@@ -1,5 +1,4 @@
 // Part.mold(): the parting line of one direction, and the two halves.
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,10 +7,8 @@
 #include "classify/headless.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/keywords.hpp"
-#include "python/work.hpp"
 #include "study/study_reports.hpp"
 
 namespace moldlight::python {
@@ -102,16 +99,6 @@ void write_line(const PythonMold& self, const py::object& path_given) {
   });
 }
 
-py::array picture_of_mold(const PythonMold& self, const py::kwargs& keywords) {
-  py::object progress_given;
-  const StillSettings still = picture_settings(keywords, progress_given);
-  return image_array(watched(progress_given, [&](const Progress& progress) {
-    const auto context = create_context(self.study.questions().query.method.backend);
-    return mold_picture(*context, {self.model(), self.assignment(), self.line(), self.halves()}, still,
-                        progress);
-  }));
-}
-
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
 py::array frame_of(const PythonMold& self) {
   const glm::dmat4 numbers = to_part_of(self.halves());
@@ -129,27 +116,6 @@ py::object area_of(const PythonMold& self) {
   return areas;
 }
 
-void add_line(py::class_<PythonMold, SharedMold>& mold) {
-  mold.def_property_readonly("verdict", report_member<PythonMold>("verdict"),
-                             "What is said of the part first: a dict with state, sentence and reasons.")
-      .def_property_readonly("parting_line", report_member<PythonMold>("parting_line"),
-                             "The parting line in a sentence.")
-      .def_property_readonly("areas", area_of,
-                             "What core, cavity and side actions form, in the part's unit squared.")
-      .def_property_readonly("loops", loops,
-                             "The loops of the parting line: a dict each with kind ('outer', 'shut-off', "
-                             "'action'), points (k x 3, closed, the first is not repeated) and length.")
-      .def_property_readonly(
-          "direction", [](const PythonMold& self) { return to_python(self.assignment().direction); },
-          "Of length one.")
-      .def_property_readonly(
-          "warnings", [](const PythonMold& self) { return to_python(self.json()["part"]["warnings"]); },
-          "What puts figures in doubt, a sentence each.")
-      .def("write_line", &write_line, py::arg("path"),
-           "write_line(self, path)\n--\n\nWrites the parting line, by the ending of the file's name: .dxf, "
-           ".step, .svg, .obj or .csv.");
-}
-
 constexpr std::string_view k_mold_text =
     "The parting line of a direction and the two halves of a mold. Returns a Mold.\n\n"
     "direction, progress: as for classify().\n"
@@ -160,8 +126,21 @@ constexpr std::string_view k_mold_text =
 void add_mold(py::module_& module, PartClass& part) {
   py::class_<PythonMold, SharedMold> mold(
       module, "Mold", "What part.mold() finds. Lengths, areas and volumes are in the part's unit.");
-  add_line(mold);
-  mold.def_property_readonly(
+  add_members(mold, {{"verdict", "What is said of the part first: a dict with state, sentence and reasons."},
+                     {"parting_line", "The parting line in a sentence."},
+                     {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"}});
+  mold.def_property_readonly("areas", area_of,
+                             "What core, cavity and side actions form, in the part's unit squared.")
+      .def_property_readonly("loops", loops,
+                             "The loops of the parting line: a dict each with kind ('outer', 'shut-off', "
+                             "'action'), points (k x 3, closed, the first is not repeated) and length.")
+      .def_property_readonly(
+          "direction", [](const PythonMold& self) { return to_python(self.assignment().direction); },
+          "Of length one.")
+      .def("write_line", &write_line, py::arg("path"),
+           "write_line(self, path)\n--\n\nWrites the parting line, by the ending of the file's name: .dxf, "
+           ".step, .svg, .obj or .csv.")
+      .def_property_readonly(
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
           "Why there are no halves to write; empty where there are.")
       .def_property_readonly(
@@ -180,15 +159,19 @@ void add_mold(py::module_& module, PartClass& part) {
            "write(self, folder, as_3mf=False)\n--\n\nWrites the bodies to a folder, an STL each, and all of "
            "them "
            "to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
-      .def(
-          "picture", &picture_of_mold,
-          picture_doc("Draws the part with its parting line and the opened halves: height x width x 4 uint8. "
-                      "Of the\nsettings view, theme and palette count. Needs OpenGL, no display."))
       .def("__repr__", [](const PythonMold& self) {
         return py::str(fmt::format("<moldlight.Mold: {}>",
                                    parting_verdict(self.assignment(), self.line(), self.model())));
       });
-  add_report(mold, "The report", "mold", [](const PythonMold& self) { return self.json(); });
+  add_picture(mold,
+              "Draws the part with its parting line and the opened halves: height x width x 4 uint8. Of the\n"
+              "settings view, theme and palette count. Needs OpenGL, no display.",
+              [](const PythonMold& self, const StillSettings& still, const Progress& progress) {
+                const auto context = create_context(self.study.questions().query.method.backend);
+                return mold_picture(*context, {self.model(), self.assignment(), self.line(), self.halves()},
+                                    still, progress);
+              });
+  add_report(mold, "The report", "mold");
   part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",

@@ -11,9 +11,7 @@
 #include "mesh/part_selection.hpp"
 #include "mesh/weld.hpp"
 #include "mold/exact/united_bodies.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
 
 namespace moldlight::python {
 
@@ -73,11 +71,6 @@ py::list body_list(const PythonPart& self) {
     bodies.append(entry);
   }
   return bodies;
-}
-
-nlohmann::ordered_json info(const PythonPart& self) {
-  return watched(py::none(),
-                 [&](const Progress&) { return info_json(*self.model, defect_places(*self.model)); });
 }
 
 std::string health_text(const HealthReport& health) {
@@ -179,6 +172,10 @@ constexpr std::string_view k_part_text =
 
 }  // namespace
 
+nlohmann::ordered_json PythonPart::json() const {
+  return watched(py::none(), [this](const Progress&) { return info_json(*model, defect_places(*model)); });
+}
+
 PartClass add_part(py::module_& module) {
   add_health(module);
   PartClass part(module, "Part",
@@ -201,7 +198,7 @@ PartClass add_part(py::module_& module) {
                             .settings = "read"}));
   add_properties(part);
   add_arrays(part);
-  add_report(part, "The health report", "info", info);
+  add_report(part, "The health report", "info");
   part.def("__repr__", [](const PythonPart& self) {
     return py::str(fmt::format("<moldlight.Part {}: {} facets, {}>",
                                self.model->part.file.empty() ? "of arrays" : part_name(self.model->part),

@@ -6,9 +6,7 @@
 
 #include "base/error.hpp"
 #include "classify/figures.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
 #include "study/study_reports.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
@@ -70,15 +68,6 @@ py::array scored_directions(const PythonSweep& self) {
   return copy_of(directions);
 }
 
-py::array picture_of_sweep(const PythonSweep& self, const py::kwargs& keywords) {
-  py::object progress_given;
-  const StillSettings still = picture_settings(keywords, progress_given);
-  validate(still);
-  return image_array(watched(progress_given, [&](const Progress&) {
-    return sweep_sphere_picture(*self.model, self.result, still);
-  }));
-}
-
 py::object best(const PythonSweep& self) {
   if (self.result.candidates.empty()) return py::none();
   return to_python(self.result.recommended ? self.result.recommended->direction
@@ -102,28 +91,21 @@ constexpr std::string_view k_sweep_text =
 void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
       module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
+  add_members(
+      found,
+      {{"candidates",
+        "The directions listed, best first: a dict each, with direction, areas, tilt and the other figures "
+        "of the report."},
+       {"verdict", "What is said of the best direction first: a dict with state, sentence and reasons."},
+       {"proof", "What prove asked for, as a dict; else None."},
+       {"all_free", "What all_free asked for, as a dict; else None."},
+       {"remarks", "What there is to say of the directions, a sentence each."},
+       {"complete", "Neither the callback nor a time limit ended it."}});
   found
       .def_property_readonly(
           "best_direction", best,
           "The one recommended, the core on its side; by an objective the first of those listed. "
           "Of length one; None of none.")
-      .def_property_readonly(
-          "candidates", report_member<PythonSweep>("candidates"),
-          "The directions listed, best first: a dict each, with direction, areas, tilt and "
-          "the other figures of the report.")
-      .def_property_readonly(
-          "verdict", report_member<PythonSweep>("verdict"),
-          "What is said of the best direction first: a dict with state, sentence and reasons.")
-      .def_property_readonly("proof", report_member<PythonSweep>("proof"),
-                             "What prove asked for, as a dict; else None.")
-      .def_property_readonly("all_free", report_member<PythonSweep>("all_free"),
-                             "What all_free asked for, as a dict; else None.")
-      .def_property_readonly(
-          "remarks", [](const PythonSweep& self) { return to_python(Json(self.result.remarks)); },
-          "What there is to say of the directions, a sentence each.")
-      .def_property_readonly(
-          "complete", [](const PythonSweep& self) { return self.result.complete; },
-          "Neither the callback nor a time limit ended it.")
       .def_property_readonly("scored_directions", scored_directions,
                              "k x 3 float64: every direction that was scored.")
       .def_property_readonly(
@@ -134,13 +116,15 @@ void add_sweep(py::module_& module, PartClass& part) {
           "scored_error",
           [](const PythonSweep& self) { return scored(self, &EvaluatedDirection::undercut_error); },
           "k float64: how far that may be off (95 %).")
-      .def(
-          "picture", &picture_of_sweep,
-          picture_doc("Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only "
-                      "size\nand theme count. With sweep(thorough=True) every figure of it is scored to the "
-                      "end."))
       .def("__repr__", [](const PythonSweep& self) { return py::str(text(self)); });
-  add_report(found, "The report", "sweep", [](const PythonSweep& self) { return self.json(); });
+  add_picture(
+      found,
+      "Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only size\nand "
+      "theme count. With sweep(thorough=True) every figure of it is scored to the end.",
+      [](const PythonSweep& self, const StillSettings& still, const Progress&) {
+        return sweep_sphere_picture(*self.model, self.result, still);
+      });
+  add_report(found, "The report", "sweep");
   part.def("sweep", &sweep,
            call_doc({.name = "sweep",
                      .arguments = "self",

@@ -7,7 +7,8 @@
 #include <zlib.h>
 
 #include "base/check.hpp"
-#include "page/html.hpp"
+#include "classify/classify_report.hpp"
+#include "page/page.hpp"
 
 namespace moldlight::report {
 
@@ -16,8 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double k_steps = 65535.0;
-
-Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// Numbers of seven bits a byte, the lowest first.
 class Bytes {
@@ -94,20 +93,20 @@ Json pack_surface(const ViewSurface& surface, const glm::dvec3& centre, Bytes& b
   const bool any = !order.empty();
   return {{"corners", order.size()},
           {"facets", mesh.facets.size()},
-          {"low", vector_json(any ? box.min - centre : glm::dvec3(0.0))},
-          {"high", vector_json(any ? box.max - centre : glm::dvec3(0.0))}};
+          {"low", point_json(any ? box.min - centre : glm::dvec3(0.0))},
+          {"high", point_json(any ? box.max - centre : glm::dvec3(0.0))}};
 }
 
 Json group_json(const ViewGroup& group, const glm::dvec3& centre) {
   Json json = {{"name", group.name},       {"colour", {group.colour.r, group.colour.g, group.colour.b}},
                {"hatched", group.hatched}, {"opaque", group.stays_opaque},
-               {"hidden", group.hidden},   {"shift", vector_json(group.shift)}};
+               {"hidden", group.hidden},   {"shift", point_json(group.shift)}};
   if (group.without_edges) json["plain"] = true;
   if (group.shown_with) json["with"] = *group.shown_with;
   if (group.turn_rad != 0.0) {
     json["turn"] = group.turn_rad;
-    json["point"] = vector_json(group.point - centre);
-    json["axis"] = vector_json(group.axis);
+    json["point"] = point_json(group.point - centre);
+    json["axis"] = point_json(group.axis);
   }
   return json;
 }
@@ -119,8 +118,8 @@ Json packed(const ModelView& view) {
   json["groups"] = Json::array();
   for (const ViewGroup& group : view.groups) json["groups"].push_back(group_json(group, view.centre));
   json["diagonal"] = view.diagonal;
-  json["direction"] = vector_json(view.direction);
-  json["to_viewer"] = vector_json(view.to_viewer);
+  json["direction"] = point_json(view.direction);
+  json["to_viewer"] = point_json(view.to_viewer);
   json["opened"] = view.opened;
   Bytes bytes;
   json["surfaces"] = Json::array();
@@ -132,8 +131,8 @@ Json packed(const ModelView& view) {
   }
   json["lines"] = Json::array();
   if (!view.lines.empty()) {
-    json["lines_low"] = vector_json(box.min - view.centre);
-    json["lines_high"] = vector_json(box.max - view.centre);
+    json["lines_low"] = point_json(box.min - view.centre);
+    json["lines_high"] = point_json(box.max - view.centre);
   }
   PointWriter points(bytes, box);
   for (const ViewLine& line : view.lines) {

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
-#include "picture/pdf_pages.hpp"
+#include "picture/canvas.hpp"
 #include "report/pdf/blocks.hpp"
-#include "report/pdf/mark.hpp"
 #include "report/pdf/text.hpp"
 
 namespace moldlight::report {

@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
 Json settings_json(const SweepResult& result) {
   Json settings = options_json(method_options(), result.settings.method);
   // The direction is what is searched for, and the figures are exact.
@@ -44,7 +42,7 @@ Json axis_json(const PartModel& model, const SweepCandidate& candidate) {
 
 Json beside_json(const std::optional<BesideDirection>& beside) {
   if (!beside) return {};
-  Json json = {{"direction", vector_json(beside->direction)},
+  Json json = {{"direction", point_json(beside->direction)},
                {"name", beside->name},
                {"angle_deg", beside->angle_deg},
                {"undercut", beside->undercut},
@@ -61,7 +59,7 @@ Json beside_json(const std::optional<BesideDirection>& beside) {
 Json recommended_json(const SweepResult& result) {
   if (!result.recommended) return {};
   const Recommendation& recommended = *result.recommended;
-  return {{"direction", vector_json(recommended.direction)},
+  return {{"direction", point_json(recommended.direction)},
           {"name", recommended.name},
           {"why", recommended.why},
           {"beside", beside_json(recommended.beside)},
@@ -104,7 +102,7 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
       value = *known;
   }
   json["actions"] = candidate.actions ? Json(candidate.actions->text()) : Json();
-  json["tilt_toward"] = leans_somewhere ? vector_json(candidate.tilt->toward) : Json();
+  json["tilt_toward"] = leans_somewhere ? point_json(candidate.tilt->toward) : Json();
   json["pareto"] = candidate.pareto;
   json["axis_beside"] = axis_json(model, candidate);
   return json;
@@ -114,7 +112,7 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
 Json proof_json(const SweepProof& proof, bool with_undercuts) {
   Json open = Json::array();
   for (const OpenCap& each : proof.open) {
-    Json cap = {{"direction", vector_json(each.cap.direction)}, {"radius_deg", each.cap.radius_deg}};
+    Json cap = {{"direction", point_json(each.cap.direction)}, {"radius_deg", each.cap.radius_deg}};
     if (with_undercuts) cap["undercut"] = each.undercut ? Json(*each.undercut) : Json();
     open.push_back(std::move(cap));
   }

@@ -84,6 +84,29 @@ TEST(Manual, ThePageHoldsEveryFlagOfEveryCommand) {
   }
 }
 
+TEST(Manual, ExamplesHaveOnlyFlagsThatThereAre) {
+  std::set<std::string> commands = commands_of("");
+  for (const std::string& part : commands_of("batch")) commands.insert("batch " + part);
+  std::size_t seen = 0;
+  for (const std::string& command : commands) {
+    std::istringstream names(command + " --help");
+    std::vector<std::string> words;
+    for (std::string word; names >> word;) words.push_back(word);
+    const std::string help = run_moldlight(words).out;
+    const std::string flags = help.substr(0, help.find("\nExamples:"));
+    std::istringstream lines(help.substr(flags.size()));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream typed(line.starts_with("    moldlight ") ? line : "");
+      for (std::string word; typed >> word && word != "--"; ++seen) {
+        const std::string listed = word + (word.starts_with("--") ? " " : ",");
+        EXPECT_TRUE(!word.starts_with('-') || flags.find(listed) != std::string::npos)
+            << command << ' ' << word;
+      }
+    }
+  }
+  EXPECT_GT(seen, 20U);
+}
+
 TEST(Manual, ThePageHoldsEveryExitCode) {
   const std::string page = run_moldlight({"manual"}).out;
   const std::size_t begin = page.find("\n.SH EXIT STATUS\n");

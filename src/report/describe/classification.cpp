@@ -34,7 +34,7 @@ void add_pages(const ReportContext& context, Study& study, Report& report) {
     std::vector<const Undercut*> undercuts;
     for (const Undercut& undercut : found.patches) undercuts.push_back(&undercut);
     Section section{"Undercuts", {}};
-    section.blocks.emplace_back(undercut_table(context, pictures, undercuts, {}));
+    section.blocks.emplace_back(undercut_table(context, pictures, undercuts));
     report.sections.push_back(std::move(section));
   }
   Pictures behind;

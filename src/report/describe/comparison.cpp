@@ -9,7 +9,6 @@
 #include "compare/compare_picture.hpp"
 #include "compare/compare_report.hpp"
 #include "mold/direction_words.hpp"
-#include "report/describe/comparison_view.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {

@@ -1,5 +1,4 @@
-#include "report/describe/comparison_view.hpp"
-
+// Two revisions for a page's view.
 #include <algorithm>
 
 #include <fmt/format.h>

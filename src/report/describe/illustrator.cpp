@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "classify/view_choice.hpp"
 #include "render/camera.hpp"
@@ -76,34 +75,18 @@ Image Illustrator::undercut(const Undercut& undercut) {
 }
 
 Table undercut_table(const ReportContext& context, Illustrator& pictures,
-                     std::span<const Undercut* const> undercuts, const UndercutAside& aside) {
-  const PartModel& model = *context.model;
-  const FigureStyle style(model);
-  const auto length_heading = [&](std::string_view title) {
-    return style.heading(title, FigureKind::length);
-  };
-  const auto length = [&](double value) { return style.text(FigureKind::length, value); };
-  Table table;
-  table.columns = {{"#"},
-                   {style.heading("area", FigureKind::area)},
-                   {length_heading("across")},
-                   {length_heading("along")},
-                   {length_heading("centre"), true}};
-  table.columns.insert(table.columns.end(), aside.columns.begin(), aside.columns.end());
+                     std::span<const Undercut* const> undercuts, const Place& keys) {
+  const FigureStyle style(*context.model);
+  Table table{{{"#"}}, {}};
+  add_columns(style, undercut_sizes(), table);
+  table.columns.push_back({style.heading("centre", FigureKind::length), true});
   for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_pictured_rows); ++k) {
-    const Undercut& undercut = *undercuts[k];
-    Row row;
-    row.cells = {{fmt::format("{}", k + 1)},
-                 {style.text(FigureKind::area, undercut.area)},
-                 {length(undercut.size_across)},
-                 {length(undercut.size_along)},
-                 {with_minus(style.point(undercut.centre))}};
-    if (aside.cells) {
-      for (Value& cell : aside.cells(k)) row.cells.push_back(std::move(cell));
-    }
-    if (aside.mark) row.mark = aside.mark(k);
+    Row row{{{fmt::format("{}", k + 1)}}};
+    add_cells(style, found_figures(undercut_sizes(), *undercuts[k]),
+              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
+    row.cells.push_back({with_minus(style.point(undercuts[k]->centre))});
     if (k < k_most_row_pictures) {
-      row.picture = pictures.undercut(undercut);
+      row.picture = pictures.undercut(*undercuts[k]);
       row.picture_text = fmt::format("Undercut {}", k + 1);
     }
     table.rows.push_back(std::move(row));

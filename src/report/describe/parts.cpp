@@ -98,14 +98,13 @@ Value number(std::string text, std::string key, double value) {
   return {std::move(text), std::move(key), value};
 }
 
-Value cell(const FigureStyle& style, const FoundFigure& figure, const std::string& place) {
+Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& place) {
   const std::string text = with_minus(style.text(figure));
-  if (!figure.value || figure.key.empty()) return {text};
-  return number(text, fmt::format("{}/{}", place, figure.key), *figure.value);
+  if (!figure.value || figure.key.empty() || !place) return {text};
+  return number(text, fmt::format("{}/{}", *place, figure.key), *figure.value);
 }
 
-FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures,
-                   const std::string& place) {
+FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures, const Place& place) {
   FigureGrid grid;
   for (const FoundFigure& figure : figures) {
     if (figure.title.empty() || !figure.value) continue;
@@ -115,7 +114,7 @@ FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& fig
   return grid;
 }
 
-void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const std::string& place,
+void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const Place& place,
                Row& row) {
   for (const FoundFigure& figure : figures)
     if (!figure.title.empty()) row.cells.push_back(cell(style, figure, place));
@@ -141,8 +140,7 @@ Report begin_report(const ReportContext& context, std::string kind, const glm::d
   return report;
 }
 
-Section regions_section(const ReportContext& context, const Classification& result,
-                        const std::optional<std::string>& keys) {
+Section regions_section(const ReportContext& context, const Classification& result, const Place& keys) {
   const FigureStyle style(*context.model);
   const std::string area_unit = style.unit(FigureKind::area);
   const auto area_text = [&](double area) { return style.text(FigureKind::area, area); };

@@ -2,12 +2,10 @@
 // how to repeat it all.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <span>
 
-#include "actions/side_action.hpp"
-#include "actions/undercut.hpp"
-#include "classify/figure_table.hpp"
+#include "actions/action_figures.hpp"
 #include "classify/figures.hpp"
 #include "report/describe/describe.hpp"
 
@@ -15,18 +13,20 @@ namespace moldlight::report {
 
 /// A value that the JSON report has under `key`.
 [[nodiscard]] Value number(std::string text, std::string key, double value);
+/// Where the JSON report has what a table lists; none where it has not.
+using Place = std::optional<std::string>;
 /// A row's figure, which the JSON report has under `place` and its key.
-[[nodiscard]] Value cell(const FigureStyle& style, const FoundFigure& figure, const std::string& place);
+[[nodiscard]] Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& place);
 /// Those that have a title.
 [[nodiscard]] FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures,
-                                 const std::string& place);
+                                 const Place& place);
 /// A column for each that has a title, and a row's cells.
 template <typename Of>
 void add_columns(const FigureStyle& style, std::span<const FigureRow<Of>> rows, Table& table) {
   for (const FigureRow<Of>& row : rows)
     if (!row.title.empty()) table.columns.push_back({style.heading(row.title, row.kind)});
 }
-void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const std::string& place,
+void add_cells(const FigureStyle& style, const std::vector<FoundFigure>& figures, const Place& place,
                Row& row);
 
 [[nodiscard]] Mark region_mark(Region region, Palette palette);
@@ -44,10 +44,9 @@ void take_verdict(const Verdict& verdict, Report& report);
 [[nodiscard]] Report begin_report(const ReportContext& context, std::string kind,
                                   const glm::dvec3& direction);
 
-/// Shares and areas of the regions. `keys`: where the JSON report has the classification; none where it has
-/// not all of it.
+/// Shares and areas of the regions. `keys`: of the classification; none where the report has not all of it.
 [[nodiscard]] Section regions_section(const ReportContext& context, const Classification& result,
-                                      const std::optional<std::string>& keys);
+                                      const Place& keys);
 /// Size and state of the part, with its warnings.
 [[nodiscard]] Section part_section(const ReportContext& context, const std::vector<std::string>& warnings);
 [[nodiscard]] Section draft_section(const ReportContext& context, const DraftShown& draft);
@@ -76,19 +75,12 @@ class Illustrator {
   glm::dquat seen_from_ = {};
 };
 
-/// What an undercut's row has beside its figures.
-struct UndercutAside {
-  std::vector<Column> columns = {};
-  std::function<std::vector<Value>(std::size_t)> cells = {};
-  std::function<Mark(std::size_t)> mark = {};
-};
 /// A table of undercuts, the largest with a picture each.
 [[nodiscard]] Table undercut_table(const ReportContext& context, Illustrator& pictures,
-                                   std::span<const Undercut* const> undercuts, const UndercutAside& aside);
+                                   std::span<const Undercut* const> undercuts, const Place& keys = {});
 
-/// A row an action. `keys`: where the JSON report has the actions; none where it has not.
-[[nodiscard]] Table actions_table(const PartModel& model, const ActionPlan& plan,
-                                  const std::optional<std::string>& keys);
+/// A row an action.
+[[nodiscard]] Table actions_table(const PartModel& model, const ActionPlan& plan, const Place& keys);
 
 /// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
 /// apart.
@@ -97,5 +89,10 @@ struct UndercutAside {
 
 /// How the view is used.
 [[nodiscard]] std::string view_caption();
+
+/// Both parts, their facets in the groups of the regions, beside each other until they are moved over each
+/// other, with what differs lit.
+[[nodiscard]] ModelView comparison_view(const ReportContext& context, const Comparison& comparison,
+                                        const glm::dvec3& to_viewer);
 
 }  // namespace moldlight::report

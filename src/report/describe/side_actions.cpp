@@ -95,22 +95,19 @@ Section changes_section(const ActionsReport& found) {
 Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
   std::vector<const Undercut*> undercuts;
   for (const UndercutReport& patch : plan.patches) undercuts.push_back(&patch.undercut);
-  UndercutAside aside;
   const FigureStyle style(*context.model);
-  aside.columns = {{style.heading("depth", FigureKind::length)}, {"released by", true}};
-  aside.cells = [&plan, style](std::size_t k) -> std::vector<Value> {
-    const UndercutReport& patch = plan.patches[k];
+  Table table = undercut_table(context, pictures, undercuts, "/patches");
+  add_columns(style, undercut_figures(), table);
+  table.columns.push_back({"released by", true});
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    add_cells(style, found_figures(undercut_figures(), plan.patches[k]), fmt::format("/patches/{}", k),
+              table.rows[k]);
     const SideAction* action = action_of(plan, k);
-    const bool deep = std::isfinite(patch.depth);
-    return {deep ? number(style.text(FigureKind::length, patch.depth), fmt::format("/patches/{}/depth", k),
-                          patch.depth)
-                 : Value{"–"},
-            {action != nullptr ? title(plan, static_cast<std::size_t>(action - plan.actions.data()))
-                               : unreleased_text(plan, k)}};
-  };
-  Section section{"Undercuts", {}};
-  section.blocks.emplace_back(undercut_table(context, pictures, undercuts, aside));
-  return section;
+    table.rows[k].cells.push_back({action != nullptr
+                                       ? title(plan, static_cast<std::size_t>(action - plan.actions.data()))
+                                       : unreleased_text(plan, k)});
+  }
+  return {"Undercuts", {std::move(table)}};
 }
 
 /// The part in the colours of what forms it, and the bodies of the actions, each pulled as far as it goes.
@@ -161,7 +158,7 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
 
 }  // namespace
 
-Table actions_table(const PartModel& model, const ActionPlan& plan, const std::optional<std::string>& keys) {
+Table actions_table(const PartModel& model, const ActionPlan& plan, const Place& keys) {
   const FigureStyle style(model);
   Table table{{{"action", true}, {"direction"}}, {}};
   add_columns(style, action_figures(), table);
@@ -172,10 +169,8 @@ Table actions_table(const PartModel& model, const ActionPlan& plan, const std::o
     Row row{{{title(plan, k) + (feature.empty() ? "" : ", " + feature)},
              {with_minus(direction_words(action.direction))}},
             Mark{action_colour(k)}};
-    std::vector<FoundFigure> figures = found_figures(action_figures(), action);
-    if (!keys)
-      for (FoundFigure& figure : figures) figure.key = {};
-    add_cells(style, figures, keys ? fmt::format("{}/{}", *keys, k) : "", row);
+    add_cells(style, found_figures(action_figures(), action),
+              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
     row.cells.push_back({with_minus(freedom_text(action, length_unit(model.part)))});
     row.cells.push_back({numbers_text(action.patches)});
     table.rows.push_back(std::move(row));

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "report/pdf/draft_chart.hpp"
-#include "report/pdf/mark.hpp"
-#include "report/pdf/table.hpp"
 #include "report/pdf/text.hpp"
 
 namespace moldlight::report {

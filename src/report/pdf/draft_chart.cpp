@@ -1,11 +1,10 @@
-#include "report/pdf/draft_chart.hpp"
-
+// The histogram of areas by draft on the pages of a document.
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "report/pdf/mark.hpp"
+#include "report/pdf/blocks.hpp"
 #include "report/pdf/text.hpp"
 
 namespace moldlight::report {

@@ -1,4 +1,5 @@
-#include "report/pdf/flow.hpp"
+// What fills the pages of a document from above: pieces that a page break never cuts.
+#include "report/pdf/blocks.hpp"
 
 namespace moldlight::report {
 

@@ -1,11 +1,10 @@
-#include "report/pdf/table.hpp"
-
+// A table on the pages of a document: its columns as wide as what they hold, as far as there is room.
 #include <algorithm>
 #include <numeric>
 
 #include <glm/common.hpp>
 
-#include "report/pdf/mark.hpp"
+#include "report/pdf/blocks.hpp"
 #include "report/pdf/text.hpp"
 
 namespace moldlight::report {

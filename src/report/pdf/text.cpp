@@ -77,6 +77,9 @@ class LineBreaker {
   std::vector<std::string> lines_;
 };
 
+constexpr double k_stripes_pt = 2.6;
+constexpr Ink k_stripe{{255, 255, 255}, 0.55};
+
 }  // namespace
 
 std::string one_line_text(std::string_view text) {
@@ -115,6 +118,18 @@ void draw_lines(Canvas& canvas, const glm::dvec2& at, const std::vector<std::str
     canvas.text({at.x, top + k_baseline * style.size_px}, line, style);
     top += line_pt(style);
   }
+}
+
+void draw_box(Canvas& canvas, const Mark& mark, const Box& box) {
+  if (box.size.x <= 0.0 || box.size.y <= 0.0) return;
+  canvas.fill_box(box, {mark.colour});
+  if (mark.hatched) canvas.hatch_box(box, k_stripe, 0.0, k_stripes_pt);
+}
+
+void draw_mark(Canvas& canvas, const Mark& mark, const glm::dvec2& corner, double size_pt) {
+  const Box box{corner, glm::dvec2(size_pt)};
+  canvas.fill_box(box, {mark.colour}, 0.15 * size_pt);
+  if (mark.hatched) canvas.hatch_box(box, k_stripe, 0.15 * size_pt, k_stripes_pt);
 }
 
 }  // namespace moldlight::report

@@ -1,4 +1,4 @@
-// Text in the pages of a document: how it looks, and where its lines break.
+// Text and samples of colours in the pages of a document: how they look, and where lines break.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "picture/canvas.hpp"
+#include "report/report.hpp"
 
 namespace moldlight::report {
 
@@ -36,5 +37,10 @@ inline constexpr double k_line_height = 1.38, k_baseline = 1.02;
 /// Draws lines below each other; `at` is the upper end of the first, at the side that they are aligned to.
 void draw_lines(Canvas& canvas, const glm::dvec2& at, const std::vector<std::string>& lines,
                 const TextStyle& style);
+
+/// A box in the mark's colour, striped where it is hatched.
+void draw_box(Canvas& canvas, const Mark& mark, const Box& box);
+/// The same, a square that stands beside text.
+void draw_mark(Canvas& canvas, const Mark& mark, const glm::dvec2& corner, double size_pt);
 
 }  // namespace moldlight::report

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "batch/csv.hpp"
-#include "batch/status.hpp"
+#include "batch/part_result.hpp"
 #include "support/hostile_names.hpp"
 #include "unit/batch/small_batch.hpp"
 

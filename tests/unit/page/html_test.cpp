@@ -1,5 +1,4 @@
 // What goes into a page is harmless there, whatever it was.
-#include "page/html.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +6,6 @@
 #include "base/image.hpp"
 #include "io/digest.hpp"
 #include "page/page.hpp"
-#include "page/page_files.hpp"
 #include "support/hostile_names.hpp"
 
 namespace moldlight::page {

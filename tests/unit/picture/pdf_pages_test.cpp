@@ -1,8 +1,7 @@
 // Pages of a PDF: as large as asked for, of the same bytes, with text that reads as it was written.
-#include "picture/pdf_pages.hpp"
-
 #include <gtest/gtest.h>
 
+#include "picture/canvas.hpp"
 #include "support/pdf.hpp"
 
 namespace moldlight {

@@ -1,7 +1,7 @@
 // Page breaks: what they never cut, what stays together, what is said again.
 #include <gtest/gtest.h>
 
-#include "report/pdf/flow.hpp"
+#include "report/pdf/blocks.hpp"
 #include "report/pdf/text.hpp"
 #include "support/hostile_names.hpp"
 #include "support/random.hpp"
