@@ -1,4 +1,4 @@
-// What a side action forms, in a toolmaker's words.
+// The feature that a side action forms, in a toolmaker's words.
 #pragma once
 
 #include <string>

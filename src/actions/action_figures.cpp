@@ -13,9 +13,9 @@ bool is_thread(const SideAction& action) { return action.kind == ActionKind::uns
 
 constexpr FigureRow<SideAction> k_action_figures[] = {
     {"travel", "travel", Kind::length, [](const SideAction& a) -> Found { return a.travel; },
-     "How far the action moves, a slide's with the clearance."},
+     "Travel of the action. A slide's travel includes the clearance."},
     {"stroke", "stroke", Kind::length, [](const SideAction& a) -> Found { return a.stroke; },
-     "How far the ejector moves for it."},
+     "Stroke of the ejector."},
     {"area", "area", Kind::area, [](const SideAction& a) -> Found { return a.area; },
      "Undercut area that it releases."},
     {"pitch",
@@ -42,10 +42,10 @@ constexpr FigureRow<SideAction> k_action_figures[] = {
 constexpr FigureRow<SideAction> k_body_figures[] = {
     {"body/volume", "body", Kind::volume,
      [](const SideAction& a) { return a.body ? Found(a.body->volume) : std::nullopt; },
-     "Volume of the closed solid that moves."},
+     "Volume of the solid that moves."},
     {"body/least_section", "section", Kind::area,
      [](const SideAction& a) { return a.body ? Found(a.body->least_section) : std::nullopt; },
-     "Across its way, where it is greatest, of its thinnest piece."},
+     "Largest cross-section of its thinnest piece."},
 };
 
 constexpr FigureRow<Undercut> k_undercut_sizes[] = {
@@ -58,7 +58,7 @@ constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
     {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
     {"depth", "depth", Kind::length,
      [](const UndercutReport& u) { return std::isfinite(u.depth) ? Found(u.depth) : std::nullopt; },
-     "How far across the parting direction until nothing is in its way along it."},
+     "Distance across the parting direction to where the part no longer blocks it."},
 };
 
 }  // namespace

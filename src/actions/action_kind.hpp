@@ -1,4 +1,4 @@
-// What kinds of side action there are.
+// The kinds of side action.
 #pragma once
 
 #include <cstddef>

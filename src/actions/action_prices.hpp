@@ -1,4 +1,4 @@
-// What each kind of side action costs in the choice of the least set.
+// Price of each kind of side action in the choice of the least set.
 #pragma once
 
 #include <array>

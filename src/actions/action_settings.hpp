@@ -1,4 +1,4 @@
-// What a mold maker allows of side actions, with the table of its options.
+// Settings of side actions, with the table of their options.
 #pragma once
 
 #include <span>

@@ -184,9 +184,9 @@ std::string meetings_text(const ActionPlan& plan) {
     }
   }
   if (number == 0) return "";
-  const std::string_view who = slides == number ? "Slides" : slides == 0 ? "Lifters" : "Slides and lifters";
-  return fmt::format("{} would meet, since their ways cross{}: rows {}{}.", who,
-                     plan.optimal ? ", and nothing that was tried avoids it" : "", pairs,
+  const std::string_view who = slides == number ? "slides" : slides == 0 ? "lifters" : "slides and lifters";
+  return fmt::format("The ways of {} cross{}: rows {}{}.", who,
+                     plan.optimal ? ", and no alternative was found" : "", pairs,
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 

@@ -1,4 +1,4 @@
-// What the least set of side actions is chosen from: undercuts, whole or in parts, and what may release them.
+// Input of the choice of the least set: undercuts, whole or in parts, and the actions that may release them.
 #pragma once
 
 #include <numeric>

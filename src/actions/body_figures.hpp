@@ -1,4 +1,4 @@
-// What is said of the bodies that actions move: how large they are, and whether they are clear of the part
+// Figures of the bodies that actions move: how large they are, and whether they are clear of the part
 // and of each other as the mold moves.
 #pragma once
 

@@ -225,7 +225,7 @@ class Finder {
 
   /// What nothing releases whole becomes an atom for each part that a pull frees, and one for what none does.
   void split_the_rest() {
-    progress_.report("splitting what no single action releases", 0.6);
+    progress_.report("splitting undercuts that no single action releases", 0.6);
     const std::vector<char> revolved = revolved_atoms();
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {

@@ -175,7 +175,7 @@ class LeastSet {
              .second)
       return;
     pairs_ahead_ -= pairs;
-    progress_.report("looking for ways round actions that meet", 0.9);
+    progress_.report("looking for alternatives to actions that meet", 0.9);
     std::array<MovedAction, 2> moved = {MovedAction{.action = one}, MovedAction{.action = other}};
     std::vector<Left> wanted;
     for (const std::vector<std::size_t>& columns : alike) {
@@ -208,7 +208,7 @@ class LeastSet {
   void go_round(std::vector<std::size_t> atoms) {
     std::erase_if(atoms, [&](std::size_t atom) { return !gone_round_.insert(atom).second; });
     if (atoms.empty()) return;
-    progress_.report("looking for ways round actions that meet", 0.85);
+    progress_.report("looking for alternatives to actions that meet", 0.85);
     std::vector<std::vector<Column>> ways(atoms.size());
     tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
       if (!progress_.cancelled()) ways[k] = ways_round_(atoms[k]);

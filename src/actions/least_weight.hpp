@@ -1,4 +1,4 @@
-// What a part's undercuts ask for at the very least, found without looking for side actions.
+// Lower bound of the side actions that a part's undercuts need, without a search for side actions.
 #pragma once
 
 #include "actions/action_settings.hpp"

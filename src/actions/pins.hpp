@@ -1,4 +1,4 @@
-// What an undercut is to be released by, whatever would be cheaper.
+// Undercuts that the user leaves to one kind of action, whatever would be cheaper.
 #pragma once
 
 #include <optional>

@@ -224,7 +224,7 @@ class Changes {
 std::vector<ToBeFree> find_changes(const PartModel& model, const Classification& result,
                                    const ActionSettings& settings, const ActionPlan& plan,
                                    const Progress& progress) {
-  progress.report("looking for what to change", 0.9);
+  progress.report("looking for changes of the part", 0.9);
   const Changes changes(model, result, settings, progress);
   std::vector<ToBeFree> found(plan.patches.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {

@@ -1,4 +1,4 @@
-// What to change of a part so that an undercut needs no side action: how far to cut back what reaches over
+// Changes of a part so that an undercut needs no side action: how far to cut back what reaches over
 // it, or which window to open.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is said of an undercut beside its size: what hides it, and what is formed with it.
+// Facts about an undercut beside its size: the facets that hide it, and those formed with it.
 #pragma once
 
 #include <vector>

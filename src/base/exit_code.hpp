@@ -1,4 +1,4 @@
-// What the program's exit codes mean: one table, for the manual page and for all that ends with one.
+// Meaning of the program's exit codes: one table, for the manual page and for all that ends with one.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ struct ExitCode {
 inline constexpr std::array<ExitCode, 7> k_exit_codes = {{
     {0, "done"},
     {k_failure, "something could not be read, written or found"},
-    {k_usage, "the command line makes no sense"},
+    {k_usage, "the command line is wrong"},
     {k_criterion_failed, "a criterion failed (--fail-on, --fail-if-undercut, --fail-on-error)"},
-    {k_not_proved, "what was to be proved is not (--fail-unless-proved)"},
+    {k_not_proved, "the proof is not complete (--fail-unless-proved)"},
     // A full disk, parts that are out of reach, results that are still missing.
-    {k_try_again, "parts of a batch are left, try again"},
+    {k_try_again, "parts of a batch are left; run it again"},
     {k_interrupted, "interrupted"},
 }};
 

@@ -30,7 +30,7 @@ std::string text_of(const std::string& path) { return std::string(FileContents(p
 /// A pipe in its place would be waited for.
 const std::string& if_regular(const std::string& path) {
   if (!fs::is_regular_file(path))
-    throw FileError(path, "", "cannot be read; the batch has lost its table of parts, plan anew");
+    throw FileError(path, "", "cannot be read; the batch has lost its table of parts, plan again");
   return path;
 }
 
@@ -80,21 +80,22 @@ Manifest read_manifest(const std::string& given) {
   if (fs::path(given).filename() == k_manifest_name && !fs::is_directory(given))
     folder = fs::absolute(given).parent_path().string();
   const std::string path = manifest_path(folder);
-  if (!fs::is_directory(folder)) throw FileError(folder, "", "is no folder; moldlight batch plan makes one");
+  if (!fs::is_directory(folder))
+    throw FileError(folder, "", "is not a folder; moldlight batch plan makes one");
   if (!fs::exists(path)) {
     throw FileError(
         folder, "",
-        fmt::format("is no batch: it holds no {}; moldlight batch plan makes one", k_manifest_name));
+        fmt::format("is not a batch: it holds no {}; moldlight batch plan makes one", k_manifest_name));
   }
   Manifest manifest;
   manifest.folder = folder;
   try {
     const Json json = Json::parse(text_of(path));
     if (const auto schema = json.at("schema").get<std::string>(); schema != k_plan_schema) {
-      throw FileError(path, "",
-                      fmt::format("is written as {}, which this version does not read; plan anew into "
-                                  "another folder",
-                                  Json(schema).dump(-1, ' ', true, Json::error_handler_t::replace)));
+      throw FileError(
+          path, "",
+          fmt::format("is of the schema {}, which this version does not read; plan again into another folder",
+                      Json(schema).dump(-1, ' ', true, Json::error_handler_t::replace)));
     }
     json.at("version").get_to(manifest.version);
     json.at("planned_at").get_to(manifest.planned_at);
@@ -112,13 +113,13 @@ Manifest read_manifest(const std::string& given) {
       manifest.settings.push_back(std::move(settings));
     }
   } catch (const Json::exception&) {
-    throw FileError(path, "", "is damaged, or no plan of a batch; plan anew");
+    throw FileError(path, "", "is damaged, or not the plan of a batch; plan again");
   }
   if (work_named(manifest.command) == nullptr)
-    throw FileError(path, "", "names a work that this version does not know; plan anew");
+    throw FileError(path, "", "names work that this version does not know; plan again");
   // Out of the folder nothing is read.
   if (fs::path(manifest.rows_file).has_parent_path())
-    throw FileError(path, "", "is damaged, or no plan of a batch; plan anew");
+    throw FileError(path, "", "is damaged, or not the plan of a batch; plan again");
   return manifest;
 }
 
@@ -142,12 +143,12 @@ RowReader::RowReader(const Manifest& manifest)
       path_((fs::path(manifest.folder) / manifest.rows_file).string()),
       file_(if_regular(path_), std::ios::binary),
       table_(file_, path_) {
-  if (!file_) throw FileError(path_, "", "cannot be read; the batch has lost its table of parts, plan anew");
+  if (!file_) throw FileError(path_, "", "cannot be read; the batch has lost its table of parts, plan again");
   if (!table_.next(fields_) || fields_ != k_row_columns) damaged("its columns are not those of a plan");
 }
 
 void RowReader::damaged(const std::string& what) const {
-  throw FileError(path_, fmt::format("line {}", table_.line()), what + "; plan anew");
+  throw FileError(path_, fmt::format("line {}", table_.line()), what + "; plan again");
 }
 
 bool RowReader::next(Row& row) {

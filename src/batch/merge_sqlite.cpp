@@ -202,7 +202,7 @@ class SqliteSink : public MergeSink {
       } catch (const FileError&) {  // no database at all
       }
       if (found != fmt::format("{}", k_application_id)) {
-        throw FileError(path_, "", "is there and no merge of a batch; name another file");
+        throw FileError(path_, "", "exists and is not a merged batch; name another file");
       }
     }
     Statement attach(*database_, "ATTACH ? AS former");

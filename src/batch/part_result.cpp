@@ -163,7 +163,7 @@ std::string status_text(const Manifest& manifest, const BatchStatus& status) {
   fmt::format_to(out, "done     {:>9}\nfailed   {:>9}\nmissing  {:>9}\n", status.done, status.failed,
                  status.missing);
   if (status.shared > 0)
-    fmt::format_to(out, "{} of them hold the same as another with the same settings, and share its result\n",
+    fmt::format_to(out, "{} of them have the same content and settings as another, and share its result\n",
                    status.shared);
   if (!status.reasons.empty()) fmt::format_to(out, "\nfailed because\n");
   for (std::size_t k = 0; k < std::min(status.reasons.size(), k_reasons_in_text); ++k)

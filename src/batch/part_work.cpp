@@ -69,7 +69,7 @@ std::string reason_of(const ChildResult& child, const std::string& file, const C
       break;
   }
   const std::string message = message_of(child, file);
-  return message.empty() ? fmt::format("ended with exit code {} and said nothing", child.code) : message;
+  return message.empty() ? fmt::format("ended with exit code {} without a message", child.code) : message;
 }
 
 /// Whether it did its work, however that came out.
@@ -147,7 +147,7 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
       return {WorkEnd::unreachable, "cannot be read from here: " + why, {}};
     }
     if (digest.digest != row.content)
-      return file_failure(manifest, row, "has changed since it was planned; plan anew");
+      return file_failure(manifest, row, "has changed since it was planned; plan again");
     const auto start = std::chrono::steady_clock::now();
     const ChildResult child = run_child(arguments, settings.limits, progress);
     if (child.end == ChildEnd::cancelled) throw Cancelled();

@@ -62,11 +62,11 @@ PlanSource folder_source(const std::string& folder, const Progress& progress) {
   if (error) throw FileError(folder, "", "cannot be read: " + error.message());
   if (source.entries.empty() && source.left_out > 0) {
     throw FileError(folder, "",
-                    "holds no part file, only links that lead out of it; write the parts into a list");
+                    "holds no part file, only links that lead out of it; name the parts in a list");
   }
   if (source.entries.empty()) {
     throw FileError(folder, "",
-                    fmt::format("holds no part file: none is named as {}", part_format_names(" or ")));
+                    fmt::format("holds no part file with a name like {}", part_format_names(" or ")));
   }
   std::ranges::sort(source.entries, {}, &PlanEntry::path);
   return source;
@@ -118,7 +118,7 @@ PlanSource pattern_source(const std::string& pattern) {
     std::erase_if(files, [](const std::string& file) { return !fs::is_regular_file(file); });
   }
   if (files.empty())
-    throw FileError(pattern, "", "there is no such folder or list, and no file that fits it as a pattern");
+    throw FileError(pattern, "", "there is no such folder or list, and no file matches it as a pattern");
   // The deepest folder that all lie in.
   fs::path folder = absolute_folder(fs::path(files.front()).parent_path());
   PlanSource source;
@@ -233,7 +233,8 @@ std::vector<Row> plan_rows(Manifest& manifest, const PlanSource& source, const S
   for (Row& row : rows) {
     const FileDigest& file = digests[file_of_row[row.number]];
     row.content = file.digest;
-    if (file.error != 0) row.fault = file.error == EINVAL ? "Is no regular file" : std::strerror(file.error);
+    if (file.error != 0)
+      row.fault = file.error == EINVAL ? "is not a regular file" : std::strerror(file.error);
     const auto [first, is_new] = first_rows.emplace(key_of(row), row.number);
     if (!is_new) row.same_as = first->second;
   }

@@ -207,24 +207,23 @@ class Slots {
 std::span<const Option<RunSettings>> run_options() {
   using S = RunSettings;
   static const std::vector<Option<S>> k_options = {
-      {"processes", "--processes", "Processes", "", "Parts at a time; 0: one a core.",
+      {"processes", "--processes", "Processes", "", "Number of parts at a time. 0: one per core.",
        IntegerKind<S>{&S::processes, 0, 4096}},
       {"part_time_s", "--part-time", "Time limit of a part", "s",
-       "A part that takes longer has failed; 0 for no limit.", RealKind<S>{&S::part_time_s, 0.0, 1e7, 1.0}},
+       "A part that takes longer fails. 0: no limit.", RealKind<S>{&S::part_time_s, 0.0, 1e7, 1.0}},
       {"part_memory_mb", "--part-memory", "Memory limit of a part", "MB",
-       "A part that takes more memory (resident MiB) has failed; 0 for no limit.",
+       "A part that takes more resident memory fails. 0: no limit.",
        IntegerKind<S>{&S::part_memory_mb, 0, 1 << 30}},
       {"retries", "--retries", "Retries", "",
-       "How often a part that failed is tried again at once, unless it came to a limit.",
+       "Number of retries of a part that failed, unless it reached a limit.",
        IntegerKind<S>{&S::retries, 0, 100}},
       {"retry_failed", "--retry-failed", "Retry failures", "",
-       "Try parts again whose failure is recorded; otherwise they are passed over.",
-       SwitchKind<S>{&S::retry_failed}},
+       "Retry parts with a recorded failure. Otherwise they are skipped.", SwitchKind<S>{&S::retry_failed}},
       {"thumbnails", "--thumbnails", "Pictures", "",
-       "Draw a small picture of every part along its direction, also of those that are done.",
+       "Draw a small picture of every part along its direction, also of parts that are done.",
        SwitchKind<S>{&S::thumbnails}},
       {"reports", "--reports", "Reports", "",
-       "Write a report of every part that opens in a browser, also of those that are done.",
+       "Write a report for the browser of every part, also of parts that are done.",
        SwitchKind<S>{&S::reports}},
   };
   return k_options;

@@ -18,13 +18,12 @@ void add_warnings(const PartModel& model, const ExactPart& part, Classification&
   }
   if (crossed > 0) {
     result.warnings.push_back(fmt::format(
-        "{} facets cross others: bodies of the part overlap, and surface inside the material counts "
-        "as undercut.",
+        "{} facets cross others: bodies of the part overlap. Surface inside the material counts as undercut.",
         crossed));
   }
   if (model.health.closed && !result.identity.agrees()) {
     result.warnings.push_back(fmt::format(
-        "The part's shadow has another area from the other side: {}a body of the part is inside out.",
+        "The part's shadow has different areas from the two sides: {}a body of the part is inside out.",
         crossed > 0 ? "bodies overlap, or " : ""));
   }
 }

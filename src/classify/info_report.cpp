@@ -193,11 +193,11 @@ std::string info_text(const PartModel& model, const DefectPlaces& places) {
   for (const std::string& repair : part.repairs) fmt::format_to(out, "repair: {}\n", repair);
   if (!model.warnings.empty()) text += "\n";
   for (const std::string& warning : model.warnings) fmt::format_to(out, "warning: {}\n", warning);
-  if (model.warnings.empty()) text += "\nNothing is wrong with this mesh.\n";
+  if (model.warnings.empty()) text += "\nThe mesh is sound.\n";
   if (part.repairs.empty() && health.open_edges + health.inconsistent_edges > 0) {
     text +=
-        "try: --repair weld joins vertices that nearly coincide, --repair full also mends winding and small "
-        "holes\n";
+        "try: --repair weld joins vertices that nearly coincide. --repair full also corrects the winding and "
+        "fills small holes.\n";
   }
   return text;
 }

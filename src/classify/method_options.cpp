@@ -10,35 +10,32 @@ std::span<const Option<MethodSettings>> method_options() {
   using S = MethodSettings;
   static const std::vector<Option<S>> k_options = {
       {"tau_deg", "--tau", "Near-vertical below", "deg",
-       "Facets whose draft angle is smaller than this count as near-vertical and are looked up from both "
-       "sides.",
+       "Near-vertical tolerance (τ). A facet with less draft is tested along both directions.",
        RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},
       {"kernel", "--kernel", "Kernel", "texel",
-       "Width of the PCF kernel for near-vertical facets; its radius in texels becomes the lateral "
-       "tolerance.",
+       "Width of the PCF kernel for near-vertical facets. Its radius becomes the lateral tolerance.",
        IntegerKind<S>{&S::kernel, 1, 9, true, 3}},
       {"tolerance", "--tolerance", "Lateral tolerance", "part's unit",
-       "How far beside a near-vertical facet its accessibility is tested; without it and --kernel 1/2048 of "
-       "the part's diagonal.",
+       "Lateral tolerance (δ): distance beside a near-vertical facet at which it is tested. The default is "
+       "1/2048 of the part's diagonal.",
        PositiveKind<S>{[](S& s) -> double& { return s.tolerance; }}},
       {"kernel_shape", "--kernel-shape", "Kernel shape", "",
-       "One-sided looks up on the outer side only; symmetric is the paper's neighbourhood, of which any lit "
+       "One-sided looks up on the outer side only. Symmetric is the paper's neighbourhood, in which one lit "
        "texel suffices.",
        choice<&S::kernel_shape>({"one-sided", "symmetric"})},
       {"edge_thickness", "--edge-thickness", "Edge thickness", "texel",
-       "Width of the thick concave contour edges in the shadow maps; 0 leaves them out.",
+       "Width of the thick concave contour edges in the shadow maps. 0 leaves them out.",
        RealKind<S>{&S::edge_thickness, 0.0, 8.0, 0.5}},
       {"resolution", "--resolution", "Map resolution", k_texels_across,
        "Width and height of each shadow map.", IntegerKind<S>{&S::resolution, 64, 8192}},
       {"readout", "--readout", "Readout", "",
-       "Exact computes the regions; samples looks surface samples up in the shadow maps; facet-id is the "
-       "paper's two-pass readback, one region a facet.",
+       "Exact computes the regions. Samples looks up surface samples in the shadow maps. Facet-id is the "
+       "paper's two-pass readback, with one region per facet.",
        choice<&S::readout>({"exact", "samples", "facet-id"})},
       {"samples", "--samples", "Samples", "",
-       "Surface samples over the whole part for the samples readout and --compare-maps; a facet or piece "
-       "gets four at least.",
+       "Number of surface samples for --readout samples and --compare-maps. Each facet gets at least four.",
        IntegerKind<S>{&S::samples, 1000, 100'000'000}},
-      {"backend", "--backend", "Backend", "", "How to get an OpenGL context without a window.",
+      {"backend", "--backend", "Backend", "", "OpenGL backend without a window.",
        choice<&S::backend>({"auto", "egl", "osmesa"})},
   };
   return k_options;
@@ -47,30 +44,31 @@ std::span<const Option<MethodSettings>> method_options() {
 std::span<const Option<ReadOptions>> reading_options() {
   using S = ReadOptions;
   static const std::string k_weld_help = fmt::format(
-      "How near vertices are that --repair joins; without it {} of the part's diagonal.", k_weld_share);
+      "Largest distance between vertices that --repair joins. The default is {} of the part's diagonal.",
+      k_weld_share);
   static const std::vector<Option<S>> k_options = {
       {"unit", "--unit", "Unit", "",
-       "Unit of a file that states none, such as mm or in; any other file is converted to it.",
+       "Unit of a file that states none, such as mm or in. Any other file is converted to it.",
        TextKind<S>{"UNIT",
                    [](const S& s) { return s.unit; },
                    [](S& s, std::string_view text) { s.unit = text; },
                    {"mm", "cm", "m", "in"}}},
       {"body", "--body", "Body", "",
-       "Only this body of the file, by its number in the list that info prints, or by its name.",
+       "Take only this body of the file, by its name or by its number in the list of moldlight info.",
        TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },
                    [](S& s, std::string_view text) { s.body = text; }}},
       {"repair", "--repair", "Repair", "",
-       "Mend the mesh and say what was done: weld joins vertices that nearly coincide; full also drops "
-       "duplicate and empty facets, makes the winding consistent and fills small holes; union also makes "
-       "bodies that overlap or touch one solid.",
+       "Repair the mesh and report the changes. Weld joins vertices that nearly coincide. Full also drops "
+       "duplicate and empty facets, corrects the winding and fills small holes. Union also makes one solid "
+       "of bodies that overlap or touch.",
        ChoiceKind<S>{{"none", "weld", "full", "union"},
                      [](const S& s) { return static_cast<int>(s.repair.level); },
                      [](S& s, int level) { s.repair.level = static_cast<RepairLevel>(level); }}},
       {"weld_tolerance", "--weld-tolerance", "Weld tolerance", "part's unit", k_weld_help,
        PositiveKind<S>{[](S& s) -> double& { return s.repair.weld_tolerance; }}},
       {"linear_deflection", "--linear-deflection", "Linear deflection", "file's unit",
-       "STEP: how far facets may be from the CAD surface, in the file's unit; without it 0.0005 of the "
-       "part's diagonal.",
+       "STEP: largest distance between facets and the CAD surface, in the file's unit. The default is 0.0005 "
+       "of the part's diagonal.",
        PositiveKind<S>{[](S& s) -> double& { return s.linear_deflection; }}},
       {"angular_deflection_deg", "--angular-deflection", "Angular deflection", "deg",
        "STEP: largest angle between neighbouring chords.",
@@ -78,8 +76,8 @@ std::span<const Option<ReadOptions>> reading_options() {
       {"max_facets", "--max-facets", "Most facets", "", "Refuse files with more facets than this.",
        IntegerKind<S>{&S::max_facets, 1, 1'400'000'000}},
       {"effort", "--effort", "Effort", "",
-       "Time and memory for exact regions, as a multiple of the usual limit; beyond it facets that too many "
-       "others cross are sampled, and the result states its error.",
+       "Limit of time and memory for exact regions, as a multiple of the usual one. Beyond it, facets that "
+       "too many others cross are sampled, and the result states its error.",
        RealKind<S>{&S::effort, 1.0, 10'000.0, 1.0}},
   };
   return k_options;
@@ -94,8 +92,7 @@ double lateral_tolerance(const MethodSettings& settings, double diagonal) {
 
 void validate(const MethodSettings& settings) {
   if (settings.readout == Readout::facet_id && settings.kernel_shape == KernelShape::symmetric) {
-    throw UsageError(
-        "--readout facet-id looks nothing up in the maps; it does not go with --kernel-shape symmetric");
+    throw UsageError("--readout facet-id does not use the kernel: leave out --kernel-shape symmetric");
   }
 }
 

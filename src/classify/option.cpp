@@ -97,7 +97,7 @@ glm::dvec3 parse_direction(const GivenText& given) {
     rest = axis == 2 ? std::string_view() : rest.substr(comma + 1);
   }
   if (direction == glm::dvec3(0.0))
-    throw UsageError(fmt::format("{}: the zero vector is no direction", given.what));
+    throw UsageError(fmt::format("{}: the zero vector is not a direction", given.what));
   return direction;
 }
 
@@ -125,8 +125,8 @@ Words parse_words(const GivenText& given, const Words& words) {
     const std::string_view name = given.text.substr(begin, end - begin);
     const auto word = std::find(words.begin(), words.end(), name);
     if (word == words.end()) {
-      throw UsageError(fmt::format("{}: '{}' is none of all, none, {}", given.what, shown_text(name),
-                                   fmt::join(words, ", ")));
+      throw UsageError(fmt::format("{}: '{}' is unknown; give all, none, or some of {}", given.what,
+                                   shown_text(name), fmt::join(words, ", ")));
     }
     if (std::find(chosen.begin(), chosen.end(), *word) == chosen.end()) chosen.push_back(*word);
   }

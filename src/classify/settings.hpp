@@ -1,4 +1,4 @@
-// What is asked of a part: a parting direction, and everything a user can set about the method that answers,
+// The question: a parting direction, and everything a user can set about the method that answers,
 // with its defaults. Options (option.hpp) describe each setting once for help, command line, JSON and window.
 #pragma once
 

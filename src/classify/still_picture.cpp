@@ -309,11 +309,9 @@ std::span<const Option<StillSettings>> still_options() {
   using S = StillSettings;
   static const std::vector<Option<S>> k_options = {
       {"view", "--view", "View", "",
-       "From where the picture shows the part; auto looks where undercuts show best, with the parting "
-       "direction upward.",
+       "Point of view. Auto shows the undercuts best, with the parting direction upward.",
        choice<&S::view>({"auto", "iso", "front", "back", "left", "right", "top", "bottom"})},
-      {"theme", "--theme", "Theme", "", "Whether the picture's background is light or dark.",
-       choice<&S::theme>({"dark", "light"})},
+      {"theme", "--theme", "Theme", "", "Background of the picture.", choice<&S::theme>({"dark", "light"})},
   };
   return k_options;
 }

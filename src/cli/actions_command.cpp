@@ -77,13 +77,12 @@ void add_actions_command(CLI::App& program, Request& request) {
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
   add_file_flag(*command, flags->mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
-                 "Write the split part, each facet in the colour of the action that forms it; in OBJ each "
+                 "Write the split part, each facet in the colour of the action that forms it. In OBJ, each "
                  "action is a material"});
   add_file_flag(*command, flags->bodies,
-                {"--bodies", "DIR", "Write the closed solid of each action to this folder, an STL each"});
-  CLI::Option* image = add_report_flags(
-      *command, *flags, request,
-      "Draw the part with the bodies of its actions, pulled out, and write the picture to this file");
+                {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
+  CLI::Option* image = add_report_flags(*command, *flags, request,
+                                        "Write a picture of the part with its side actions pulled out");
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }

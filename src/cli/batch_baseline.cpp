@@ -55,8 +55,7 @@ struct BatchBaseline::Columns {
   Columns(const std::vector<std::string>& names, const std::string& file) : count(names.size()) {
     const auto place = [&](std::string_view name) {
       const auto found = std::ranges::find(names, name);
-      if (found == names.end())
-        throw FileError(file, "", "is no table as moldlight batch merge --csv writes it");
+      if (found == names.end()) throw FileError(file, "", "is not a table of moldlight batch merge --csv");
       return static_cast<std::size_t>(found - names.begin());
     };
     path = place("path");
@@ -99,7 +98,7 @@ BatchBaseline::Row BatchBaseline::row_of(const Columns& columns, const std::vect
     const std::string& text = fields[columns.figures[k]];
     if (text.empty()) continue;
     row.figures[k] = number_from<double>(text);
-    if (!row.figures[k] || !std::isfinite(*row.figures[k])) refuse("has a figure that is no number");
+    if (!row.figures[k] || !std::isfinite(*row.figures[k])) refuse("has a figure that is not a number");
   }
   return row;
 }

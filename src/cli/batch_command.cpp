@@ -100,41 +100,40 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
   }
   if (faulty > 0) {
     const Row& first = *std::ranges::find_if(rows, [](const Row& row) { return !row.fault.empty(); });
-    console.warning(fmt::format("{} cannot be read, and will be recorded as failed; the first is {}: {}",
+    console.warning(fmt::format("{} cannot be read and will be recorded as failed; the first is {}: {}",
                                 plural(faulty, "part"), first.path, first.fault));
   }
   if (shared > 0) {
-    console.warning(fmt::format("{} what another with the same settings holds, and share{} its result",
+    console.warning(fmt::format("{} the same content and settings as another, and share{} its result",
                                 shared == 1 ? "1 part holds" : fmt::format("{} parts hold", shared),
                                 shared == 1 ? "s" : ""));
   }
-  console.result(fmt::format("{}: {} planned; moldlight batch run {} begins\n", manifest.folder,
+  console.result(fmt::format("{}: {} planned; start with moldlight batch run {}\n", manifest.folder,
                              plural(rows.size(), "part"), shell_text({&manifest.folder, 1})));
   return 0;
 }
 
 int run_plan(const PlanFlags& flags, Console& console, const Progress& progress) {
   if (!flags.anew.empty()) {
-    if (!flags.source.empty())
-      throw UsageError("--anew plans what the batch was planned from; name nothing else");
+    if (!flags.source.empty()) throw UsageError("--anew takes the source of the batch; give no other source");
     Manifest manifest = read_manifest(flags.anew);
     return write(manifest, BatchWork(manifest.command, manifest.given), console, progress);
   }
   if (flags.source.empty() || flags.out.empty() || flags.work.empty()) {
     throw UsageError(
-        "batch plan wants SOURCE --out DIR -- WORK, such as moldlight batch plan parts --out night "
-        "-- classify --direction z");
+        "batch plan needs SOURCE --out DIR -- WORK, such as moldlight batch plan parts --out night -- "
+        "classify --direction z");
   }
   if (is_batch(flags.out)) {
     throw UsageError(
-        fmt::format("--out: {0} is a batch already; plan it anew with moldlight batch plan --anew {1}, "
+        fmt::format("--out: {0} is a batch already; plan it again with moldlight batch plan --anew {1}, "
                     "which keeps its results, or name another folder",
                     flags.out, shell_text({&flags.out, 1})));
   }
   std::error_code error;
   if (fs::exists(flags.out, error) &&
       (!fs::is_directory(flags.out, error) || !fs::is_empty(flags.out, error)))
-    throw UsageError(fmt::format("--out: {} is there and no empty folder; name a new one", flags.out));
+    throw UsageError(fmt::format("--out: {} exists and is not an empty folder; name a new one", flags.out));
   Manifest manifest;
   manifest.folder = flags.out;
   manifest.command = flags.work.front();
@@ -167,8 +166,8 @@ std::string progress_text(const RunCounts& counts, const Stopwatch& watch, int c
 void check_version(const Manifest& manifest) {
   if (manifest.version == MOLDLIGHT_VERSION) return;
   throw Error(fmt::format(
-      "{}: was planned by moldlight {}, and this is {}: plan it anew with moldlight batch plan "
-      "--anew {}, which keeps what is there, or run it by that version",
+      "{}: was planned by moldlight {}, and this is {}: plan it again with moldlight batch plan --anew {}, "
+      "which keeps the results, or run that version",
       manifest.folder, one_line(manifest.version), MOLDLIGHT_VERSION, shell_text({&manifest.folder, 1})));
 }
 
@@ -193,7 +192,7 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
   const auto note_off_axis = [&](const std::string& path, const std::string& sentence) {
     if (++leaning <= k_failures_listed) console.warning(fmt::format("{}: {}", path, sentence));
     if (leaning == k_failures_listed + 1)
-      console.warning("further parts whose best direction is no axis are not listed here");
+      console.warning("further parts whose best direction is not an axis are not listed here");
   };
   const RunEnd end =
       run.carry_out({.failed = note,
@@ -207,7 +206,7 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
                              watch.elapsed_ms() / 1000.0) +
                  status_text(manifest, status));
   if (end.interrupted) {
-    console.failure("interrupted; the same command goes on");
+    console.failure("interrupted; the same command continues");
     return k_interrupted;
   }
   if (!end.try_again.empty()) {
@@ -222,9 +221,9 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
 void tell_refused(Console& console, const std::vector<std::string>& refused) {
   constexpr std::size_t k_most = 5;
   for (std::size_t k = 0; k < std::min(refused.size(), k_most); ++k)
-    console.warning(refused[k] + "; it is set aside, and the next run makes the result anew");
+    console.warning(refused[k] + "; it is set aside, and the next run makes a new result");
   if (refused.size() > k_most)
-    console.warning(fmt::format("{} more files that are no results are set aside", refused.size() - k_most));
+    console.warning(fmt::format("{} more files that are not results are set aside", refused.size() - k_most));
 }
 
 int run_status(const StatusFlags& flags, Console& console, const Progress& progress) {
@@ -252,7 +251,7 @@ int run_status(const StatusFlags& flags, Console& console, const Progress& progr
 int run_merge(const MergeFlags& flags, Console& console, const Progress& progress) {
   const MergeFiles& files = flags.files;
   if (files.csv.empty() && files.sqlite.empty() && files.html.empty() && flags.baseline.empty())
-    throw UsageError("batch merge wants a file: --csv, --sqlite or --html, or a --baseline");
+    throw UsageError("batch merge needs an output: --csv, --sqlite, --html or --baseline");
   const Manifest manifest = read_manifest(flags.folder);
   const NamedPath manifest_file{"the batch's manifest",
                                 (fs::path(manifest.folder) / k_manifest_name).string()};
@@ -293,41 +292,38 @@ void add_shard_flag(CLI::App& command, Shard& shard) {
 }
 
 void add_loudness_flags(CLI::App& command, Request& request) {
-  command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
+  command.add_flag("-q,--quiet", request.quiet, "Print no warnings and no progress on stderr");
 }
 
 void add_plan(CLI::App& batch, Request& request) {
   CLI::App* command = batch.add_subcommand(
-      "plan", "Freeze what is to be done: moldlight batch plan SOURCE --out DIR -- classify --direction z");
+      "plan", "Plan the work: moldlight batch plan SOURCE --out DIR -- classify --direction z");
   const auto flags = std::make_shared<PlanFlags>();
   command->add_option("SOURCE", flags->source,
-                      "Folder of parts, pattern in quotes, or CSV list with a column path, and a column a "
-                      "setting where rows differ (unit, direction, …)");
-  add_file_flag(*command, flags->out, {"-o,--out", "DIR", "Folder of the batch, made new"});
-  add_file_flag(
-      *command, flags->anew,
-      {"--anew", "DIR",
-       "Plan a batch anew from what it was planned from, with its settings; results of what has not "
-       "changed hold"});
-  command->add_option(
-      "WORK", flags->work,
-      fmt::format("After --: {}, with its flags but for the part and for files", work_names()));
+                      "Folder of parts, pattern in quotes, or CSV list with a column path and optional "
+                      "columns of settings (unit, direction, …)");
+  add_file_flag(*command, flags->out, {"-o,--out", "DIR", "New folder for the batch"});
+  add_file_flag(*command, flags->anew,
+                {"--anew", "DIR",
+                 "Plan a batch again from its source and settings. Results of unchanged parts stay valid"});
+  command->add_option("WORK", flags->work,
+                      fmt::format("After --: {}, with its flags but without part and files", work_names()));
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_plan);
 }
 
 void add_run(CLI::App& batch, Request& request) {
-  CLI::App* command = batch.add_subcommand("run",
-                                           "Do what has no result yet, a process a part; can be stopped "
-                                           "at any time and gone on with");
+  CLI::App* command = batch.add_subcommand(
+      "run",
+      "Work on the parts without a result, one process each. It may be stopped and continued at any time");
   const auto flags = std::make_shared<RunFlags>();
   add_folder(*command, flags->folder);
   add_shard_flag(*command, flags->shard);
   add_option_flags(*command, run_options(), flags->settings);
   add_file_flag(*command, flags->parts,
-                {"--parts", "DIR", "Folder of the parts on this machine, if it is another than planned"});
+                {"--parts", "DIR", "Folder of the parts on this machine, if it differs from the plan"});
   command->add_flag("--fail-on-error", flags->fail_on_error,
-                    fmt::format("End with {} if a part has failed", k_criterion_failed));
+                    fmt::format("Exit with {} if a part failed", k_criterion_failed));
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_run);
 }
@@ -335,14 +331,14 @@ void add_run(CLI::App& batch, Request& request) {
 void add_status(CLI::App& batch, Request& request) {
   CLI::App* command = batch.add_subcommand(
       "status",
-      fmt::format("Say how many parts are done, failed and why; ends with {} while some are missing",
+      fmt::format("Report how many parts are done or failed, and why. Exit code {} while some are missing",
                   k_try_again));
   const auto flags = std::make_shared<StatusFlags>();
   add_folder(*command, flags->folder);
   add_shard_flag(*command, flags->shard);
   CLI::Option* missing =
-      command->add_flag("--missing", flags->missing, "List the parts without result, as CSV");
-  add_file_flag(*command, flags->json, {"--json", "FILE|-", "Write the counts as JSON; - for stdout"})
+      command->add_flag("--missing", flags->missing, "List the parts without a result, as CSV");
+  add_file_flag(*command, flags->json, {"--json", "FILE|-", "Write the counts as JSON. - writes to stdout"})
       ->excludes(missing);
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_status);
@@ -351,7 +347,7 @@ void add_status(CLI::App& batch, Request& request) {
 void add_merge(CLI::App& batch, Request& request) {
   CLI::App* command = batch.add_subcommand(
       "merge",
-      fmt::format("Put all results into one file; ends with {} while some are missing", k_try_again));
+      fmt::format("Put all results into one file. Exit code {} while some are missing", k_try_again));
   const auto flags = std::make_shared<MergeFlags>();
   add_folder(*command, flags->folder);
   add_file_flag(*command, flags->files.csv, {"--csv", "FILE.csv", "A table, a line a part"});
@@ -361,10 +357,10 @@ void add_merge(CLI::App& batch, Request& request) {
                  "it), more_than_two_actions and failed"});
   add_file_flag(*command, flags->files.html,
                 {"--html", "FILE.html", "A page to sort and filter, with pictures"});
-  CLI::Option* baseline = add_file_flag(
-      *command, flags->baseline,
-      {"--baseline", "FILE.csv",
-       "Compare with an earlier table of --csv: parts that are new, gone, and whose figures changed"});
+  CLI::Option* baseline =
+      add_file_flag(*command, flags->baseline,
+                    {"--baseline", "FILE.csv",
+                     "Compare with an earlier table of --csv: new parts, missing parts and changed figures"});
   add_criteria_flag(*command, flags->fail_on, batch_figure_names())->needs(baseline);
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_merge);
@@ -373,8 +369,7 @@ void add_merge(CLI::App& batch, Request& request) {
 }  // namespace
 
 void add_batch_command(CLI::App& program, Request& request) {
-  CLI::App* command =
-      program.add_subcommand("batch", "Do one of the above to many parts, on one machine or on many");
+  CLI::App* command = program.add_subcommand("batch", "Work on many parts, on one machine or on many");
   command->require_subcommand(1);
   add_plan(*command, request);
   add_run(*command, request);

@@ -40,7 +40,7 @@ ParsedWork parse(const std::string& command, const std::vector<std::string>& fla
   if (adder.first != command) adder = {command, command_adder(command)};
   if (adder.second == nullptr || batch::work_named(command) == nullptr) {
     throw UsageError(
-        fmt::format("{} can be no work of a batch, which is {}; put a pattern of parts in quotes",
+        fmt::format("{} cannot be the work of a batch; choose {}, and put a pattern of parts in quotes",
                     one_line(command), batch::work_names()));
   }
   CLI::App program("", "moldlight");
@@ -63,8 +63,8 @@ ParsedWork parse(const std::string& command, const std::vector<std::string>& fla
     const std::string value = option->get_option_text();
     if (value.find("FILE") != std::string::npos || value.find("DIR") != std::string::npos) {
       throw UsageError(
-          fmt::format("--{} names one file for all parts; leave it out, and take the results by moldlight "
-                      "batch merge",
+          fmt::format("--{} names one file for all parts; leave it out, and collect the results with "
+                      "moldlight batch merge",
                       name));
     }
     const bool is_switch = option->get_expected_max() == 0;

@@ -96,42 +96,38 @@ nlohmann::ordered_json settings(const ClassifyFlags& flags) {
 
 void add_classify_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
-      "classify",
-      "Find out for a parting direction which surface each mold half forms and what is an undercut");
+      "classify", "Find the surface that each mold half forms along a parting direction, and the undercuts");
   const auto flags = std::make_shared<ClassifyFlags>();
   add_study_flags(*command, *flags, request);
   add_method_flags(*command, flags->query.method);
   OutputPaths& files = flags->files;
   add_file_flag(*command, files.facets,
-                {"--facets", "FILE.csv", "Write a table of facets: area and share of each region"});
+                {"--facets", "FILE.csv", "Write a table of facets with the area and share of each region"});
   add_file_flag(*command, files.faces,
                 {"--faces", "FILE.csv",
-                 "Write a table of the CAD faces of a STEP file, or of a file's polygons, in the same way"});
+                 "Write the same table of the CAD faces of a STEP file, or of a file's polygons"});
   add_file_flag(*command, files.mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
-                 "Write the part, split at the borders of its exact regions (whatever the readout), each "
-                 "facet in the colour of its region; in OBJ each region is a material"});
+                 "Write the part, split at the borders of its exact regions, each facet in the colour of its "
+                 "region. In OBJ, each region is a material"});
   add_file_flag(*command, files.split_folder,
                 {"--split-dir", "DIR",
-                 "Write the split part to this folder, one STL a region; they meet at equal vertices"});
+                 "Write the split part to this folder, one STL per region. They share their vertices"});
   add_file_flag(
       *command, files.borders,
       {"--borders", "FILE.(" + extensions_text(border_formats()) + ")",
-       "Write the lines between exact regions: in OBJ polylines, a group a pair of regions; in CSV a "
-       "line a point"});
-  command->add_flag("--compare-maps", flags->compare_maps,
-                    "Measure where the regions that the shadow maps show differ from the exact ones, by "
-                    "--samples surface samples");
+       "Write the borders between exact regions: OBJ with polylines, or CSV with one point per line"});
+  command->add_flag(
+      "--compare-maps", flags->compare_maps,
+      "Measure the difference between the shadow maps and the exact regions, by --samples surface samples");
   CLI::Option* required = add_option_flag(*command, draft_options().front(), flags->draft_settings);
   add_file_flag(*command, flags->draft,
                 {"--draft", "FILE.csv",
-                 "Write a table of the walls with too little draft: how far to turn each about which line of "
-                 "its foot, and the thickness that it takes"})
+                 "Write a table of the walls with too little draft: angle and line of the turn, and the "
+                 "thickness that it costs"})
       ->needs(required);
-  CLI::Option* image =
-      add_report_flags(*command, *flags, request,
-                       "Draw the part in the colours of its regions, with a legend, and write the picture to "
-                       "this file");
+  CLI::Option* image = add_report_flags(
+      *command, *flags, request, "Write a picture of the part in the colours of its regions, with a legend");
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }

@@ -50,7 +50,7 @@ void check_folder(const std::string& folder) {
   while (!there.empty() && !fs::exists(there, error) && there != there.parent_path())
     there = there.parent_path();
   if (!fs::is_directory(there, error)) {
-    throw FileError(folder, "", fmt::format("cannot be made a folder: {} is none", there.string()));
+    throw FileError(folder, "", fmt::format("cannot be a folder: {} is not one", there.string()));
   }
   if (::access(there.c_str(), W_OK | X_OK) != 0) {
     throw FileError(folder, "",
@@ -71,14 +71,14 @@ void check_outputs(const Outputs& outputs) {
     for (const NamedPath& input : inputs) {
       if (input.path.empty() || !same_file(file.path, input.path)) continue;
       throw UsageError(
-          fmt::format("{}: {} is what {} reads; name another file", file.flag, file.path, input.flag));
+          fmt::format("{}: {} is the input {}; name another file", file.flag, file.path, input.flag));
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (files[k].path.empty() || !same_file(files[k].path, file.path)) continue;
-      throw UsageError(fmt::format("{} and {} name one file, {}", files[k].flag, file.flag, file.path));
+      throw UsageError(fmt::format("{} and {} name the same file, {}", files[k].flag, file.flag, file.path));
     }
     if (!folder.path.empty() && is_inside(file.path, folder.path)) {
-      throw UsageError(fmt::format("{}: {} is in the folder that {} fills; name a place outside", file.flag,
+      throw UsageError(fmt::format("{}: {} is in the output folder of {}; name a place outside", file.flag,
                                    file.path, folder.flag));
     }
     const AtomicFile attempt(file.path);

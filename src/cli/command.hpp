@@ -1,4 +1,4 @@
-// What the subcommands have in common. Each has one file and one function add_<name>_command, listed here.
+// Common parts of the subcommands. Each has one file and one function add_<name>_command, listed here.
 #pragma once
 
 #include <array>

@@ -90,31 +90,29 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
 
 void add_compare_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
-      "compare", "Compare two revisions of a part: what is new, gone or formed otherwise in the mold");
+      "compare", "Compare two revisions of a part: surface, regions, undercuts and side actions");
   const auto flags = std::make_shared<CompareFlags>();
-  command->add_option("A", flags->a.part, "Part file: the former revision")->required();
+  command->add_option("A", flags->a.part, "Part file: the old revision")->required();
   command->add_option("B", flags->b, "Part file: the new revision")->required();
   add_report_flags(*command, flags->a, request);
-  add_text_flag(
-      *command,
-      {"-d,--direction", "X,Y,Z|AXIS|best|each",
-       "Parting direction +d of both: three numbers of any length, an axis such as z or -y, the best of "
-       "A, or of each part its own best [default best]"},
-      [flags = flags.get()](const std::string& text) {
-        flags->choice = text == "best"   ? DirectionChoice::best
-                        : text == "each" ? DirectionChoice::each
-                                         : DirectionChoice::given;
-        if (flags->choice == DirectionChoice::given)
-          flags->direction = parse_direction({text, "--direction"});
-      });
+  add_text_flag(*command,
+                {"-d,--direction", "X,Y,Z|AXIS|best|each",
+                 "Parting direction +d of both: three numbers of any length, an axis such as z or -y, best "
+                 "for the best of A, or each for the best of each part [default best]"},
+                [flags = flags.get()](const std::string& text) {
+                  flags->choice = text == "best"   ? DirectionChoice::best
+                                  : text == "each" ? DirectionChoice::each
+                                                   : DirectionChoice::given;
+                  if (flags->choice == DirectionChoice::given)
+                    flags->direction = parse_direction({text, "--direction"});
+                });
   add_option_flags(*command, compare_options(), flags->settings);
   add_criteria_flag(*command, flags->fail_on, comparison_figure_names());
   add_option_flags(*command, action_options(), flags->settings.actions);
   add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(
       *command, flags->image,
-      {"--image", "FILE.png",
-       "Draw both parts side by side with what differs lit, and write the picture to this file"});
+      {"--image", "FILE.png", "Write a picture of both parts side by side with the differences lit"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   add_still_flags(*command, flags->still, image);
   add_method_flags(*command, flags->method);

@@ -1,4 +1,4 @@
-// What the program says: results on stdout and nothing else there; progress, log and warnings on stderr.
+// Output of the program: results on stdout and nothing else there; progress, log and warnings on stderr.
 #pragma once
 
 #include <chrono>

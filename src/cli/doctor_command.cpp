@@ -54,15 +54,14 @@ int run(const DoctorFlags&, Console& console, const Progress& progress) {
       line("STEP", step ? "✓ " + *step : "✗ moldlight-step is not there; STEP files cannot be read"));
   const std::string font = gui::find_interface_font(false).path;
   console.result(line("font", font.empty() ? "✗ none; install fonts-inter or fonts-roboto" : "✓ " + font));
-  if (!draws) console.warning("no driver draws: regions and sweeps work, pictures and the window do not");
+  if (!draws) console.warning("no driver draws: regions and sweeps work, but no pictures and no window");
   return draws ? 0 : k_failure;
 }
 
 }  // namespace
 
 void add_doctor_command(CLI::App& program, Request& request) {
-  CLI::App* command = program.add_subcommand(
-      "doctor", "Say what drivers, fonts and helpers there are, and whether they work");
+  CLI::App* command = program.add_subcommand("doctor", "Check drivers, fonts and helper programs");
   set_work(*command, request, std::make_shared<DoctorFlags>(), run);
 }
 

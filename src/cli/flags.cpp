@@ -58,25 +58,27 @@ CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::strin
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
   command
       .add_option("PART", flags.part,
-                  fmt::format("Part file: {}, known by its content", part_format_names(" or ")))
+                  fmt::format("Part file: {}, recognised by its content", part_format_names(" or ")))
       ->required();
   add_report_flags(command, flags, request);
 }
 
 void add_report_flags(CLI::App& command, PartFlags& flags, Request& request) {
   add_file_flag(command, flags.json,
-                {"--json", "FILE|-", "Write the report as JSON; - for stdout, in place of the table"});
+                {"--json", "FILE|-", "Write the report as JSON. - writes to stdout in place of the table"});
   add_option_flags(command, reading_options(), flags.reading);
-  CLI::Option* quiet = command.add_flag("-q,--quiet", request.quiet, "No warnings and no progress on stderr");
-  command.add_flag("-v,--verbose", request.verbose, "Say on stderr what is being done")->excludes(quiet);
+  CLI::Option* quiet =
+      command.add_flag("-q,--quiet", request.quiet, "Print no warnings and no progress on stderr");
+  command.add_flag("-v,--verbose", request.verbose, "Print each step and its time on stderr")
+      ->excludes(quiet);
 }
 
 CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, std::string_view note) {
   return add_text_flag(
       command,
       {"-d,--direction", "X,Y,Z|AXIS|best",
-       fmt::format("Parting direction +d, in which the core's side opens: three numbers of any "
-                   "length, an axis such as z or -y, or the best that a sweep finds. [{}]",
+       fmt::format("Parting direction +d, along which the core moves: three numbers of any length, an axis "
+                   "such as z or -y, or best for the one that a sweep recommends. [{}]",
                    note)},
       [flag](const std::string& text) {
         flag.best = text == "best";
@@ -114,10 +116,9 @@ void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* pi
 CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
                                const std::vector<std::string_view>& figures) {
   const std::string help = fmt::format(
-      "End with 3 if one of these holds, such as \"undercut > +1%, actions > 0\": a figure, > or >=, and a "
-      "value, with "
-      "a sign of its change, without of what it is now; per cent of what it was, or of the part's surface. "
-      "Figures: {}",
+      "Exit with 3 if one of these criteria holds, such as \"undercut > +1%, actions > 0\". A value with a "
+      "sign limits the change, without a sign the figure itself. Per cent is of the old figure, or of the "
+      "part's surface. Figures: {}",
       fmt::join(figures, ", "));
   return add_text_flag(
       command, {"--fail-on", "CRITERIA", help},

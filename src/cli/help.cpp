@@ -90,23 +90,24 @@ void arrange(CLI::App& command, const std::string& name) {
 
 const std::vector<CommandExample>& command_examples() {
   static const std::vector<CommandExample> k_examples = {
-      {"info", "Is the file sound, and which bodies does it have", "moldlight info clip.step"},
-      {"classify", "The regions of a clip that opens along z, as a page to send",
+      {"info", "Check a file and list its bodies", "moldlight info clip.step"},
+      {"classify", "Regions of a clip that opens along z, as a page to send",
        "moldlight classify clip.step -d z --html clip.html"},
-      {"classify", "Every wall with less than 1.5° of draft, as a table",
+      {"classify", "All walls with less than 1.5° of draft, as a table",
        "moldlight classify clip.step -d z --required-draft 1.5 --draft walls.csv"},
-      {"sweep", "Which way should the mold open", "moldlight sweep clip.step"},
-      {"actions", "The slides and lifters that the clip needs, with a picture",
+      {"sweep", "Find the direction in which the mold should open", "moldlight sweep clip.step"},
+      {"actions", "Slides and lifters of the clip, with a picture",
        "moldlight actions clip.step -d z --image clip.png"},
-      {"mold", "The parting line for CAD, and the two halves as files",
+      {"mold", "Parting line for CAD, and the two halves as files",
        "moldlight mold clip.step -d z --lines clip.dxf -o mold --fill-undercut"},
-      {"compare", "What a revision changes; exit code 3 if the undercut grows by more than 1 %",
+      {"compare", "Changes of a revision; exit code 3 if the undercut grows by more than 1 %",
        "moldlight compare clip_a.step clip_b.step -d z --fail-on \"undercut > +1%\""},
-      {"view", "The window with a part", "moldlight view clip.step"},
-      {"batch plan", "All parts of a folder along their best direction",
+      {"view", "Open the window with a part", "moldlight view clip.step"},
+      {"batch plan", "Plan all parts of a folder along their best direction",
        "moldlight batch plan parts -o results -- classify -d best"},
-      {"batch run", "Work on it until all is done", "moldlight batch run results --processes 4"},
-      {"batch merge", "One table of it for a spreadsheet", "moldlight batch merge results --csv results.csv"},
+      {"batch run", "Work until all is done, four parts at a time",
+       "moldlight batch run results --processes 4"},
+      {"batch merge", "Collect the results in one table", "moldlight batch merge results --csv results.csv"},
       {"manual", "Completion of commands and flags in bash", "source <(moldlight manual --form bash)"}};
   return k_examples;
 }

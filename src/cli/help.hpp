@@ -1,4 +1,4 @@
-// What the program says of its own command line: help in groups with an example a command, and what a
+// Help on the command line: in groups, with an example a command, and what a
 // mistyped word may have meant.
 #pragma once
 

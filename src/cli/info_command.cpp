@@ -13,7 +13,7 @@ namespace {
 int run(const PartFlags& flags, Console& console, const Progress& progress) {
   check_outputs({.inputs = {{"PART", flags.part}}, .files = {{"--json", flags.json_file()}}});
   const auto model = load_part(flags.part, flags.reading, progress);
-  progress.report("finding the edges at fault", 0.0);
+  progress.report("looking for faulty edges", 0.0);
   const DefectPlaces places = defect_places(*model);
   progress.report("writing", 0.0);
   put_report(
@@ -26,7 +26,7 @@ int run(const PartFlags& flags, Console& console, const Progress& progress) {
 
 void add_info_command(CLI::App& program, Request& request) {
   CLI::App* command =
-      program.add_subcommand("info", "Say what a part's mesh is like, what is wrong with it and where");
+      program.add_subcommand("info", "Check a part's mesh and report its faults with their places");
   const auto flags = std::make_shared<PartFlags>();
   add_part_flags(*command, *flags, request);
   set_work(*command, request, flags, run);

@@ -84,17 +84,15 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
   const bool names_a_file =
       std::filesystem::exists(file, ignored) || file.has_extension() || file.has_parent_path();
   if (!names_a_file) {
-    throw UsageError(arguments.front() + ": there is no such command or file" +
+    throw UsageError(arguments.front() + ": no such command or file" +
                      did_you_mean(arguments.front(), commands) + "moldlight --help lists the commands");
   }
   arguments.insert(arguments.begin(), "view");
 }
 
 int run_program(std::vector<std::string> arguments, Console& console) {
-  CLI::App program(
-      "Mold-piece regions of injection-molded parts: what the core forms, what the cavity, and "
-      "what is an undercut",
-      "moldlight");
+  CLI::App program("Mold-piece regions of injection-molded parts: core, cavity, both and undercut",
+                   "moldlight");
   Request request;
   program.formatter(std::make_shared<HelpFormatter>());
   program.set_version_flag("--version", "moldlight " MOLDLIGHT_VERSION, "Print the version and exit");

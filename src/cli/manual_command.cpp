@@ -18,10 +18,10 @@ namespace {
 /// What is read of the environment.
 constexpr std::pair<std::string_view, std::string_view> k_environment[] = {
     {"NO_COLOR", "No colours in the terminal, whatever its value"},
-    {"TERM", "No colours and no moving line of progress where it is dumb"},
-    {"XDG_STATE_HOME", "Where the window keeps recent parts and settings; ~/.local/state unless set"},
-    {"XDG_PICTURES_DIR", "Where the window saves pictures; ~/Pictures unless set"},
-    {"MESA_SHADER_CACHE_DIR, XDG_CACHE_HOME", "Where the OpenGL driver keeps compiled shaders"}};
+    {"TERM", "dumb: no colours and no moving line of progress"},
+    {"XDG_STATE_HOME", "Folder where the window keeps recent parts and settings [default ~/.local/state]"},
+    {"XDG_PICTURES_DIR", "Folder where the window saves pictures [default ~/Pictures]"},
+    {"MESA_SHADER_CACHE_DIR, XDG_CACHE_HOME", "Folder where the OpenGL driver keeps compiled shaders"}};
 
 struct ManualFlags {
   std::string form = "man";
@@ -246,10 +246,10 @@ int run(const ManualFlags& flags, Console& console, const Progress&) {
 
 void add_manual_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
-      "manual", "Print the manual page, the completion for a shell, or flags and keys in Markdown");
+      "manual", "Print the manual page, a shell completion, or flags and keys in Markdown");
   const auto flags = std::make_shared<ManualFlags>();
   flags->program = &program;
-  command->add_option("--form", flags->form, "What to print [default man]")
+  command->add_option("--form", flags->form, "Form of the output [default man]")
       ->option_text("man|bash|zsh|flags|keys")
       ->check(CLI::IsMember({"man", "bash", "zsh", "flags", "keys"}));
   set_work(*command, request, flags, run);

@@ -70,33 +70,29 @@ nlohmann::ordered_json settings(const MoldFlags& flags) {
 
 void add_mold_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
-      "mold",
-      "Find the parting line of a direction: where the mold's halves meet, and what closes its holes");
+      "mold", "Find the parting line and shut-offs of a direction, and make the mold halves");
   const auto flags = std::make_shared<MoldFlags>();
   add_study_flags(*command, *flags, request);
   add_option_flags(*command, mold_options(), flags->settings);
   command
       ->add_option("--lines", flags->lines,
-                   "Write the parting line; may be given several times. DXF and STEP for CAD, SVG seen along "
-                   "the direction in millimetres")
+                   "Write the parting line: DXF or STEP for CAD, SVG in millimetres as seen along the "
+                   "direction. May be given several times")
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
       ->check(named())
       ->allow_extra_args(false);
   CLI::Option* folder =
       add_file_flag(*command, flags->folder,
                     {"-o,--out", "DIR",
-                     "Write the halves to this folder: core.stl, cavity.stl, with --actions "
-                     "slide_1.stl and so on, with either that or --fill-undercut insert_1.stl "
-                     "and so on"});
-  command->add_flag("--3mf", flags->as_3mf, "Write all of them to mold.3mf in that folder, too")
+                     "Write the bodies to this folder: core.stl, cavity.stl, with --actions slide_1.stl and "
+                     "so on, and with --actions or --fill-undercut insert_1.stl and so on"});
+  command->add_flag("--3mf", flags->as_3mf, "Write all bodies to mold.3mf in that folder, too")
       ->needs(folder);
   command->add_flag(
       "--actions", flags->with_actions,
-      "Find the side actions, make slides of the mold's solids, and list which of the other inserts "
-      "go with an action");
+      "Find the side actions, make solids of the slides, and list the inserts that move with other actions");
   CLI::Option* image = add_report_flags(
-      *command, *flags, request,
-      "Draw the part with its parting line and the opened halves, and write the picture to this file");
+      *command, *flags, request, "Write a picture of the part with its parting line and the opened halves");
   for (const std::string_view key : {"view", "theme"})
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
   add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look);

@@ -16,7 +16,7 @@ namespace {
 nlohmann::ordered_json read_report(const std::string& file) {
   const FileContents contents(file, Progress());
   auto json = nlohmann::ordered_json::parse(contents.bytes(), nullptr, false);
-  if (json.is_discarded()) throw FileError(file, "", "is no JSON, as --json writes it");
+  if (json.is_discarded()) throw FileError(file, "", "is not JSON, as --json writes it");
   return json;
 }
 
@@ -24,14 +24,12 @@ nlohmann::ordered_json read_report(const std::string& file) {
 
 void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& request) {
   flags.request = &request;
-  add_file_flag(
-      command, flags.html,
-      {"--html", "FILE.html",
-       "Write a report that opens in any browser without a network: verdict, figures, pictures, and "
-       "the part to turn, open and cut"});
-  CLI::Option* pdf =
-      add_file_flag(command, flags.pdf, {"--pdf", "FILE.pdf", "Write the same report as pages for paper"});
-  add_text_flag(command, {"--paper", "a4|letter", "Size of the pages of --pdf [default a4]"},
+  add_file_flag(command, flags.html,
+                {"--html", "FILE.html",
+                 "Write a report for any browser, without a network: verdict, figures, pictures, and the "
+                 "part to turn, open and cut"});
+  CLI::Option* pdf = add_file_flag(command, flags.pdf, {"--pdf", "FILE.pdf", "Write the same report as PDF"});
+  add_text_flag(command, {"--paper", "a4|letter", "Paper size of --pdf [default a4]"},
                 [&flags](const std::string& text) {
                   if (text != "a4" && text != "letter")
                     throw UsageError(fmt::format("--paper: '{}' is not a4 or letter", one_line(text)));
@@ -57,9 +55,9 @@ void write_reports(const ReportFlags& flags, const report::Report& report) {
 }
 
 void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {
-  add_file_flag(command, flags.file,
-                {"--baseline", "FILE.json",
-                 "Compare the figures with those of an earlier report of this command, as --json writes it"});
+  add_file_flag(
+      command, flags.file,
+      {"--baseline", "FILE.json", "Compare the figures with an earlier --json report of this command"});
   add_criteria_flag(command, flags.fail_on, report_figure_names(name));
 }
 
@@ -72,7 +70,7 @@ void Baseline::compare(const std::function<nlohmann::ordered_json()>& report) {
   if (flags_.file.empty() && flags_.fail_on.empty()) return;
   for (const Criterion& criterion : flags_.fail_on)
     if (criterion.of_change && flags_.file.empty())
-      throw UsageError(fmt::format("--fail-on: '{}' is of a change; give --baseline, too", criterion.text));
+      throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
   const nlohmann::ordered_json now = report();
   figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
   failed_ = met_criteria(flags_.fail_on, figures_);

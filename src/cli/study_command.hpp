@@ -1,4 +1,4 @@
-// What `classify`, `actions` and `mold` have in common: a part, one direction, how it is classified, a
+// Common parts of `classify`, `actions` and `mold`: a part, one direction, how it is classified, a
 // picture, and the report with its baseline.
 #pragma once
 

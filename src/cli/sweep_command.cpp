@@ -81,7 +81,7 @@ UndercutLimit parse_undercut_limit(std::string_view text) {
   limit.per_cent = text.ends_with('%');
   if (limit.per_cent) text.remove_suffix(1);
   limit.value = parse_real({text, "--fail-if-undercut"});
-  if (limit.value < 0.0) throw UsageError("--fail-if-undercut: the limit is less than 0");
+  if (limit.value < 0.0) throw UsageError("--fail-if-undercut: the limit is negative");
   return limit;
 }
 
@@ -126,11 +126,10 @@ void warn(const PartModel& model, const SweepResult& result, const Progress& pro
   for (const std::string& warning : warnings) console.warning(warning);
   if (result.complete) return;
   if (progress.cancelled()) {
-    console.warning("interrupted; what was done by then is put out");
+    console.warning("interrupted; the results so far follow");
   } else {
-    console.warning(
-        fmt::format("the time limit of {} s ended the sweep early; what was done by then is put out",
-                    figure(result.settings.time_limit_s)));
+    console.warning(fmt::format("the time limit of {} s ended the sweep early; the results so far follow",
+                                figure(result.settings.time_limit_s)));
   }
 }
 
@@ -158,7 +157,7 @@ bool is_proved(const SweepResult& result, Console& console) {
     if (!asked || (*proof && (*proof)->holds)) continue;
     console.warning(*proof ? fmt::format("{}: not proved; {:.3g} % of the directions are open", flag,
                                          100.0 * (1.0 - (*proof)->proved_share))
-                           : fmt::format("{}: not proved; the sweep ended before", flag));
+                           : fmt::format("{}: not proved; the sweep ended first", flag));
     return false;
   }
   return true;
@@ -221,38 +220,36 @@ nlohmann::ordered_json settings(const SweepFlags& flags) {
 }  // namespace
 
 void add_sweep_command(CLI::App& program, Request& request) {
-  CLI::App* command = program.add_subcommand(
-      "sweep", "Look for the best parting directions: score many, refine the best, say why and how sure");
+  CLI::App* command = program.add_subcommand("sweep", "Find the best parting directions");
   const auto flags = std::make_shared<SweepFlags>();
   SweepSettings& sweep = flags->sweep;
   add_part_flags(*command, flags->part, request);
   add_option_flags(*command, sweep_options(), sweep);
   for (const Option<ActionSettings>& option : action_options())
     flags->of_actions.push_back(add_option_flag(*command, option, sweep.action_settings));
-  add_file_flag(
-      *command, flags->directions_file,
-      {"--directions-file", "FILE.csv", "Such directions from a file, a line a direction: x, y, z"});
+  add_file_flag(*command, flags->directions_file,
+                {"--directions-file", "FILE.csv", "Extra directions from a file, one per line: x, y, z"});
   add_text_flag(
       *command,
       {"--fail-if-undercut", "AREA|PCT%",
-       "End with 3 if the best direction's undercut area is more than this, in the part's unit squared or "
-       "per cent of its area"},
+       "Exit with 3 if the best direction's undercut exceeds this area, in the part's unit squared or per "
+       "cent of its surface"},
       [flags = flags.get()](const std::string& text) { flags->limit = parse_undercut_limit(text); });
-  command->add_flag("--fail-unless-proved", flags->must_be_proved,
-                    "End with 4 unless the proof asked for holds: it was not cut short, and directions that "
-                    "are open lie no farther than --apart from one that is listed");
+  command->add_flag(
+      "--fail-unless-proved", flags->must_be_proved,
+      "Exit with 4 unless the proof is complete, and all open directions lie within --apart of one listed");
   command->add_flag("--wide", flags->wide,
-                    "All figures in the table, and what speaks for each direction, however wide that is");
+                    "Print all figures and the sources of each direction, in a wide table");
   add_file_flag(*command, flags->csv,
-                {"--csv", "FILE.csv", "Write a table of every direction that was scored"});
+                {"--csv", "FILE.csv", "Write a table of all directions that were scored"});
   add_report_flags(*command, flags->report, request);
-  CLI::Option* pictures = add_file_flag(
-      *command, flags->image_folder,
-      {"--image-dir", "DIR",
-       "Write direction_sphere.png, a map of the undercut area over all directions, and contact_sheet.png, "
-       "the part with the best directions, to this folder; scores every direction to the end"});
+  CLI::Option* pictures =
+      add_file_flag(*command, flags->image_folder,
+                    {"--image-dir", "DIR",
+                     "Write direction_sphere.png, a map of the undercut over all directions, and "
+                     "contact_sheet.png, the part with the best directions, to this folder"});
   add_size_flag(*command, flags->still.size,
-                "Width and height of direction_sphere.png in pixels; contact_sheet.png is scaled alike")
+                "Width and height of direction_sphere.png in pixels. contact_sheet.png has the same scale")
       ->needs(pictures);
   add_still_flags(*command, flags->still, pictures);
   add_baseline_flags(*command, flags->baseline, "sweep");

@@ -52,7 +52,7 @@ int print_frame_times(const ViewFlags& flags, Console& console, const Progress& 
 
 int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   if (flags.benchmark) return print_frame_times(flags, console, progress);
-  if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script goes with --screenshot");
+  if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script needs --screenshot");
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
   if (flags.best_direction) {
@@ -94,10 +94,10 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
 }  // namespace
 
 void add_view_command(CLI::App& program, Request& request) {
-  CLI::App* command = program.add_subcommand("view", "Open the window: the part, its regions, live");
+  CLI::App* command = program.add_subcommand("view", "Open the window");
   const auto flags = std::make_shared<ViewFlags>();
   command->add_option("PART", flags->part,
-                      "Part file, known by its content; without one the window asks for it");
+                      "Part file, recognised by its content. Without one, the window asks for it");
   // Read before the other flags, which then change single settings of it.
   add_text_flag(*command,
                 {"--settings", "FILE.json",
@@ -110,21 +110,22 @@ void add_view_command(CLI::App& program, Request& request) {
       ->check(named())
       ->trigger_on_parse();
   add_file_flag(*command, flags->screenshot,
-                {"--screenshot", "OUT.png", "Write the window's picture and open none; needs no display"});
-  add_size_flag(*command, flags->size, "Size of that picture", k_least_size);
+                {"--screenshot", "OUT.png",
+                 "Write a picture of the window instead of opening it. No display is needed"});
+  add_size_flag(*command, flags->size, "Size of the window's picture", k_least_size);
   command
-      ->add_option("--scale", flags->scale, "Content scale of that picture, as of a fine monitor [0.5 to 4]")
+      ->add_option("--scale", flags->scale,
+                   "Content scale of the picture, as on a high-resolution monitor [0.5 to 4]")
       ->option_text("FACTOR")
       ->check(CLI::Range(0.5F, 4.0F));
   add_file_flag(*command, flags->script,
-                {"--script", "EVENTS.json", "Play these input events before the picture is taken"});
-  command->add_flag(
-      "--benchmark", flags->benchmark,
-      "Print frame times of pictures of that size, drawn without a display: plain shading, regions "
-      "with the direction at rest, and with a direction that changes every frame");
-  CLI::Option* compare = add_file_flag(
-      *command, flags->compare,
-      {"--compare", "FILE", "Compare the part with another revision, which is shown beside it"});
+                {"--script", "EVENTS.json", "Play these input events before the picture"});
+  command->add_flag("--benchmark", flags->benchmark,
+                    "Print frame times without a display: plain shading, regions at rest, and regions with a "
+                    "direction that changes every frame");
+  CLI::Option* compare =
+      add_file_flag(*command, flags->compare,
+                    {"--compare", "FILE", "Show another revision of the part beside it and compare them"});
   add_option_flags(*command, reading_options(), flags->reading);
   add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction}, "default 0,0,1");
   add_method_flags(*command, flags->notes.settings.method);

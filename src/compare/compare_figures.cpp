@@ -179,8 +179,8 @@ const Json& figures_of(std::string_view command, const Json& report, std::string
     known = known || (report.is_object() && report.contains("schema") &&
                       report["schema"] == fmt::format("moldlight.{}/{}", command, schema));
   if (!known)
-    throw UsageError(fmt::format("--baseline: {} is no report of moldlight {} --json (moldlight.{}/{})", file,
-                                 command, command, kind.last_schema));
+    throw UsageError(fmt::format("--baseline: {} is not a report of moldlight {} --json (moldlight.{}/{})",
+                                 file, command, command, kind.last_schema));
   if (command != "sweep") return report;
   if (!report.contains("candidates") || !report["candidates"].is_array() || report["candidates"].empty())
     throw UsageError(fmt::format("--baseline: {} lists no direction", file));

@@ -99,21 +99,20 @@ std::span<const Option<CompareSettings>> compare_options() {
         .flag = "--align",
         .label = "Align",
         .unit = "",
-        .help = "Turn and move B onto A before they are compared; directions are A's",
+        .help = "Turn and move B onto A before the comparison. Directions refer to A.",
         .kind = SwitchKind<CompareSettings>{&CompareSettings::align}},
        {.key = "same_within",
         .flag = "--same-within",
         .label = "Same within",
         .unit = "part's unit",
-        .help =
-            "Surface of one part that is no farther than this from the other's is the same. Where it bends, "
-            "what the tessellations may be off is added. By default a 10,000th of A's diagonal.",
+        .help = "Largest distance between surfaces that count as the same. On bent faces, the error of both "
+                "tessellations is added. The default is 1/10,000 of A's diagonal.",
         .kind = PositiveKind<CompareSettings>{[](CompareSettings& s) -> double& { return s.same_within; }}},
        {.key = "actions",
         .flag = "--actions",
         .label = "Side actions",
         .unit = "",
-        .help = "Compare the undercuts one by one, and the side actions that release them",
+        .help = "Compare the undercuts one by one, with their side actions",
         .kind = SwitchKind<CompareSettings>{&CompareSettings::with_actions}}}};
   return k_options;
 }

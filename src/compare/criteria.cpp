@@ -29,8 +29,9 @@ std::string shown(std::string_view text) { return shown_text(text, 60); }
 Criterion parse_criterion(std::string_view text, std::span<const std::string_view> names) {
   const std::size_t at = text.find('>');
   if (at == std::string_view::npos)
-    throw UsageError(fmt::format("{}: “{}” is none; write FIGURE > VALUE, such as \"undercut > +1%\"", k_flag,
-                                 shown(text)));
+    throw UsageError(
+        fmt::format("{}: “{}” is not a criterion; write FIGURE > VALUE, such as \"undercut > +1%\"", k_flag,
+                    shown(text)));
   Criterion criterion{.text = std::string(text), .name = std::string(trimmed(text.substr(0, at)))};
   if (std::ranges::find(names, criterion.name) == names.end())
     throw UsageError(fmt::format("{}: there is no figure “{}”; there are {}", k_flag, shown(criterion.name),
@@ -60,7 +61,7 @@ const ComparedFigure& figure_of(const Criterion& criterion, std::span<const Comp
     throw UsageError(fmt::format("{}: {} is not defined for these parts", k_flag, criterion.name));
   if (criterion.per_cent && !criterion.of_change && found->whole <= 0.0)
     throw UsageError(
-        fmt::format("{}: {} is no share of anything; leave out the % or write +", k_flag, criterion.name));
+        fmt::format("{}: {} has no share; leave out the % or write + for a change", k_flag, criterion.name));
   return *found;
 }
 

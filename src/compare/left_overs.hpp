@@ -1,4 +1,4 @@
-// What of two parts' surface is left over where one is laid on the other, and the volumes that it encloses by
+// Surface of two parts that is left over where one is laid on the other, and the volumes that it encloses by
 // place.
 #pragma once
 

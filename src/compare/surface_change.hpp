@@ -1,4 +1,4 @@
-// What of two parts' surface is new or gone, and where surface that both have is of another region: by place.
+// Surface of two parts that is new or gone, and surface of both that is of another region: by place.
 #pragma once
 
 #include <array>

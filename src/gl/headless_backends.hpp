@@ -1,4 +1,4 @@
-// What is behind create_headless_context: the backends, one function each, the libraries that they open, and
+// Backends of create_headless_context, one function each, with the libraries that they open, and
 // the environment that Mesa reads before its first context.
 #pragma once
 

@@ -125,7 +125,7 @@ void Commands::leave_revisions() {
 
 void Commands::cancel_revisions() {
   app.comparer_.cancel(app.state_.revisions);
-  if (!app.state_.revisions.on()) say("The comparison was given up", false);
+  if (!app.state_.revisions.on()) say("The comparison was cancelled", false);
 }
 
 void Commands::exchange_revisions() {

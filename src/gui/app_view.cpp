@@ -1,4 +1,4 @@
-// What the window shows of its part: the picture, its camera, the surface under the cursor.
+// The window's view of its part: the picture, its camera, the surface under the cursor.
 #include <algorithm>
 #include <utility>
 
@@ -57,7 +57,7 @@ void App::find_actions(bool moving) {
   const auto wish = std::exchange(choices.wish, std::nullopt);
   const SideAction* const action = chosen_action(state_);
   if (wish && !(action != nullptr && is_along(*action, *wish)))
-    say("That direction is not free: the side action keeps to its own", false);
+    say("This direction is blocked: the side action keeps its own", false);
 }
 
 void App::find_mold(bool moving) {

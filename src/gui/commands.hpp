@@ -1,4 +1,4 @@
-// What panels, mouse and keys ask for in a frame. The app carries it out when the frame's windows are done.
+// Commands of panels, mouse and keys in a frame. The app carries them out when the frame's windows are done.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What hands do to the window: kept in order, with the place and the time of each event, and given to ImGui
+// Input events of the window: kept in order, with the place and the time of each event, and given to ImGui
 // so that slow frames lose nothing of it.
 #pragma once
 

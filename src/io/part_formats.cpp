@@ -153,8 +153,9 @@ const PartFormat& detect_format(const std::string& path, const FileBeginning& fi
     }
     return *named;
   }
-  throw FileError(path, "byte 0",
-                  fmt::format("is no part file: none of {} by content or name", part_format_names(" and ")));
+  throw FileError(
+      path, "byte 0",
+      fmt::format("is not a part file: none of {} by content or name", part_format_names(" and ")));
 }
 
 }  // namespace moldlight

@@ -24,8 +24,7 @@ Part read_part(const std::string& path, const ReadOptions& options, const Progre
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
     mend_part(part, options.repair, progress);
-    if (part.mesh.facets.empty())
-      context.fail("", "has no facet with an area; nothing is left of it after the repair");
+    if (part.mesh.facets.empty()) context.fail("", "has no facet with an area; the repair left nothing");
     return part;
   } catch (const std::bad_alloc&) {
     context.fail("", "there is not enough memory for this part (a file of {} MiB)", size_mib);

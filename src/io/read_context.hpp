@@ -1,4 +1,4 @@
-// What every reader gets: the file's bytes, the limits, and how to fail with the place.
+// Input of every reader: the file's bytes, the limits, and how to fail with the place.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the program moldlight-step hands back to moldlight: a tessellated STEP file as bytes. OpenCASCADE runs
+// The bytes that moldlight-step hands back to moldlight: a tessellated STEP file. OpenCASCADE runs
 // in that program of its own, so that a file which breaks it does not break moldlight.
 #pragma once
 

@@ -104,8 +104,8 @@ std::string ThreemfAssembler::find_root() {
   const std::string relationships = "_rels/.rels";
   if (!archive_.contains(relationships)) {
     if (!archive_.contains(usual))
-      context_.fail("", "is a zip archive, but no 3MF package; export the part again");
-    part_.warnings.push_back("the 3MF package does not say which is its model; the usual one was taken");
+      context_.fail("", "is a zip archive, but not a 3MF package; export the part again");
+    part_.warnings.push_back("the 3MF package does not name its model; the usual one was taken");
     return usual;
   }
   RelationshipParser parser(context_, relationships);
@@ -113,7 +113,7 @@ std::string ThreemfAssembler::find_root() {
   parser.finish();
   if (parser.root_model().empty()) {
     context_.fail(in_quotes(relationships),
-                  "names no 3D model: the archive is no 3MF package; export the part again");
+                  "names no 3D model: the archive is not a 3MF package; export the part again");
   }
   return parser.root_model();
 }

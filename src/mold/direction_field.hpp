@@ -1,4 +1,4 @@
-// What maps of the parting directions are made of: a value over the half-sphere, the map, and the colours of
+// Maps of the parting directions: a value over the half-sphere, the map, and the colours of
 // undercut areas, from a pale one for none to a dark one for the worst, with steadily falling lightness, so
 // that every eye and a gray print read it.
 #pragma once

@@ -187,7 +187,7 @@ void add_wishes(const PartModel& model, const MoldSettings& settings, Assignment
   }
   if (refused > 1e-6 * model.geometry.total_area)
     assignment.warnings.push_back(fmt::format(
-        "{:.4g} of the area that a half was to form cannot be released by it and stays where it was.",
+        "{:.4g} of the area given to a half has reverse draft or is hidden. The other half keeps it.",
         refused));
 }
 

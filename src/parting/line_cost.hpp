@@ -1,4 +1,4 @@
-// What a parting line costs where it runs.
+// Cost of a parting line along each edge.
 #pragma once
 
 #include <cmath>

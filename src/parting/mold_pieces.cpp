@@ -93,7 +93,7 @@ class PieceMaker {
       return none;
     };
     const SideAction& action = wish_.plan.actions[number];
-    if (!is_slide(action.kind)) return refused("only slides are made as solids yet");
+    if (!is_slide(action.kind)) return refused("only slides are made as solids");
     if (std::abs(wish_.plain.frame.to_mold(action.direction).z) > k_inclined)
       return refused("its way is inclined to the plane across the direction");
     std::vector<const TriangleMesh*> formed;
@@ -101,10 +101,10 @@ class PieceMaker {
       const InsertActions& of = of_plain_[k];
       if (std::ranges::find(of.actions, number) == of.actions.end()) continue;
       if (of.actions.size() > 1 || of.unreleased > 0)
-        return refused("what it forms is not its own alone, but shared with others");
+        return refused("other actions share the surface that it forms");
       formed.push_back(&inserts_[k]);
     }
-    if (formed.empty()) return refused("nothing between the halves is its own");
+    if (formed.empty()) return refused("no body between the halves is its own");
     const double middle = glm::dot(wish_.plain.centre, wish_.plain.frame.z);
     const double diagonal = wish_.model.frame.diagonal;
     return slide_blank({.part = part_,
@@ -160,7 +160,7 @@ class PieceMaker {
     const auto piece = std::ranges::find_if(halves.inserts, [&](const MoldBody& body) {
       return std::ranges::find(body.blanks, blank) != body.blanks.end();
     });
-    if (piece == halves.inserts.end()) return "nothing is left of it beside the part";
+    if (piece == halves.inserts.end()) return "nothing of it is left beside the part";
     if (piece->blanks.size() > 1) return "it runs into another slide";
     const std::size_t number = static_cast<std::size_t>(piece - halves.inserts.begin());
     const TriangleMesh mesh = unscaled(piece->mesh);

@@ -283,10 +283,10 @@ std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& 
   const FigureStyle style(model);
   std::vector<std::string> lines;
   for (const auto& [missed, why] :
-       {std::pair(&halves.missed_leaning, "they lean against it or are hidden"),
-        {&halves.missed_upright, "the parting surface would have to be steeper there"}}) {
+       {std::pair(&halves.missed_leaning, "they have reverse draft or are hidden"),
+        {&halves.missed_upright, "the parting surface would be too steep there"}}) {
     if (!missed->at) continue;
-    lines.push_back(fmt::format("{} of the faces that a half was to form, near {}, it cannot: {}",
+    lines.push_back(fmt::format("A half cannot form {} of the faces given to it, near {}: {}",
                                 style.with_unit(FigureKind::area, missed->area), style.point(*missed->at),
                                 why));
   }
@@ -322,7 +322,7 @@ std::vector<std::string> halves_remarks(const MoldReport& report) {
     remarks.push_back(
         fmt::format("Most of the steel on steel without draft is {}.", near(halves.contacts.front().place)));
   if (halves.forced_at)
-    remarks.push_back(fmt::format("The part's own outline {} {}: no parting surface meets all of it.",
+    remarks.push_back(fmt::format("The part's outline {} {}. No parting surface follows all of it.",
                                   halves.forced_deg > 89.99
                                       ? std::string("has steps")
                                       : fmt::format("is up to {:.1f}° steep", halves.forced_deg),

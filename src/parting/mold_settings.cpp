@@ -26,8 +26,7 @@ CosmeticFaces parse_half(std::string_view text) {
   for (std::string_view rest = text.substr(colon + 1);;) {
     const std::size_t comma = rest.find(',');
     const auto face = number_from<std::uint32_t>(rest.substr(0, comma));
-    if (!face)
-      throw UsageError(fmt::format("--cosmetic: '{}' is not the number of a face", rest.substr(0, comma)));
+    if (!face) throw UsageError(fmt::format("--cosmetic: '{}' is not a face number", rest.substr(0, comma)));
     cosmetic.faces.push_back(*face);
     if (comma == std::string_view::npos) return cosmetic;
     rest.remove_prefix(comma + 1);
@@ -40,14 +39,11 @@ std::span<const Option<MoldSettings>> mold_options() {
   using S = MoldSettings;
   static const std::vector<Option<S>> k_options = {
       {"soft_deg", "--soft-draft", "Soft draft", "deg",
-       "Walls with less draft than this may be formed by either half, at a cost that grows with their "
-       "reverse "
-       "draft.",
+       "Either half may form walls with less draft than this. Reverse draft costs extra.",
        RealKind<S>{&S::soft_deg, 0.0, 10.0, 0.5}},
       {"parting_height", "--parting-height", "Parting height", "part's unit",
-       "Height along the direction at which the halves are to meet, in the part's coordinates; found from "
-       "the "
-       "part's horizontal creases unless given.",
+       "Height along the direction at which the halves meet, in the part's coordinates. By default it "
+       "follows the part's horizontal edges.",
        TextKind<S>{
            .name = "H",
            .get = [](const S& s) { return s.parting_height ? real_text(*s.parting_height) : std::string(); },
@@ -57,8 +53,8 @@ std::span<const Option<MoldSettings>> mold_options() {
                      text.empty() ? std::nullopt : std::optional(parse_real({text, "--parting-height"}));
                }}},
       {"cosmetic", "--cosmetic", "Cosmetic faces", "",
-       "Faces that the core or the cavity is to form, as --faces of classify numbers them; of both halves "
-       "with a slash between: core:1,2/cavity:3.",
+       "Faces that the core or the cavity must form, by the numbers that classify --faces writes. Separate "
+       "the halves by a slash: core:1,2/cavity:3.",
        TextKind<S>{.name = "core|cavity:FACES",
                    .get = [](const S& s) { return s.cosmetic; },
                    .set =
@@ -67,26 +63,27 @@ std::span<const Option<MoldSettings>> mold_options() {
                          s.cosmetic = text;
                        }}},
       {"margin", "--margin", "Margin", "part's unit",
-       "Least steel around the part, on all sides; 15 % of the part's diagonal unless given. It grows until "
-       "the block's edge is flat.",
+       "Least steel around the part, on all sides. The default is 15 % of the part's diagonal. It grows "
+       "until the block's edge is flat.",
        PositiveKind<S>{[](S& s) -> double& { return s.margin; }}},
       {"shrink_pct", "--shrink", "Shrinkage", "%",
-       "Shrinkage of the molded part against the mold: the mold is larger by 1 / (1 - shrinkage).",
+       "Shrinkage of the molded part. The mold is larger by the factor 1 / (1 - shrinkage).",
        RealKind<S>{&S::shrink_pct, 0.0, 20.0, 0.1}},
       {"ramp_deg", "--ramp", "Ramp", "deg",
-       "Slope of the ramps that join the parting surface's shelf to a line that leaves it.",
+       "Slope of the ramps between the parting surface's shelf and a parting line above or below it.",
        RealKind<S>{&S::ramp_deg, 15.0, 80.0, 5.0}},
       {"land", "--land", "Land", "part's unit",
-       "Width of the level land between the line and a ramp; 2 % of the part's diagonal unless given.",
+       "Width of the level land between the parting line and a ramp. The default is 2 % of the part's "
+       "diagonal.",
        PositiveKind<S>{[](S& s) -> double& { return s.land; }}},
       {"slope_deg", "--slope", "Slope", "deg",
-       "The parting surface is at most so steep, where the part's outline is steeper than a ramp.",
+       "Steepest parting surface where the part's outline is steeper than a ramp.",
        RealKind<S>{&S::slope_deg, 15.0, 85.0, 5.0}},
       {"fill_undercut", "--fill-undercut", "Fill undercuts", "",
-       "Leave what the halves cannot form to loose inserts.", SwitchKind<S>{&S::fill_undercut}},
+       "Leave the surface that the halves cannot form to loose inserts.", SwitchKind<S>{&S::fill_undercut}},
       {"registration", "--registration", "Registration", "",
-       "Cones in the block's corners that keep the halves in register; one is smaller, so that they fit one "
-       "way.",
+       "Add cones to the block's corners that align the halves. One is smaller, so that the halves fit one "
+       "way only.",
        SwitchKind<S>{&S::registration}},
   };
   return k_options;

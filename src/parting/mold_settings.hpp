@@ -1,4 +1,4 @@
-// What a mold maker asks of the parting line and of the two halves, with the table of its options.
+// Settings of the parting line and of the two halves, with the table of their options.
 #pragma once
 
 #include <cstdint>

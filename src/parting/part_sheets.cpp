@@ -89,11 +89,10 @@ std::optional<MoldFault> residual(const Sheets& sheets, double diagonal) {
     place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
   }
   if (length <= 0.0) return std::nullopt;
-  return MoldFault{
-      fmt::format("what is seen from above and what from below do not have the same outline, for {:.3g} "
-                  "of its length: bodies overlap or touch there, or the surface is folded",
-                  length * diagonal),
-      k_mend_surface, place};
+  return MoldFault{fmt::format("the outline from above and the outline from below differ over {:.3g} of "
+                               "their length: bodies overlap or touch there, or the surface is folded",
+                               length * diagonal),
+                   k_mend_surface, place};
 }
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// What is said of a parting line in a sentence.
+// The parting line in a sentence.
 #include <algorithm>
 #include <cmath>
 
@@ -61,7 +61,7 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   } else {
     text += fmt::format("stepped, {} high", length(climb));
     if (up_and_down > k_many_climbs * climb) {
-      text += fmt::format(", {} up and down in all", length(up_and_down));
+      text += fmt::format(", {} of climb and descent in all", length(up_and_down));
       if (draft <= k_small_draft_deg)
         text += fmt::format(" on facets of at most {:.1f}° of draft", std::ceil(10.0 * draft) / 10.0);
     }
@@ -72,7 +72,7 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   text += shut_offs == 0 ? " No shut-offs." : fmt::format(" {}.", plural(shut_offs, "shut-off"));
   if (line.smoothed_length > 1e-6 * diagonal || line.smoothed_climb > 1e-6 * diagonal)
     text +=
-        fmt::format(" Smoothing made the line {} shorter and took {} of its ups and downs.",
+        fmt::format(" Smoothing made the line {} shorter and removed {} of climb.",
                     length(std::max(0.0, line.smoothed_length)), length(std::max(0.0, line.smoothed_climb)));
   const double action = assignment.area(MoldSide::action);
   if (action > 0.0)

@@ -133,7 +133,7 @@ class BlankMaker {
         if (build(floor, strips, *ranges, blank)) return blank;
       }
     }
-    if (blank.refusal.empty()) blank.refusal = "no front closes on the part around what it forms";
+    if (blank.refusal.empty()) blank.refusal = "its front does not close on the part";
     return blank;
   }
 

@@ -1,4 +1,4 @@
-// What a slide is cut from: a prism from the part's surface around what the slide forms out to the side of
+// Blank of a slide: a prism from the part's surface around what the slide forms out to the side of
 // the block, drafted, square to its way.
 #pragma once
 

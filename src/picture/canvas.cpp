@@ -86,7 +86,7 @@ cairo_surface_t* pdf_surface(std::string& bytes, const glm::dvec2& size_pt, std:
 
 }  // namespace
 
-/// What a Canvas draws on: pixels, or the pages of a document.
+/// The surface that a Canvas draws on: pixels, or the pages of a document.
 struct CanvasSurface {
   explicit CanvasSurface(cairo_surface_t* owned) : target(owned), cairo(cairo_create(owned)) {}
   ~CanvasSurface() {

@@ -1,4 +1,4 @@
-// What proofs over cells of directions need of a part.
+// Facts about a part that proofs over cells of directions need.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a proof counts: points of the surface that each stand for an area, or pieces of facets.
+// Elements that a proof counts: points of the surface that each stand for an area, or pieces of facets.
 #pragma once
 
 #include <array>

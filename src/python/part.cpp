@@ -194,7 +194,7 @@ PartClass add_part(py::module_& module) {
                   call_doc({.name = "read",
                             .arguments = "path",
                             .more = "progress=None",
-                            .text = "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, known by its content.",
+                            .text = "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.",
                             .settings = "read"}));
   add_properties(part);
   add_arrays(part);

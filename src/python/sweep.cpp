@@ -83,7 +83,7 @@ std::string text(const PythonSweep& self) {
 }
 
 constexpr std::string_view k_sweep_text =
-    "Looks for the best parting directions. Returns a Sweep.\n\n"
+    "Finds the best parting directions. Returns a Sweep.\n\n"
     "progress: as for Part(), but where it returns False, the sweep ends with what is done by then.";
 
 }  // namespace

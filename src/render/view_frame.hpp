@@ -1,4 +1,4 @@
-// What the passes of a picture are given: one sample of it, and one of its layers.
+// Input of the passes of a picture: one sample of it, and one of its layers.
 #pragma once
 
 #include <cstdint>

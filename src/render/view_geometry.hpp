@@ -1,4 +1,4 @@
-// What a picture needs of the part beside PartBuffers, and of solids beside it, made once on the CPU: on any
+// Geometry of a picture beside PartBuffers, and of solids beside it, made once on the CPU: on any
 // thread, without GL.
 #pragma once
 

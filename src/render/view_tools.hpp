@@ -1,4 +1,4 @@
-// What a picture is drawn with: the pictures between its passes, the part's mesh.
+// Tools that draw a picture: the pictures between its passes, the part's mesh.
 #pragma once
 
 #include <glm/vec2.hpp>

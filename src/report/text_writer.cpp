@@ -94,7 +94,7 @@ class TextWriter {
     }
     if (!table.rest.empty()) return text + table.rest + "\n";
     if (table.rows.size() == rows) return text;
-    return text + fmt::format("… {} in all; --json has them.\n", table.rows.size());
+    return text + fmt::format("… {} in all; --json lists them.\n", table.rows.size());
   }
 
   [[nodiscard]] std::string block_text(const Text& text) const {

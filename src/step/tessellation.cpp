@@ -252,7 +252,7 @@ StepResult tessellate(std::istream& file, const TessellationSettings& settings) 
     throw std::runtime_error("line " + std::to_string(syntax_faults->first_line()) +
                              ": this is not what STEP allows here; export the part again");
   }
-  if (!was_read) throw std::runtime_error("is no STEP file that can be read; export the part again");
+  if (!was_read) throw std::runtime_error("is not a STEP file that can be read; export the part again");
   if (const std::string placement = mirrored_or_scaled_placement(reader); !placement.empty()) {
     throw std::runtime_error("entity " + placement +
                              ": this mirrors or scales a part of the assembly, which OpenCASCADE cannot do; "

@@ -1,4 +1,4 @@
-// What a study has found, as reports: JSON for programs, with the verdict.
+// Reports of a study: JSON for programs, with the verdict.
 #pragma once
 
 #include <string>

@@ -55,9 +55,10 @@ std::string near_crossing(const PartModel& model) {
 Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
   const HealthReport& health = model.health;
   if (uncertainty.sampled_facets > 0 && uncertainty.readout >= uncertainty.mesh)
-    return {fmt::format("too much crosses {}, which {} sampled", plural(uncertainty.sampled_facets, "facet"),
-                        uncertainty.sampled_facets == 1 ? "is" : "are"),
-            "--repair union unites the bodies; else look at one with --body, or raise --effort"};
+    return {
+        fmt::format("too many facets cross {}, which {} sampled", plural(uncertainty.sampled_facets, "facet"),
+                    uncertainty.sampled_facets == 1 ? "is" : "are"),
+        "--repair union unites the bodies; else look at one with --body, or raise --effort"};
   if (health.open_edges > 0)
     return {fmt::format("the mesh is open at {}{}", plural(health.open_edges, "edge"),
                         near_text(model, EdgeDefect::open)),
@@ -70,8 +71,8 @@ Fault fault_of(const PartModel& model, const UndercutUncertainty& uncertainty) {
   if (const std::string place = near_crossing(model); !place.empty())
     return {"surfaces cross each other" + place,
             health.components > 1 ? "--repair union unites the bodies; --body looks at one"
-                                  : "--repair union leaves out what is inside; else mend it in CAD"};
-  return {"the shadow found from both sides differs", "look at the mesh with moldlight info"};
+                                  : "--repair union drops the surface inside; else repair it in CAD"};
+  return {"the shadow found from both sides differs", "check the mesh with moldlight info"};
 }
 
 /// How much undercut may be none, or none may be undercut, for what is wrong with the mesh or the readout.
@@ -136,7 +137,7 @@ class Judge {
     if (doubt > lateral_ * lateral_) {
       add(fmt::format("± {} of it is in doubt: {}.", area(doubt), fault.what));
     } else {
-      add(fmt::format("In order for this direction, but {}.", fault.what));
+      add(fmt::format("No undercut along this direction, but {}.", fault.what));
     }
     return false;
   }
@@ -158,7 +159,8 @@ class Judge {
     for (const std::size_t count : actions.counts) number += count;
     if (actions.stuck > 0) {
       set(VerdictState::not_releasable,
-          fmt::format("Not releasable: nothing that was tried releases {} in {}{}.", area(actions.stuck_area),
+          fmt::format("Not releasable: no action that was tried releases {} in {}{}.",
+                      area(actions.stuck_area),
                       actions.stuck == verdict_.undercuts
                           ? plural(actions.stuck, "undercut")
                           : fmt::format("{} of {} undercuts", actions.stuck, verdict_.undercuts),
@@ -215,7 +217,7 @@ class Judge {
   void add_sampled() {
     const UndercutUncertainty& uncertainty = facts_.regions.uncertainty;
     if (uncertainty.sampled_facets == 0) return;
-    add(fmt::format("{} sampled, as too much crosses {}: ± {}. --effort raises the limit.",
+    add(fmt::format("{} sampled, since too many facets cross {}: ± {}. --effort raises the limit.",
                     uncertainty.sampled_facets == 1
                         ? "1 facet is"
                         : fmt::format("{} facets are", uncertainty.sampled_facets),

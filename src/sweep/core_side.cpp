@@ -72,7 +72,7 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
     return made(difference > 0.0, fmt::format("that half forms {} of the surface alone, the other one {}",
                                               area_text(model, more), area_text(model, less)));
   }
-  return made(true, "either half may be, they form as much");
+  return made(true, "either half may be the core, since both form as much");
 }
 
 }  // namespace moldlight

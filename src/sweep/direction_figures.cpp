@@ -30,7 +30,7 @@ using Found = std::optional<double>;
 using Use = DirectionFigure::Use;
 
 constexpr DirectionFigure k_figures[] = {
-    {"undercut", "undercut", FigureKind::area, "Undercut area, as measured with the settings of the method.",
+    {"undercut", "undercut", FigureKind::area, "Undercut area.",
      Use{.objective = true, .classified = true, .brief = true},
      [](const Facts& f) -> Found { return f.classification.areas[Region::undercut]; }},
     {"undercut_share", "%", FigureKind::per_cent, "Undercut, per cent of the part's area.",
@@ -38,7 +38,7 @@ constexpr DirectionFigure k_figures[] = {
      [](const Facts& f) -> Found {
        return 100.0 * share(f.classification.areas[Region::undercut], f.classification.total_area);
      }},
-    {"undercut_uncertainty", "±", FigureKind::error, "How far the undercut area may be off, 95 % level.",
+    {"undercut_uncertainty", "±", FigureKind::error, "Uncertainty of the undercut area, 95 % level.",
      Use{.classified = true, .brief = true, .yields = true},
      [](const Facts& f) -> Found { return f.classification.uncertainty.total(); }},
     {"projected_area", "projected", FigureKind::area, "Projected area, on which the clamp force acts.",
@@ -61,33 +61,32 @@ constexpr DirectionFigure k_figures[] = {
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.measured ? Found(f.classification.reverse_draft.area) : std::nullopt; }},
     {"patches", "undercuts", FigureKind::count,
-     "How many undercuts there are: connected patches of undercut surface, without what is clear within the "
-     "lateral tolerance.",
+     "Number of undercuts. Marks within the lateral tolerance do not count.",
      Use{.objective = true, .brief = true, .yields = true},
      [](const Facts& f) {
        if (f.actions != nullptr) return Found(static_cast<double>(f.actions->undercuts.count));
        return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt;
      }},
     {"parting_climb", "climb", FigureKind::length,
-     "How far the parting line climbs along the direction, shut-offs counted.",
+     "Climb of the parting line along the direction, with shut-offs.",
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.parting ? Found(f.parting->climb) : std::nullopt; }},
-    {"parting_length", "line", FigureKind::length, "Length of the parting line, shut-offs counted.",
+    {"parting_length", "line", FigureKind::length, "Length of the parting line, with shut-offs.",
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.parting ? Found(f.parting->length) : std::nullopt; }},
-    {"travel", "travel", FigureKind::length, "How far the side action travels that travels farthest.",
+    {"travel", "travel", FigureKind::length, "Longest travel of a side action.",
      Use{.objective = true, .of_actions = true},
      [](const Facts& f) { return f.actions ? Found(f.actions->travel) : std::nullopt; }},
     {"unreleased_area", "left", FigureKind::area, "Undercut area that no side action releases.",
      Use{.brief = true, .of_actions = true},
      [](const Facts& f) { return f.actions ? Found(f.actions->totals.unreleased_area) : std::nullopt; }},
     {"side_actions", "side actions", FigureKind::actions,
-     "The least set of side actions; in order of the sum of their kinds' weights.",
+     "The cheapest set of side actions, ordered by the sum of their weights.",
      Use{.objective = true, .brief = true, .of_actions = true},
      [](const Facts& f) { return f.actions ? Found(f.actions->weight) : std::nullopt; }},
     {"tilt_margin_deg", "tilt", FigureKind::angle,
-     "Tilt margin: how far the pull may tilt towards the least tolerant side before the undercut grows.",
-     Use{}, [](const Facts& f) { return f.tilt ? Found(f.tilt->deg) : std::nullopt; }},
+     "Tilt margin: how far the direction may tilt before the undercut grows.", Use{},
+     [](const Facts& f) { return f.tilt ? Found(f.tilt->deg) : std::nullopt; }},
 };
 
 std::string objective_name(const DirectionFigure& figure) {

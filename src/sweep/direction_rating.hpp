@@ -1,4 +1,4 @@
-// What a direction of a part is worth: its figures and the objective made of them.
+// The rating of a direction: its figures and the objective made of them.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a sweep lists: contenders with all that is known of them, in their order.
+// The list of a sweep: contenders with all that is known of them, in their order.
 #pragma once
 
 #include <span>

@@ -74,8 +74,8 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
   const CriterionFacts& facts = k_facts[static_cast<std::size_t>(criterion)];
   const double by = one.of(criterion) - other.of(criterion);
   if (criterion == found)
-    return {by / facts.band,
-            by > 0.0 ? "is no direction that the part's shape names" : "is named by the part's shape"};
+    return {by / facts.band, by > 0.0 ? "is not an axis or a face normal of the part"
+                                      : "is an axis or a face normal of the part"};
   return {by / facts.band,
           fmt::format(fmt::runtime(facts.words), per_cent(std::abs(by)), by > 0.0 ? "more" : "less"),
           noted.value_or(facts.band) / facts.band};

@@ -1,4 +1,4 @@
-// What a mold maker ranks parting directions by.
+// The ranking of parting directions by a mold maker's criteria.
 #pragma once
 
 #include <array>

@@ -257,7 +257,7 @@ void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::siz
     reasons = {contender.actions
                    ? fmt::format("needs side actions for {:.2g} % of the surface",
                                  100.0 * contender.actions->formed_area / model_.geometry.total_area)
-                   : "its side actions were not looked for"};
+                   : "its side actions were not sought"};
     contender.actions.reset();
   } else if (!list.contenders.empty() && list.contenders.back().cost) {
     reasons = rank_reasons(*contender.cost, *list.contenders.back().cost);
@@ -276,7 +276,7 @@ Recommendation recommendation(const PartModel& model, const MethodSettings& meth
   Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
                        .why = mold_text(model, best),
                        .beside = best.beside};
-  if (found.why.empty()) found.why = "its side actions were not looked for";
+  if (found.why.empty()) found.why = "its side actions were not sought";
   found.name = direction_words(found.direction);
   if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
     found.name = best.candidate.canonical->name;

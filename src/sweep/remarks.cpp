@@ -41,7 +41,7 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool
                                   : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
   return fmt::format(
       "{} {}{}.",
-      by_molds ? "The best leaves" : "No direction that was tried is free of undercut; the best leaves",
+      by_molds ? "The best leaves" : "Every direction that was tried has an undercut; the best leaves",
       area_text(model, undercut_area(best)), patches);
 }
 
@@ -57,8 +57,8 @@ void remark_on_actions(const PartModel& model, const SweepResult& result, std::v
       result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
   if (unknown > 0 && result.settings.rank == SweepRank::mold && result.complete) {
     remarks.push_back(fmt::format(
-        "{} of the directions listed certainly need{} heavier side actions; what {} was not found out.",
-        unknown, unknown == 1 ? "s" : "", unknown == 1 ? "it needs" : "they need"));
+        "{} of the directions listed certainly need{} heavier side actions, which were not computed.", unknown,
+        unknown == 1 ? "s" : ""));
   } else if (unknown > 0) {
     remarks.push_back(
         fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,
@@ -69,7 +69,7 @@ void remark_on_actions(const PartModel& model, const SweepResult& result, std::v
     remarks.push_back(fmt::format("Side actions of the best: {}.", side_actions_text(model, best)));
   if (result.with_actions > 0 && needs_actions(result.settings.objective)) {
     remarks.push_back(
-        fmt::format("They were found for {} directions, those of the least undercut.", result.with_actions));
+        fmt::format("They were found for the {} directions of least undercut.", result.with_actions));
   }
 }
 
@@ -107,7 +107,7 @@ std::string grade_text(const PartModel& model, const SweepProof& proof) {
 void remark_on_proof(const PartModel& model, const SweepResult& result, std::vector<std::string>& remarks) {
   if (const auto& proof = result.proof; proof && proof->bound <= 0.0) {
     remarks.push_back(fmt::format(
-        "Proved: no direction has less undercut than the best by more than {}, as the best has no more.",
+        "Proved: no direction is better than the best by more than {}, since the best has no more.",
         area_text(model, proof->epsilon)));
   } else if (proof) {
     const std::string open = proof->open.empty()
@@ -118,8 +118,8 @@ void remark_on_proof(const PartModel& model, const SweepResult& result, std::vec
                                   proof->holds ? "Proved" : "Not proved everywhere", open,
                                   area_text(model, proof->bound), grade_text(model, *proof),
                                   proof->open.empty() ? ""
-                                  : proof->holds      ? "; what is open lies around directions listed"
-                                                      : "; there may be better ones in what is open"));
+                                  : proof->holds      ? "; the open directions lie around those listed"
+                                                      : "; better directions may be among the open ones"));
   }
   if (const auto& free = result.all_free) {
     remarks.push_back(

@@ -1,4 +1,4 @@
-// What a sweep says in words: by how much the best is better, ties, the directions that the user gave.
+// Remarks on a sweep: by how much the best is better, ties, the directions that the user gave.
 #pragma once
 
 #include <string>

@@ -264,7 +264,7 @@ BestDirection best_direction(const std::shared_ptr<const PartModel>& model, cons
   BestDirection best{direction, result.recommended->name, result.recommended->why, 0.0, {}};
   if (!nearest.is_met()) {
     best.off_axis_deg = nearest.angle_deg;
-    best.off_axis = fmt::format("the best direction is no axis of the file: {}, {} from {}",
+    best.off_axis = fmt::format("the best direction is not an axis of the file: {}, {} from {}",
                                 direction_text(direction), angle_text(nearest.angle_deg), nearest.name);
   }
   return best;

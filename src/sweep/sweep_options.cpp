@@ -47,28 +47,26 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Number of directions spread evenly over the half-sphere.",
        IntegerKind<S>{&S::directions, 0, 100'000}},
       {"refine", "--refine", "Directions to refine", "",
-       "How many of the best scored directions, apart from each other, are followed downhill; of what is "
-       "measured then, three at most are followed once more, by exact figures.",
+       "Number of scored directions that are refined. At most three of these are refined once more, by exact "
+       "figures.",
        IntegerKind<S>{&S::refine, 0, 100}},
-      {"top", "--top", "Directions listed", "", "How many directions get final figures.",
+      {"top", "--top", "Directions listed", "", "Number of directions listed with exact figures.",
        IntegerKind<S>{&S::top, 1, 1000}},
       {"apart_deg", "--apart", "Apart", "deg",
-       "A direction that is nearer than this to a better one is not listed, unless it ties with it and comes "
-       "from a feature of the part.",
+       "Least angle between directions listed. A direction of the part itself that ties may be closer.",
        RealKind<S>{&S::apart_deg, 0.0, 45.0, 0.5}},
       {"engine", "--engine", "Engine", "",
-       "How directions are scored before the best are measured: by exact rays from surface samples, or by "
-       "shadow maps on the GL, many directions at a time.",
+       "Score directions by exact rays from surface samples, or by shadow maps on the GPU, many directions "
+       "at a time.",
        choice<&S::engine>({"rays", "gl"})},
       {"scoring_samples", "--scoring-samples", "Scoring samples", "",
-       "Surface samples by which a direction is scored.",
+       "Number of surface samples that score a direction.",
        IntegerKind<S>{&S::scoring_samples, 1000, 10'000'000}},
       {"scoring_resolution", "--scoring-resolution", "Scoring resolution", "texel",
-       "Width and height of the shadow maps by which a direction is scored.",
+       "Width and height of the shadow maps that score a direction.",
        IntegerKind<S>{&S::scoring_resolution, 64, 8192}},
       {"thorough", "--thorough", "Score all to the end", "",
-       "Score every direction to the end, also one that is certain not to be listed.",
-       SwitchKind<S>{&S::thorough}},
+       "Score every direction with all samples, even if it cannot be listed.", SwitchKind<S>{&S::thorough}},
       {"tilt_growth_pct", "--tilt-growth", "Tilt growth", "% of the part's area",
        "Growth of the undercut area that ends the tilt margin.",
        RealKind<S>{&S::tilt_growth_pct, 1e-4, 100.0, 0.1}},
@@ -76,31 +74,32 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Cavity pressure; times the projected area it gives the clamp force.",
        RealKind<S>{&S::pressure, 0.0, 1e12, 1.0}},
       {"actions", "--actions", "Side actions", "",
-       "Find the side actions of the directions listed, which takes longer than the rest of a sweep; of "
-       "directions that tie, those of the least weight come first.",
+       "Find the side actions of all directions listed. This takes longer than the rest of the sweep. Ties "
+       "are ranked by their weight.",
        SwitchKind<S>{&S::actions}},
       {"prove", "--prove", "Prove the best", "",
-       "Prove that no direction, tried or not, has less undercut than the best by more than EPS per cent of "
-       "the part's area (0.1% if EPS is left out).",
+       "Prove that no direction is better than the best by more than EPS per cent of the part's area in "
+       "undercut. The default of EPS is 0.1%.",
        share_or_off<&S::prove_pct>("--prove", "0.1%")},
       {"all_free", "--all-free", "All nearly free", "",
-       "Find caps that hold every direction of at most EPS per cent undercut (0.5% if EPS is left out).",
+       "Find all directions with at most EPS per cent undercut, as caps around their centres. The default of "
+       "EPS is 0.5%.",
        share_or_off<&S::all_free_pct>("--all-free", "0.5%")},
       {"proof", "--proof", "Proof by", "",
-       "What is proved: for the scoring samples, in about the time of a sweep and with their sampling error, "
-       "or by area for the surface itself, which takes a few times as long.",
+       "Prove for the scoring samples, with their sampling error, or for the surface itself. By area takes a "
+       "few times as long.",
        choice<&S::proof_grade>({"samples", "area"})},
       {"proof_limit_s", "--proof-limit", "Proof limit", "s",
-       "End what is proved after this time, all of it together; what is open by then stays open. 0 for none.",
+       "Time limit for all proofs together. What is open by then stays open. 0: no limit.",
        RealKind<S>{&S::proof_limit_s, 0.0, 1e9, 1.0}},
-      {"jobs", "--jobs", "Threads", "", "Threads that score directions; 0 takes all cores.",
+      {"jobs", "--jobs", "Threads", "", "Number of threads. 0 takes all cores.",
        IntegerKind<S>{&S::jobs, 0, 256}},
       {"time_limit_s", "--time-limit", "Time limit", "s",
-       "End after this time with what is done; 0 for none.", RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
-      {"objective", "--objective", "Best is the least", "",
-       "What to rank by, smallest first: one of these, or a weighted sum of shares of the part, as "
-       "undercut:1,draw-depth:0.1. Side actions and their travel are found for twice as many directions as "
-       "are listed, those of the least undercut.",
+       "Time limit. The sweep ends with the results it has by then. 0: no limit.",
+       RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
+      {"objective", "--objective", "Rank by", "",
+       "Rank by one of these figures, smallest first, or by a weighted sum such as "
+       "undercut:1,draw-depth:0.1. Side actions are found for twice as many directions as are listed.",
        TextKind<S>{"LIST", [](const S& s) { return s.objective.text; },
                    [](S& s, std::string_view text) {
                      s.objective = parse_objective(text);
@@ -108,19 +107,19 @@ std::span<const Option<SweepSettings>> sweep_options() {
                    },
                    objective_names()}},
       {"rank", "--rank", "Rank", "",
-       "Rank as a mold maker does, by what nothing releases, side actions, parting line, draft, undercut and "
-       "depth, in this order, or by the objective alone, which is what naming one or a proof asks for.",
+       "Mold ranks by unreleased surface, side actions, parting line, draft, undercut and depth, in this "
+       "order. Objective ranks by --objective alone, and is the default with --objective or a proof.",
        choice<&S::rank>({"mold", "objective"})},
       {"worth_pct", "--worth", "Worth leaving an axis", "% of the part's area",
-       "A direction found by search within 10 degrees of one that the part's shape names must save so much "
-       "undercut, or side actions, to be listed in its place.",
+       "A direction found by search within 10° of an axis or face normal of the part replaces it only if it "
+       "saves this much undercut, or side actions.",
        RealKind<S>{&S::worth_pct, 0.0, 100.0, 0.1}},
       {"candidates", "--candidates", "Candidates", "",
-       "Sources of candidate directions, separated by commas, or all or none.",
+       "Sources of candidate directions, separated by commas. All and none are possible.",
        SetKind<S>{names_of(all_candidate_kinds()), [](const S& s) { return names_of(s.kinds); },
                   [](S& s, const Words& names) { s.kinds = kinds_named(names); }}},
       {"user_directions", "--direction", "Directions given", "",
-       "A direction to look at and list beside the others; may be given several times.",
+       "An extra direction to list with the others. May be given several times.",
        DirectionsKind<S>{&S::user_directions}},
   };
   return k_options;

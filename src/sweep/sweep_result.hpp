@@ -1,4 +1,4 @@
-// What a sweep finds. Lengths and areas are in the part's unit.
+// The result of a sweep. Lengths and areas are in the part's unit.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What every stage of a sweep works with.
+// Tools that every stage of a sweep works with.
 #pragma once
 
 #include <functional>

@@ -52,7 +52,7 @@ TEST_P(BatchSignal, LosesThePartInFlightAlone) {
   process.send_signal(GetParam());
   const auto result = process.finish();
   EXPECT_EQ(result.exit_code, 130) << result.err;
-  EXPECT_NE(result.err.find("interrupted; the same command goes on"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("interrupted; the same command continues"), std::string::npos) << result.err;
   const auto kept = parts.results();
   EXPECT_GE(kept.size(), 5u);
   EXPECT_LT(kept.size(), 200u);

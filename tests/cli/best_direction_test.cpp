@@ -17,7 +17,7 @@ using test::json_of;
 using test::run_moldlight;
 
 constexpr double k_turn_deg = 25.0;
-constexpr const char* k_sentence = "the best direction is no axis of the file: ";
+constexpr const char* k_sentence = "the best direction is not an axis of the file: ";
 
 /// A plate with a recess that opens upwards, turned about x.
 TriangleMesh plate(double turn_deg) {

@@ -49,15 +49,15 @@ TEST_F(Help, HintsComeOneByOneAndGoForGood) {
   drag(window.control("core arrow").centre(), window.control("core arrow").centre() + glm::vec2(60, 30));
   window.wait_until_measured();  // the next one stands beside the verdict, which has other lines then
   EXPECT_FALSE(noted("Drag the arrow"));
-  EXPECT_TRUE(noted("What becomes of the part"));
+  EXPECT_TRUE(noted("The regions of the part"));
   click("dismiss the hint");
   window.settle();
-  EXPECT_FALSE(noted("What becomes of the part"));
-  EXPECT_TRUE(noted("Looks for the best"));
+  EXPECT_FALSE(noted("The regions of the part"));
+  EXPECT_TRUE(noted("Looking for the best"));
   EXPECT_GT(window.control("dismiss the hint").min.y, window.control("fold actions").max.y)
       << "it covers no other bar";
   key({.key = 'W'});
-  EXPECT_FALSE(noted("Looks for the best"));
+  EXPECT_FALSE(noted("Looking for the best"));
   EXPECT_EQ(state().hints_done, (std::set<Hint>{Hint::arrow, Hint::verdict, Hint::sweep}));
 }
 

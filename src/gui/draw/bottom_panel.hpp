@@ -1,4 +1,4 @@
-// What panels along the bottom have in common: the line at their top, and lists of which mouse and keyboard
+// Common parts of panels along the bottom: the line at their top, and lists of which mouse and keyboard
 // choose a row.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What every panel needs to draw: scale, the system's sans-serif at exact pixel sizes with digits of one
+// Context that every panel draws with: scale, the system's sans-serif at exact pixel sizes with digits of one
 // width, so that figures stand in columns, colours, icons, time.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the window knows of a second part beside its own, another revision of it: what is asked of their
+// State of a second part beside the window's own, another revision of it: what is asked of their
 // comparison, how far it is, what it found.
 #pragma once
 

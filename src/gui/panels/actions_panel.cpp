@@ -29,10 +29,11 @@ constexpr std::array<ListColumn, 6> k_action_columns = {{
     {"#", "", 8.0F, false},
     {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
     {"depth",
-     "How far across the parting direction until nothing is in its way along it, in the part's unit.", 148.0F,
-     true},
+     "Distance across the parting direction to where the part no longer blocks it, in the part's unit.",
+     148.0F, true},
     {"action", "What releases it.", 176.0F, false},
-    {"travel", "How far the action moves, a slide's with the clearance, in the part's unit.", 338.0F, true},
+    {"travel", "Travel of the action, in the part's unit. A slide's travel includes the clearance.", 338.0F,
+     true},
     {"details", "", 358.0F, false},
 }};
 
@@ -116,7 +117,7 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
             pin != nullptr ? pin_name(*pin) : "automatic");
   draw_icon(list, Icon::chevron_down, {cell.box.max.x - ui.px(12), cell.box.centre().y}, ui.px(8), colour);
   tooltip(ui, "Pinned to",
-          "What alone may release this undercut. It is found again by its place, and kept with the part.");
+          "The only kind of action that may release this undercut. The choice is saved with the part.");
   if (cell.clicked) open_popup_below_item(ui, id.c_str());
   if (!begin_popup(ui, id.c_str(), ui.px(176))) return;
   if (menu_item(ui, "automatic", {.chosen = pin == nullptr})) set_pin(settings, patch, std::nullopt);
@@ -149,8 +150,9 @@ void draw_own_directions(const PanelContext& context) {
     ImGui::PopID();
     name_item(ui, fmt::format("by hand {}", k + 1));
     tooltip(ui, "A direction of your own",
-            taken ? "An action takes it. Click to forget it (Delete)."
-                  : "No action takes it: it is not free, or others are cheaper. Click to forget it.");
+            taken
+                ? "An action uses this direction. Click to remove it (Delete)."
+                : "No action uses this direction: it is blocked, or others are cheaper. Click to remove it.");
     if (removed) {
       own.erase(own.begin() + static_cast<std::ptrdiff_t>(k));
       break;
@@ -280,7 +282,7 @@ void draw_actions_bar(const PanelContext& context, TableBar& bar) {
   TableBarParts parts{.name = "Side actions",
                       .fold = "fold actions",
                       .options = "action options",
-                      .options_hint = "What is allowed of side actions",
+                      .options_hint = "Settings of the side actions",
                       .news = actions_news(state),
                       .settings = [&] {
                         option_table<ActionSettings>(context.ui, action_options(),

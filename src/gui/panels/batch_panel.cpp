@@ -101,7 +101,7 @@ void BatchPanel::draw_rows(const PanelContext& context, const BatchPicture& pict
   const float row_height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
   ImGui::BeginChild("rows", ImVec2(0, -ui.px(k_row_height + 8)));
   const int count = static_cast<int>(rows_.size());
-  if (count == 0) hint(ui, "No part has these words.");
+  if (count == 0) hint(ui, "No part matches these words.");
   Keyboard& keyboard = ui.memory->keyboard;
   const int page = std::max(1, static_cast<int>(ImGui::GetWindowHeight() / row_height) - 1);
   if (const int steps = keyboard.takes_steps(page, count); steps != 0 && count > 0) {

@@ -1,4 +1,4 @@
-// What is said at the cursor about the surface under it: region, draft, and for an undercut what blocks it,
+// Readout at the cursor of the surface under it: region, draft, and for an undercut what blocks it,
 // whose distance stands at the way there, too; and what is measured between two places.
 #include <cmath>
 #include <optional>

@@ -79,10 +79,10 @@ void draw_fields(const PanelContext& context) {
   if (typed && direction != glm::dvec3(0.0)) present = direction;
   Angles angles = angles_of(present.unit());
   bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
-  tooltip(ui, "Azimuth", "About z, from x towards y, in degrees.");
+  tooltip(ui, "Azimuth", "Angle about z, from x towards y, in degrees.");
   ImGui::SameLine(0.0F, gap);
   turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
-  tooltip(ui, "Elevation", "Above the xy plane, in degrees.");
+  tooltip(ui, "Elevation", "Angle above the xy plane, in degrees.");
   if (turned) present = direction_of(angles);
 }
 

@@ -20,14 +20,14 @@ constexpr float k_draft_share = 0.1F;  // of the window's height, that the table
 constexpr double k_step_deg = 0.1;
 
 constexpr std::array<ListColumn, 8> k_draft_columns = {{
-    {"#", "Walls that cost most thickness first.", 8.0F, false},
+    {"#", "Walls that cost the most thickness come first.", 8.0F, false},
     {"formed by", "The half that forms the wall.", 36.0F, false},
-    {"face", "Its number, as the tables of faces have it.", 156.0F, true},
-    {"area", "With too little draft, in the part's unit squared.", 232.0F, true},
-    {"draft", "The least that it has; negative where it leans back, so that the half is held.", 300.0F, true},
-    {"height", "Of that surface along the direction, in the part's unit.", 376.0F, true},
-    {"turn", "About the line of its foot, which gives it the required draft.", 444.0F, true},
-    {"takes", "The thickness that the turn takes at the other end, in the part's unit.", 520.0F, true},
+    {"face", "Number of the face, as in the tables of faces.", 156.0F, true},
+    {"area", "Area with too little draft, in the part's unit squared.", 232.0F, true},
+    {"draft", "Least draft of the wall. Negative: reverse draft.", 300.0F, true},
+    {"height", "Height of this surface along the direction, in the part's unit.", 376.0F, true},
+    {"turn", "Turn about the foot of the wall that gives it the required draft.", 444.0F, true},
+    {"takes", "Thickness that the turn costs at the other end, in the part's unit.", 520.0F, true},
 }};
 
 bool has_draft_panel(const AppState& state) {
@@ -92,7 +92,7 @@ void draw_limit(const PanelContext& context, const DraftChart& chart) {
                lively ? ui.colours->accent : ui.colours->text, (lively ? 2.0F : 1.5F) * ui.scale);
   list.AddCircleFilled(ImVec2(x, chart.box.min.y), ui.px(lively ? 4.0F : 3.0F),
                        lively ? ui.colours->accent : ui.colours->text);
-  if (!grip.active) tooltip(ui, "Required draft", "Drag it: the walls with less of it follow.");
+  if (!grip.active) tooltip(ui, "Required draft", "Drag to change the required draft.");
 }
 
 void draw_chart(const PanelContext& context, const DraftCheck& check) {
@@ -150,7 +150,7 @@ BarNews DraftPanel::news(const AppState& state) const {
   const MoldState& mold = state.mold;
   BarNews news{.text = "no draft is required"};
   if (mold.line_awaited) {
-    news = {.text = "finding which half forms what …", .progress = -1.0};
+    news = {.text = "finding the parting line …", .progress = -1.0};
   } else if (!mold.error.empty()) {
     news = {.text = mold.error, .warning = true};
   }
@@ -192,7 +192,7 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   }
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
-                      wall.foot_line ? "" : "\nIts foot is bent: another shape may need less."));
+                      wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));
   if (row.clicked) context.edits.ask(&Commands::look_at_wall, number);
 }
 

@@ -70,7 +70,7 @@ void ExportDialog::draw(const PanelContext& context) {
     toggle(ui, {"Picture with legend"}, picture_);
     const bool measuring = state.figures.measuring;
     return {.now = !measuring && state.figures.shown.has_value(),
-            .wait = measuring ? "Measuring; the files can be written when it is done." : ""};
+            .wait = measuring ? "Measuring. The files can be written when it is done." : ""};
   };
   const PathDialog::Form form{.name = "Export",
                               .title = "Export",
@@ -148,7 +148,7 @@ void draw_picture_dialog(const PanelContext& context, PathDialog& dialog) {
   };
   const PathDialog::Form form{.name = "Picture",
                               .title = "Save a picture",
-                              .prompt = "Later ones of this session go beside it, numbered.",
+                              .prompt = "Later pictures of this session are numbered.",
                               .field = "##Picture path",
                               .action = "Save",
                               .proposed = *asked};

@@ -151,7 +151,7 @@ bool FileBrowser::draw_list(const PanelContext& context) {
   if (steps != 0 && count > 0) selected_ = std::clamp(selected_ + steps, 0, count - 1);
   std::optional<Line> chosen;
   if (problem_.empty() && shown.empty() && filter_[0] != 0)
-    hint(ui, fmt::format("No part in {} has a name like that.", scanned_.string()));
+    hint(ui, fmt::format("No part in {} has such a name.", scanned_.string()));
   const int taken = entered(shown);
   if (taken >= 0 && (keyboard.takes(ControlKey::press) || std::exchange(opens_, false)))
     chosen = shown[static_cast<std::size_t>(taken)];

@@ -1,4 +1,4 @@
-// What the picture shows: the mold's opening, section, colours, edges.
+// Settings of the picture: the mold's opening, section, colours, edges.
 #include <cmath>
 #include <utility>
 

@@ -34,7 +34,7 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
                       .at = {min.x + ui.px(8), max.y - ui.px(4) - ui.fonts.small.size},
                       .text = caption(plus)});
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
-            "Second depths: the surface that faces away from this side. Click to see it large.");
+            "Second depth: the surface that faces away from this side. Click to enlarge.");
     if (map.clicked) context.edits.dialogs.large_map = plus;
     ImGui::SameLine(0.0F, gap);
   }
@@ -70,10 +70,9 @@ void draw_map_comparison(const PanelContext& context) {
   name_item(ui, "map comparison");
   const double error = 100.0 * share(maps.error, maps.total());
   tooltip(ui, "Shadow maps and exact regions",
-          fmt::format(
-              "How much of the area the maps, with the kernel, edge thickness and resolution that are set, "
-              "show in another region than it has. By {} samples: ± {:.2g} % of the area.",
-              grouped(std::to_string(maps.samples)), error));
+          fmt::format("Share of the area that the shadow maps show in a wrong region, with this kernel, edge "
+                      "thickness and resolution. {} samples: ± {:.2g} % of the area.",
+                      grouped(std::to_string(maps.samples)), error));
 }
 
 void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
@@ -103,7 +102,7 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
   if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
     heading(ui, fmt::format("Shadow map from {}", caption(plus)));
     ImGui::SameLine();
-    hint(ui, "Light is near the light, dark is far from it. Click or Esc closes.");
+    hint(ui, "Bright: near the light. Dark: far from it. Click or press Esc to close.");
     const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
     draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, {min, min + side},
                  ui.px(6));

@@ -28,8 +28,7 @@ const std::vector<ListColumn>& mold_columns() {
     constexpr float k_first = 168.0F, k_pitch = 70.0F;  // layout units
     std::vector<ListColumn> columns = {
         {"#", "", 8.0F, false},
-        {"loop", "The outer line; a shut-off, which closes a hole; or the rim of what side actions form.",
-         36.0F, false}};
+        {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false}};
     float at = k_first;
     for (const FigureRow<PartingLoop>& row : loop_figures()) {
       if (row.title.empty()) continue;
@@ -68,7 +67,7 @@ void draw_cosmetic(const PanelContext& context) {
     const bool forgotten = chip(ui, label, true);
     name_item(ui, fmt::format("faces to the {}", half));
     tooltip(ui, "Faces given by hand",
-            "Kept with the part, and the same as --cosmetic. Click to forget them.");
+            "Saved with the part; the flag --cosmetic does the same. Click to remove them.");
     if (!forgotten) continue;
     for (const std::uint32_t face : faces) cosmetic = cosmetic_with(cosmetic, face, std::nullopt);
     break;
@@ -89,7 +88,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
     if (height > range.low && height < range.high) {
       given = height;
     } else {
-      numbers.refused(fmt::format("The halves can meet between {} and {}: there the part is",
+      numbers.refused(fmt::format("The halves can meet between {} and {}, where the part is",
                                   with_minus(figure(range.low)), with_minus(figure(range.high))));
     }
   }
@@ -204,9 +203,8 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   bool& moves = context.edits.mold_choices.moves_faces;
   if (chip(ui, "Move faces", moves)) moves = !moves;
   tooltip(ui, "Move faces",
-          "A click on a face that either half could form moves it to the other half; so does Ctrl + click, "
-          "or V, at any "
-          "time.");
+          "Click a face that either half could form to move it to the other half. Ctrl + click or V does "
+          "this at any time.");
   draw_cosmetic(context);
   constexpr float k_choice = 264.0F;
   ImGui::SameLine(std::max(width - ui.px(k_choice), 0.0F));
@@ -236,7 +234,7 @@ void draw_mold_bar(const PanelContext& context, TableBar& bar) {
   TableBarParts parts{.name = "Mold",
                       .fold = "fold mold",
                       .options = "mold options",
-                      .options_hint = "What is asked of the mold",
+                      .options_hint = "Settings of the mold",
                       .unfold_hint = "Unfold (G)",
                       .news = mold_news(context.state.mold),
                       .settings = [&] { draw_mold_settings(context); }};

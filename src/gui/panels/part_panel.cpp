@@ -1,4 +1,4 @@
-// What the part is asked to be: its draft, its unit, and which of the file's bodies is molded.
+// Settings of the part: its draft, its unit, and the body of the file that is molded.
 #include <fmt/format.h>
 
 #include "classify/method_options.hpp"
@@ -74,8 +74,7 @@ void draw_body(const PanelContext& context) {
   if (icon_button(ui, {"next body", Icon::chevron_right, "The next body"}))
     wanted = (wanted + 1) % (count + 1);
   if (wanted != bodies.chosen) context.edits.reading.body = wanted == 0 ? "all" : fmt::format("{}", wanted);
-  if (bodies.chosen == 0)
-    hint(ui, "All bodies as one part: they shade each other. Choose the one that is molded.");
+  if (bodies.chosen == 0) hint(ui, "All bodies as one part. Choose the body that is molded.");
 }
 
 }  // namespace

@@ -107,16 +107,15 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   if (in_doubt)
     draw_text_to({ui.fonts.body, faded(ui.colours->text, legend.alpha)}, line.right - ui.px(60), line.top,
                  grouped(error));
-  std::string text = fmt::format(
-      "The area of the part's shadow, found in two ways: {} as it is seen along +d, {} along −d. {}",
-      figure(shadow.core), figure(shadow.cavity),
-      shadow.agrees() ? "They agree." : "They differ: the mesh is open or wound badly.");
+  std::string text =
+      fmt::format("Area of the part's shadow, computed in two ways: {} along +d, {} along −d. {}",
+                  figure(shadow.core), figure(shadow.cavity),
+                  shadow.agrees() ? "They agree." : "They differ: the mesh is open or its winding is wrong.");
   if (doubt.mesh > 0.0)
-    text +=
-        fmt::format("\nWhat is wrong with the mesh leaves {} of the undercut in doubt.", figure(doubt.mesh));
+    text += fmt::format("\nFaults of the mesh leave {} of the undercut in doubt.", figure(doubt.mesh));
   if (doubt.readout > 0.0)
-    text += fmt::format("\nThe readout's undercut is {} from that of exact regions.", figure(doubt.readout));
-  tooltip(ui, "How far the figures may be trusted", text);
+    text += fmt::format("\nThe undercut of the readout is {} off the exact one.", figure(doubt.readout));
+  tooltip(ui, "Accuracy of the figures", text);
   copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
 
@@ -125,9 +124,9 @@ std::string tooltip_text(const VerdictCard& card) {
   if (card.verdict)
     for (const std::string& reason : card.verdict->reasons) text += "\n" + reason;
   if (card.verdict && card.verdict->undercuts > 0)
-    text += "\nClick to look at the undercuts from where most of them is seen (U).";
+    text += "\nClick to look at the undercuts (U).";
   else if (card.verdict && card.verdict->specks > 0)
-    text += "\nClick to look at the largest mark that is ignored (U).";
+    text += "\nClick to look at the largest ignored mark (U).";
   return text;
 }
 

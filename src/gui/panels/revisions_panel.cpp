@@ -1,4 +1,4 @@
-// What differs from another revision, along the bottom: a row a change.
+// Changes against another revision, along the bottom: a row a change.
 #include <array>
 #include <cmath>
 
@@ -21,12 +21,15 @@ constexpr float k_change_row = 24.0F, k_change_line = 18.0F;  // layout units
 constexpr float k_changes_share = 0.2F;  // of the window's height, that the table takes at most
 
 constexpr std::array<ListColumn, 6> k_change_columns = {{
-    {"#", "Undercuts and side actions, then surface, the largest area first; what is the same last.", 8.0F,
-     false},
+    {"#",
+     "Undercuts and side actions come first, then surface, the largest area first. Unchanged ones come last.",
+     8.0F, false},
     {"change", "", 58.0F, false},
-    {"A", "Before: area, in the part's unit squared. Of changed surface what is gone.", 296.0F, true},
-    {"B", "Now: area. Of changed surface what is new.", 372.0F, true},
-    {"volume", "That came, or went, in the part's unit cubed; where both parts are closed.", 456.0F, true},
+    {"A", "Area before, in the part's unit squared. For changed surface: the area that is gone.", 296.0F,
+     true},
+    {"B", "Area now. For changed surface: the new area.", 372.0F, true},
+    {"volume", "Volume that was added or removed, in the part's unit cubed, if both parts are closed.",
+     456.0F, true},
     {"", "", 476.0F, false},
 }};
 
@@ -150,7 +153,7 @@ void draw_revision_settings(const PanelContext& context) {
   const auto& result = context.state.revisions.result;
   if (result && result->comparison.alignment) {
     const Alignment& alignment = *result->comparison.alignment;
-    hint(ui, fmt::format("B was laid on A: off by {} {} rms, {} at most.", error_text(alignment.rms),
+    hint(ui, fmt::format("B was aligned with A: {} {} off (rms), {} at most.", error_text(alignment.rms),
                          lengths.unit, error_text(alignment.largest)));
   }
 }
@@ -208,13 +211,13 @@ BarNews revisions_news(const RevisionState& revisions) {
   if (!revisions.error.empty()) return {.text = revisions.error, .warning = true, .tip = revisions.error};
   if (!revisions.result) return {};
   std::string text = comparison_verdict(revisions.result->comparison);
-  if (revisions.stale) text = "Given up; the figures are of other settings. " + text;
+  if (revisions.stale) text = "Cancelled. The figures are of other settings. " + text;
   return {.text = text, .tip = text};
 }
 
 void draw_revision_buttons(const PanelContext& context, BottomHeader& header) {
   const Ui& ui = context.ui;
-  if (header.button({"exchange revisions", Icon::exchange, "Take B for the former one"}))
+  if (header.button({"exchange revisions", Icon::exchange, "Swap the revisions"}))
     context.edits.ask(&Commands::exchange_revisions);
   if (!context.state.revisions.awaited) return;
   constexpr float k_cancel_width = 64.0F;
@@ -232,7 +235,7 @@ void draw_revisions_bar(const PanelContext& context, TableBar& bar) {
   TableBarParts parts{.name = "Revisions",
                       .fold = "fold revisions",
                       .options = "revision options",
-                      .options_hint = "How they are compared",
+                      .options_hint = "Settings of the comparison",
                       .news = revisions_news(revisions),
                       .settings = [&] { draw_revision_settings(context); }};
   parts.before = [&](BottomHeader& header) {

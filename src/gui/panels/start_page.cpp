@@ -1,4 +1,4 @@
-// What the window shows before there is a part: where to drop one, recent files, the shipped parts.
+// The window without a part: where to drop one, recent files, the shipped parts.
 #include <algorithm>
 #include <filesystem>
 

@@ -37,7 +37,7 @@ std::string time_text(double seconds) {
 }
 
 std::string progress_text(const SweepProgress& progress) {
-  if (progress.ending) return "ending with what is done";
+  if (progress.ending) return "ending with the results so far";
   std::string text = progress.stage.empty() ? "starting" : progress.stage;
   if (progress.left_s) text += "  ·  " + time_text(*progress.left_s);
   return text;
@@ -72,7 +72,7 @@ bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
   }
   list.AddRect(im(centre - half), im(centre + half), colour, ui.px(2), 0, 1.25F * ui.scale);
   list.AddRectFilled(ImVec2(centre.x, centre.y - half.y), im(centre + half), colour, ui.px(2));
-  tooltip(ui, {}, chosen ? "Back to one picture" : "See it beside the present direction");
+  tooltip(ui, {}, chosen ? "Back to one picture" : "Show it beside the present direction");
   return clicked;
 }
 
@@ -200,7 +200,7 @@ void SweepPanel::draw_header(const PanelContext& context, bool open) {
   }
   if (sweep.map) {
     SweepChoices& choices = context.edits.sweep_choices;
-    if (header.button({"ball", Icon::sphere, "The map of directions, large", choices.large_ball}))
+    if (header.button({"ball", Icon::sphere, "Enlarge the map of directions", choices.large_ball}))
       choices.large_ball = !choices.large_ball;
   }
   const char* action = sweep.running ? "Cancel" : "Find directions";
@@ -307,7 +307,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
                                             ImGuiHoveredFlags_AllowWhenOverlapped);
   std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
   if (candidate.pareto)
-    tip += "\nNo other listed direction has less undercut, fewer undercuts and less depth.";
+    tip += "\nNo other direction listed is better in undercut area, number of undercuts and depth at once.";
   if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
     tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
   }

@@ -1,4 +1,4 @@
-// What the bars of undercuts, mold, draft and revisions have in common: a line that says what there is, and
+// Common parts of the bars of undercuts, mold, draft and revisions: a line that says what there is, and
 // below it, while the bar is unfolded, either its settings or a table to choose a row from.
 #pragma once
 

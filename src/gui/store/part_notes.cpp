@@ -112,8 +112,7 @@ void renew(Json& json) {
 std::span<const Option<RevisionSettings>> revision_options() {
   static const std::vector<Option<RevisionSettings>> k_options = {
       {"each_best", "", "Its own direction", "",
-       "The other revision is seen along the best direction that a sweep finds for it, else along this "
-       "part's direction.",
+       "Show the other revision along its own best direction, or along this part's direction.",
        SwitchKind<RevisionSettings>{&RevisionSettings::each_best}}};
   return k_options;
 }
@@ -121,7 +120,8 @@ std::span<const Option<RevisionSettings>> revision_options() {
 std::span<const Option<RequiredDraft>> required_draft_options() {
   static const std::vector<Option<RequiredDraft>> k_options = {
       {"required_draft_deg", "", "Required draft", "deg",
-       "Walls with less draft than this are reported, with what more of it would cost. The regions stay.",
+       "Walls with less draft than this are reported, with the thickness that the missing draft costs. The "
+       "regions do not change.",
        RealKind<RequiredDraft>{&RequiredDraft::deg, 0.1, 10.0, 0.1}}};
   return k_options;
 }

@@ -1,4 +1,4 @@
-// What the user has set and noted for one part: settings and bookmarks, in a small JSON beside or away from
+// The user's settings and bookmarks for one part, in a small JSON beside or away from
 // it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the window remembers of its user: how it looks and behaves, with its table of options, recent files,
+// The window's memory of its user: how it looks and behaves, with its table of options, recent files,
 // places of the panels.
 #pragma once
 

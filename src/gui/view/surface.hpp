@@ -1,4 +1,4 @@
-// What is said of the part's surface: at the point under the cursor, of the face that was chosen, and between
+// Facts about the part's surface: at the point under the cursor, of the face that was chosen, and between
 // two places. What a picture of a place is to show.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the exact regions of a part need of the part alone: its edges, and where its facets cross each other.
+// Facts that exact regions need of the part alone: its edges, and where its facets cross each other.
 #pragma once
 
 #include <array>

@@ -111,8 +111,8 @@ std::span<const Option<DraftSettings>> draft_options() {
   using S = DraftSettings;
   static const std::vector<Option<S>> k_options = {
       {"required_draft_deg", "--required-draft", "Required draft of each half", "deg",
-       "Say where what a half forms has less draft than this, what leans back, and what turning the walls "
-       "would cost.",
+       "Report the walls with less draft than this, the reverse draft, and the thickness that the missing "
+       "draft costs.",
        PositiveKind<S>{[](S& s) -> double& { return s.required_deg; }, k_most_required_deg}},
   };
   return k_options;

@@ -1,4 +1,4 @@
-// What a report says of the draft: a sentence for people, JSON for programs, a table of walls.
+// Draft in reports: a sentence for people, JSON for programs, a table of walls.
 #pragma once
 
 #include <string>

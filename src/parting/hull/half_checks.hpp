@@ -1,4 +1,4 @@
-// What is looked at in the halves of a mold once they are made.
+// Checks of the halves of a mold once they are made.
 #pragma once
 
 #include <array>

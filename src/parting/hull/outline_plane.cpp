@@ -26,12 +26,12 @@ std::optional<MoldFault> find_outline(const Sheets& sheets, Outline& outline) {
     for (const SegmentEdge& edge : segment.edges) sum += edge.sign;
     if (sum == 0) continue;
     if (std::abs(sum) > 1)
-      return MoldFault{"what is seen from above lies over itself", k_mend_surface,
+      return MoldFault{"the surface seen from above overlaps itself", k_mend_surface,
                        sheets.vertices[segment.edges.front().a]};
     outline.segments.push_back({segment.a, segment.b});
   }
   if (outline.segments.empty())
-    return MoldFault{"the part is too thin to be seen along the direction, so that it has no outline",
+    return MoldFault{"the part is too thin along the direction and has no outline",
                      "choose a direction across the part's faces, not along them"};
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// What the parting surface is like: its areas and slopes, and how much of it a toolmaker mills in one plane.
+// Figures of the parting surface: areas, slopes, and the share that a toolmaker mills in one plane.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What tidying a solid may change.
+// Limits of what tidying a solid may change.
 #pragma once
 
 #include <glm/vec3.hpp>

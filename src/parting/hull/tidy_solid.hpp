@@ -1,5 +1,5 @@
-// What rounding to single precision leaves in a closed solid, and taking it out: fins without thickness,
-// needles where the surface is flat, and edges in which the solid touches itself.
+// Faults that rounding to single precision leaves in a closed solid, and their removal: fins without
+// thickness, needles where the surface is flat, and edges in which the solid touches itself.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What is wished of the upright walls of a part: which half is to form them, and where on them the halves are
-// to meet; both as ranges of the parting surface's height at the outline.
+// Upright walls of a part as they are assigned: the half that forms them, and the height at which the halves
+// meet; both as ranges of the parting surface's height at the outline.
 #pragma once
 
 #include <array>

@@ -67,7 +67,7 @@ class Describer {
 };
 
 std::string rest_text(std::size_t count) {
-  return count > k_most_rows ? fmt::format("… {} in all; --json has them.", count) : std::string();
+  return count > k_most_rows ? fmt::format("… {} in all; --json lists them.", count) : std::string();
 }
 
 Section Describer::criteria(const CriteriaShown& asked) const {
@@ -99,7 +99,7 @@ Section Describer::places() const {
                   {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
   if (surface.chords > 0.0)
     grid.figures.push_back({"Tessellation", length(surface.chords, "/tessellation"), length_unit_,
-                            "the most that facets of both are taken to be off"});
+                            "largest error assumed for the facets of both"});
   if (const auto& alignment = comparison_.alignment)
     grid.figures.push_back(
         {"B was laid on A", number(error_text(alignment->rms), "/alignment/residual/rms", alignment->rms),
@@ -124,13 +124,13 @@ Section Describer::places() const {
   if (any) section.blocks.emplace_back(std::move(table));
   if (any && closed() && style_.change(FigureKind::volume, surface.volume_elsewhere) != "0")
     section.blocks.emplace_back(Text{
-        fmt::format("Off the places {} {} came, which the tolerance or the tessellation explains.",
+        fmt::format("{} {} came off these places; tolerance and tessellation explain it.",
                     with_minus(style_.change(FigureKind::volume, surface.volume_elsewhere)), volume_unit_),
         TextLook::quiet});
   for (std::size_t k = 0; k < surface.places.size(); ++k)
     if (surface.places[k].joined)
       section.blocks.emplace_back(
-          Text{fmt::format("Place {} is several that are not closed each by itself.", k + 1)});
+          Text{fmt::format("Place {} is several places joined, since none is closed by itself.", k + 1)});
   return section;
 }
 
@@ -156,7 +156,7 @@ Table Describer::region_table() const {
 
 Table Describer::changed_regions() const {
   const auto& regions = comparison_.surface.regions;
-  Table table{{{"surface that is in both", true},
+  Table table{{{"surface of both parts", true},
                {"area " + area_unit_},
                {"centre " + length_unit_, true},
                {"across " + length_unit_}},
@@ -306,7 +306,7 @@ void add_pictures(const ReportContext& context, const Comparison& comparison, Re
   still.seen_from = lit_seen_from(comparison);
   report.still = {comparison_picture(*context.gl, comparison, still, context.progress),
                   {},
-                  "A on the left with what is gone, B on the right with what is new",
+                  "A on the left with the surface that is gone, B on the right with the new surface",
                   "A is on the left, B on the right. " + view_caption()};
   report.view = comparison_view(context, comparison, *still.seen_from * glm::dvec3(0, 0, 1));
 }

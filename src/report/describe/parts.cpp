@@ -56,18 +56,18 @@ Table walls_table(const ReportContext& context, const DraftCheck& check) {
                           region_mark(region, context.palette)});
   }
   if (check.walls.size() > k_most_walls)
-    table.rest = fmt::format("… {} walls in all; --draft FILE.csv has them.", check.walls.size());
+    table.rest = fmt::format("… {} walls in all; --draft FILE.csv lists them.", check.walls.size());
   return table;
 }
 
 /// Why the undercut is not known to rounding; empty where it is.
 std::string uncertainty_reason(const UndercutUncertainty& uncertainty) {
   if (uncertainty.sampled_facets > 0)
-    return fmt::format("{} facets were sampled: that leaves ± {}.", uncertainty.sampled_facets,
+    return fmt::format("{} facets were sampled, which leaves ± {}.", uncertainty.sampled_facets,
                        error_text(uncertainty.readout));
   if (uncertainty.readout > 0.0)
     return fmt::format("The readout is off the exact regions by {}.", error_text(uncertainty.readout));
-  return uncertainty.mesh > uncertainty.rounding ? "The ± comes from what is wrong with the mesh." : "";
+  return uncertainty.mesh > uncertainty.rounding ? "The ± comes from faults of the mesh." : "";
 }
 
 /// What shadow maps show where the exact regions are otherwise: a row for every pair that surface has.
@@ -234,11 +234,10 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   }
   Section section{"Draft", {}};
   if (context.drawn())
-    section.blocks.emplace_back(Text{
-        fmt::format("Area by draft angle of what core and cavity form, each seen from the half that forms "
-                    "it; {} {} more have over {}°.",
-                    style.text(FigureKind::area, beyond), area_unit, figure(k_most_draft_deg)),
-        TextLook::quiet});
+    section.blocks.emplace_back(
+        Text{fmt::format("Area by draft angle, seen from the half that forms it. {} {} more have over {}°.",
+                         style.text(FigureKind::area, beyond), area_unit, figure(k_most_draft_deg)),
+             TextLook::quiet});
   section.blocks.emplace_back(std::move(bars));
   if (!draft.asked) return section;
   FigureGrid grid;

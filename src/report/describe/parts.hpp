@@ -1,4 +1,4 @@
-// What reports of different kinds have in common: regions, figures, undercuts with pictures, the view, and
+// Sections that reports of different kinds share: regions, figures, undercuts with pictures, the view, and
 // how to repeat it all.
 #pragma once
 

@@ -43,13 +43,13 @@ Section plan_section(const ActionsReport& found) {
   }
   if (!plan.unreleased.empty())
     section.blocks.emplace_back(
-        Text{fmt::format("Nothing that was tried releases {} in {}: {}.",
+        Text{fmt::format("No action that was tried releases {} in {}: {}.",
                          style.with_unit(FigureKind::area, plan.unreleased_area),
                          plural(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
              TextLook::notice});
   if (plan.actions.empty()) return section;
   const std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
-                                         : "A cheaper set may exist: the search for the least was given up.";
+                                         : "A cheaper set may exist: the search ended at its limit.";
   section.blocks.emplace_back(Text{small, TextLook::quiet});
   return section;
 }
@@ -74,7 +74,7 @@ Section bodies_section(const ActionsReport& found) {
 /// What would have to be changed of the part instead.
 Section changes_section(const ActionsReport& found) {
   Section section{"Without side actions", {}};
-  section.blocks.emplace_back(Text{"What reaches over an undercut would have to be changed."});
+  section.blocks.emplace_back(Text{"These changes of the part would make the side actions unnecessary."});
   for (const SavingChange& change : best_changes(found.plan, found.settings.prices)) {
     std::string saved;
     for (const std::size_t action : change.actions)

@@ -27,9 +27,8 @@ Picture direction_map(const ReportContext& context, const SweepResult& result) {
   picture.dark = sweep_sphere_picture(*context.model, result, still);
   picture.text = "Map of the undercut area over all parting directions, with the best of them marked";
   picture.caption =
-      "The half-sphere of all parting directions in an equal-area map; where nothing was tried it is "
-      "hatched. "
-      "The table below has the marked directions.";
+      "All parting directions in an equal-area map. Hatched: not tried. The table below lists the marked "
+      "directions.";
   return picture;
 }
 
@@ -77,7 +76,7 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
       Text{fmt::format("{} {} an undercut of at least {} {}, {}.",
                        proof.open.empty() ? "Every parting direction"
                                           : "Every parting direction outside of the caps below",
-                       proof.holds ? "has" : "that was looked at has", figure(proof.bound), area_unit,
+                       proof.holds ? "has" : "that was tried has", figure(proof.bound), area_unit,
                        proof.grade == ProofGrade::area ? "by area" : "for the scoring samples"),
            proof.holds ? TextLook::normal : TextLook::notice});
   FigureGrid grid;
@@ -158,7 +157,7 @@ Report sweep_report(const ReportContext& context, const SweepResult& result) {
         proof_section(model, *result.all_free, "/all_free", "All directions that are free"));
   if (any) {
     Section best = regions_section(context, result.candidates.front().classification, "/candidates/0");
-    best.title = "Who forms what along the best";
+    best.title = "What forms the surface along the best";
     best.pages_only = true;
     report.sections.push_back(std::move(best));
   }

@@ -1,4 +1,4 @@
-// What fills the pages of a document from above: pieces that a page break never cuts.
+// Pieces that fill the pages of a document from above; a page break never cuts one.
 #include "report/pdf/blocks.hpp"
 
 namespace moldlight::report {

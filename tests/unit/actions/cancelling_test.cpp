@@ -35,7 +35,7 @@ TEST(Cancelling, FindingActionsEndsAtOnceInEveryStage) {
   query.direction = glm::dvec3(0.133, 0.546, -0.914);
   const Classification result = classify_exact(*model, query, Progress(), true);
   for (const char* stage : {"joining undercuts", "looking for side actions", "looking for threads",
-                            "splitting what no single action releases", "looking for loose inserts",
+                            "splitting undercuts that no single action releases", "looking for loose inserts",
                             "choosing the least set", "describing undercuts"}) {
     std::clock_t cancelled = 0;
     Progress* asked = nullptr;

@@ -51,7 +51,7 @@ TEST(Meetings, AreOfSlidesWhoseWaysCross) {
   const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
   EXPECT_EQ(actions_json(report)["actions"][0]["meets"], nlohmann::ordered_json::array({2}));
   EXPECT_EQ(meetings_text(planned.plan),
-            "Slides would meet, since their ways cross, and nothing that was tried avoids it: rows 1 and 2.");
+            "The ways of slides cross, and no alternative was found: rows 1 and 2.");
 }
 
 /// A lifter within the angle does without the way of a slide.
@@ -242,7 +242,7 @@ TEST(Meetings, OfLiftersAreToldAsSuch) {
   const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
   EXPECT_EQ(
       meetings_text(planned.plan),
-      "Lifters would meet, since their ways cross, and nothing that was tried avoids it: rows 1 and 2.");
+      "The ways of lifters cross, and no alternative was found: rows 1 and 2.");
 }
 
 TEST(Meetings, AreNoneAtDifferentHeights) {

@@ -94,7 +94,7 @@ TEST(Manifest, WhatIsNoBatchOrDamagedIsTold) {
       return error.what();
     }
   };
-  EXPECT_NE(fault().find("is no batch"), std::string::npos) << fault();
+  EXPECT_NE(fault().find("is not a batch"), std::string::npos) << fault();
   for (const char* text : {"", "{", "[]", "{}", "{\"schema\": 1}", "null"}) {
     static_cast<void>(folder.write("batch.json", text));
     EXPECT_NE(fault().find("is damaged"), std::string::npos) << text << ": " << fault();
@@ -106,11 +106,11 @@ TEST(Manifest, WhatIsNoBatchOrDamagedIsTold) {
   EXPECT_EQ(fault(), "");
   const std::string table = file_bytes(folder.path() / manifest.rows_file);
   static_cast<void>(folder.write(manifest.rows_file, table.substr(0, table.size() / 2)));
-  EXPECT_NE(fault().find("plan anew"), std::string::npos) << fault();
+  EXPECT_NE(fault().find("plan again"), std::string::npos) << fault();
   static_cast<void>(folder.write(manifest.rows_file, table.substr(0, table.rfind("part-2"))));
   EXPECT_NE(fault().find("2 of 3 rows"), std::string::npos) << fault();
   fs::remove(folder.path() / manifest.rows_file);
-  EXPECT_NE(fault().find("plan anew"), std::string::npos) << fault();
+  EXPECT_NE(fault().find("plan again"), std::string::npos) << fault();
   std::string text = file_bytes(folder.path() / "batch.json");
   text.replace(text.find(manifest.rows_file), manifest.rows_file.size(), "../elsewhere.csv");
   static_cast<void>(folder.write("batch.json", text));

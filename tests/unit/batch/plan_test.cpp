@@ -80,7 +80,7 @@ TEST(PlanSource, APatternGivesTheFilesThatFit) {
   EXPECT_EQ(paths_of(source), (std::vector<std::string>{"one/a.stl", "two/a.stl"}));
   const PlanSource literal = read_plan_source(folder.file("one/[a].stl"), Progress());
   EXPECT_EQ(paths_of(literal), std::vector<std::string>{"[a].stl"}) << "a name that looks like a pattern";
-  EXPECT_NE(fault_of(folder.file("*.ply")).find("no file that fits"), std::string::npos);
+  EXPECT_NE(fault_of(folder.file("*.ply")).find("no file matches"), std::string::npos);
 }
 
 TEST(PlanSource, AListGivesPathsAndSettingsOfItsRows) {

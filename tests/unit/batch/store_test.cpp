@@ -101,9 +101,9 @@ TEST(ResultStore, AResultProvesWhatItIs) {
   std::string changed = text;
   changed.replace(changed.find("12.5"), 4, "10.5");
   write(changed);
-  EXPECT_EQ(fault_of(store, key), "was changed, since its checksum is another");
+  EXPECT_EQ(fault_of(store, key), "was changed: its checksum does not match");
   write(result.dump() + "\n");
-  EXPECT_EQ(fault_of(store, key), "is damaged, since it does not end with its checksum");
+  EXPECT_EQ(fault_of(store, key), "is damaged: it does not end with its checksum");
   fs::copy_file(file_of(other), file_of(key), fs::copy_options::overwrite_existing);
   EXPECT_EQ(fault_of(store, key), "is the result of another part");
   write(text);
@@ -112,10 +112,10 @@ TEST(ResultStore, AResultProvesWhatItIs) {
   EXPECT_EQ(fault_of(store, key), "is larger than any result (256 MiB)");
   fs::remove(file_of(key));
   ASSERT_EQ(::mkfifo(file_of(key).c_str(), 0600), 0);
-  EXPECT_EQ(fault_of(store, key), "is no regular file") << "a pipe is not waited for";
+  EXPECT_EQ(fault_of(store, key), "is not a regular file") << "a pipe is not waited for";
   fs::remove(file_of(key));
   fs::create_symlink(file_of(other), file_of(key));
-  EXPECT_EQ(fault_of(store, key), "is no regular file");
+  EXPECT_EQ(fault_of(store, key), "is not a regular file");
 }
 
 TEST(ResultStore, OldTemporaryFilesGoAndYoungOnesStay) {

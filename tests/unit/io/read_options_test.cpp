@@ -25,7 +25,7 @@ TEST(ReadOptions, FailClearlyWhereNothingIsLeft) {
   ReadOptions options;
   options.repair.level = RepairLevel::full;
   EXPECT_EQ(test::read_error("a.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\n", options),
-            "a.obj: has no facet with an area; nothing is left of it after the repair");
+            "a.obj: has no facet with an area; the repair left nothing");
   EXPECT_THROW(test::read_bytes("a.obj", k_two_bodies, {.body = "third"}), UsageError);
   EXPECT_THROW(test::read_bytes("a.obj", k_two_bodies, {.unit = "ell"}), UsageError);
 }

@@ -198,7 +198,7 @@ TEST(Threemf, SaysWhatIsWrongWithTheArchive) {
   EXPECT_TRUE(read_error("a.3mf", whole.substr(0, whole.size() / 2))
                   .starts_with("a.3mf: is a damaged or cut zip archive ("));
   EXPECT_EQ(read_error("a.3mf", test::zip_bytes({{"notes.txt", "nothing"}})),
-            "a.3mf: is a zip archive, but no 3MF package; export the part again");
+            "a.3mf: is a zip archive, but not a 3MF package; export the part again");
   std::string broken = whole;
   broken[broken.find("3D/part.model") + 40] ^= 0x55;
   EXPECT_NE(read_error("a.3mf", broken), "no error");

@@ -193,7 +193,7 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
   PartingSurface surface;
   const auto over = add_parting_surface(twice, wish, surface, Progress{});
   ASSERT_TRUE(over.has_value());
-  EXPECT_NE(over->what.find("over itself"), std::string::npos) << over->what;
+  EXPECT_NE(over->what.find("overlaps itself"), std::string::npos) << over->what;
   EXPECT_TRUE(on_rim(over->place));
   EXPECT_NE(over->change, "");
 

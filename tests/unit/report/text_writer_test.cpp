@@ -55,7 +55,7 @@ TEST(TextWriter, EndsLongTablesWithTheirNumber) {
   Report report = small_report();
   Table& table = std::get<Table>(report.sections.front().blocks.front());
   while (table.rows.size() < 57) table.rows.push_back(table.rows.back());
-  EXPECT_NE(to_text(report, {}).find("\n… 57 in all; --json has them.\n"), std::string::npos);
+  EXPECT_NE(to_text(report, {}).find("\n… 57 in all; --json lists them.\n"), std::string::npos);
   table.rest = "… 99 in all.";
   EXPECT_NE(to_text(report, {}).find("\n… 99 in all.\n"), std::string::npos)
       << "what the table has of its own";

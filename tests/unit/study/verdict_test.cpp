@@ -60,7 +60,7 @@ TEST(VerdictOf, AVoidIsNotReleasableAndItsAreaIsSaidFirst) {
   const test::Shape sphere = test::hollow_sphere({});
   const Verdict verdict = verdict_on(sphere.mesh, true);
   EXPECT_EQ(verdict.state, VerdictState::not_releasable);
-  EXPECT_TRUE(verdict.sentence.starts_with("Not releasable: nothing that was tried releases "))
+  EXPECT_TRUE(verdict.sentence.starts_with("Not releasable: no action that was tried releases "))
       << verdict.sentence;
   EXPECT_GT(verdict.unreleased_area, 0.9 * verdict.undercut_area);
   EXPECT_FALSE(verdict.releasable());

@@ -101,7 +101,7 @@ TEST(MoldRank, WhatWasFoundMustBeatAllThatTheShapeNames) {
   std::vector<MoldCost> costs = {of_weight(1.0, false), of_weight(1.0, true), of_weight(3.0, true)};
   compare_found(costs);
   EXPECT_EQ(order(costs), (Numbers{1, 2, 0}));
-  EXPECT_EQ(rank_reasons(costs[0], costs[1]).front(), "is no direction that the part's shape names");
+  EXPECT_EQ(rank_reasons(costs[0], costs[1]).front(), "is not an axis or a face normal of the part");
   costs = {of_weight(2.0, true), of_weight(1.0, false)};
   compare_found(costs);
   EXPECT_EQ(order(costs), (Numbers{1, 0}));
