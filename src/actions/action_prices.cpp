@@ -15,16 +15,16 @@ namespace moldlight {
 namespace {
 
 constexpr double k_most_price = 1000.0;
-constexpr std::string_view k_what = "prices";
+constexpr std::string_view k_prices_what = "prices";
 
 void set_price(ActionPrices& prices, std::string_view name, double price) {
   Words names;
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)
     names.push_back(facts(static_cast<ActionKind>(kind)).name);
-  const auto kind = static_cast<std::size_t>(parse_word({name, k_what}, names));
+  const auto kind = static_cast<std::size_t>(parse_word({name, k_prices_what}, names));
   if (!(price > 0.0 && price <= k_most_price))
-    throw UsageError(fmt::format("{}: {} is {}; give a price greater than 0 and up to {}", k_what, name,
-                                 price, k_most_price));
+    throw UsageError(fmt::format("{}: {} is {}; give a price greater than 0 and up to {}", k_prices_what,
+                                 name, price, k_most_price));
   prices[kind] = price;
 }
 
@@ -70,8 +70,9 @@ ActionPrices parse_prices(std::string_view text) {
     text.remove_prefix(std::min(one.size() + 1, text.size()));
     const std::size_t equals = one.find('=');
     if (equals == std::string_view::npos)
-      throw UsageError(fmt::format("{}: {} has no price; write lifter=2 or name a JSON file", k_what, one));
-    set_price(prices, one.substr(0, equals), parse_real({one.substr(equals + 1), k_what}));
+      throw UsageError(
+          fmt::format("{}: {} has no price; write lifter=2 or name a JSON file", k_prices_what, one));
+    set_price(prices, one.substr(0, equals), parse_real({one.substr(equals + 1), k_prices_what}));
   }
   return prices;
 }

@@ -9,7 +9,7 @@
 
 #include "actions/action_body.hpp"
 #include "base/error.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "io/mesh_writer.hpp"
 
 namespace moldlight {

@@ -11,8 +11,8 @@
 #include "actions/action_figures.hpp"
 #include "actions/best_changes.hpp"
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 
 namespace moldlight {
@@ -54,7 +54,7 @@ Json window_json(const Part& part, const UndercutWindow& window) {
             {"thickness", {window.least_thickness, window.thickness}}}}};
 }
 
-Json change_json(const Part& part, const ToBeFree& change) {
+Json change_json(const Part& part, const DesignChange& change) {
   return {{"depth", change.depth ? Json(*change.depth) : Json()},
           {"direction", change.direction ? point_json(*change.direction) : Json()},
           {"window", change.window ? window_json(part, *change.window) : Json()}};
@@ -133,7 +133,7 @@ double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value
 
 }  // namespace
 
-std::string change_text(const PartModel& model, const ToBeFree& change) {
+std::string change_text(const PartModel& model, const DesignChange& change) {
   const FigureStyle style(model);
   const std::string unit = length_unit(model.part);
   std::string text;
@@ -190,7 +190,7 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
-std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
+std::string lifter_room_text(const ActionPlan& plan, const std::string& unit) {
   constexpr std::size_t k_most = 6;
   std::string rows;
   for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {

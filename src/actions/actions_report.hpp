@@ -6,8 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "actions/design_change.hpp"
 #include "actions/side_action.hpp"
-#include "actions/to_be_free.hpp"
 
 namespace moldlight {
 
@@ -17,7 +17,7 @@ struct ActionsReport {
   const Classification& result;
   const ActionSettings& settings;
   const ActionPlan& plan;
-  std::span<const ToBeFree> changes = {};  // of each patch; empty where they were not looked for
+  std::span<const DesignChange> changes = {};  // of each patch; empty where they were not looked for
 };
 
 /// Schema `moldlight.actions/2`. Lengths and areas are in the part's unit, angles in degrees; what does not
@@ -27,7 +27,7 @@ struct ActionsReport {
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
 /// "cut back by 2.4 mm, or open 47.9 mm² towards core at 1, 2, 3, through 1.5 to 2 mm"; "-" for neither.
-[[nodiscard]] std::string change_text(const PartModel& model, const ToBeFree& change);
+[[nodiscard]] std::string change_text(const PartModel& model, const DesignChange& change);
 /// What goes before that for an undercut whose lifter lacks room: "recess 3 mm deep with a 1 mm mouth: widen
 /// the mouth to 6 mm, or "; else empty.
 [[nodiscard]] std::string mouth_text(const PartModel& model, const ActionSettings& settings,
@@ -36,13 +36,13 @@ struct ActionsReport {
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
 /// Lifters without the room that they need, likewise.
-[[nodiscard]] std::string crowded_text(const ActionPlan& plan, const std::string& unit);
+[[nodiscard]] std::string lifter_room_text(const ActionPlan& plan, const std::string& unit);
 
 /// Of an action's body in the mold's sequence: "clear", "0.57 mm deep in the part at rest"; "-" without one.
 [[nodiscard]] std::string clear_text(const SideAction& action, const ActionPlan& plan,
                                      const std::string& unit);
 
-/// A line a patch, with the action that releases it; a heading line names the columns.
+/// A line a patch, with the action that releases it; a heading line names the options.
 [[nodiscard]] std::string actions_csv(const ActionsReport& report);
 
 }  // namespace moldlight

@@ -17,15 +17,16 @@ constexpr double k_fine_step = 1.0 / 512.0;  // of travels, share of the diagona
 constexpr double k_rank_turn_deg = 0.01;     // how finely a turn is found for a rank
 
 /// Where a travel is found: what lies farthest against the pull, and some of the rest.
-std::vector<UndercutSample> deepest(const ChosenContext& context, const std::vector<Atom>& atoms,
-                                    const Column& column, const std::vector<UndercutSample>& samples,
+std::vector<UndercutSample> deepest(const ChosenContext& context,
+                                    const std::vector<UndercutPart>& undercut_parts,
+                                    const ActionOption& option, const std::vector<UndercutSample>& samples,
                                     const glm::dvec3& pull) {
   const auto some = static_cast<std::ptrdiff_t>(std::min(samples.size(), 2 * k_corners));
   std::vector<UndercutSample> chosen(samples.begin(), samples.begin() + some);
-  for (const std::size_t k : column.atoms) {
-    if (!atoms[k].whole) continue;
+  for (const std::size_t k : option.undercut_parts) {
+    if (!undercut_parts[k].whole) continue;
     const auto corners = deepest_corners(context.model, context.split,
-                                         context.undercuts.patches[atoms[k].patch], pull, k_corners);
+                                         context.undercuts.patches[undercut_parts[k].patch], pull, k_corners);
     chosen.insert(chosen.end(), corners.begin(), corners.end());
   }
   return chosen;
@@ -60,15 +61,16 @@ double clear_length(const Release& release, std::span<const UndercutSample> samp
   return bad;
 }
 
-SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms, const Column& column) {
+SideAction chosen_action(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
+                         const ActionOption& option) {
   const Release& release = context.pulls.release();
   const double diagonal = context.model.frame.diagonal;
-  const std::vector<UndercutSample> samples = samples_of(atoms, column.atoms);
-  Pull pull = column.pull;
+  const std::vector<UndercutSample> samples = samples_of(undercut_parts, option.undercut_parts);
+  Pull pull = option.pull;
   SideAction action;
-  for (const std::size_t k : column.atoms) {
-    action.patches.push_back(atoms[k].patch);
-    action.area += atoms[k].area();
+  for (const std::size_t k : option.undercut_parts) {
+    action.patches.push_back(undercut_parts[k].patch);
+    action.area += undercut_parts[k].area();
   }
   std::ranges::sort(action.patches);
   action.patches.erase(std::unique(action.patches.begin(), action.patches.end()), action.patches.end());
@@ -78,7 +80,7 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
     const glm::dvec3& axis = context.pulls.direction();
     LifterWay way{pull.direction, pull.core_side ? axis : -axis, pull.travel};
     way.length = pull.travel =
-        clear_length(release, deepest(context, atoms, column, samples, pull.direction), way);
+        clear_length(release, deepest(context, undercut_parts, option, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
     if (pull.lack) action.lack = pull.lack->reason;
@@ -90,7 +92,8 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& 
     const double resolved_deg = context.detail == PlanDetail::whole ? k_exact_turn_deg : k_rank_turn_deg;
     if (!pull.kept)
       pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind, resolved_deg);
-    context.pulls.set_travel(deepest(context, atoms, column, samples, pull.direction), k_fine_step, pull);
+    context.pulls.set_travel(deepest(context, undercut_parts, option, samples, pull.direction), k_fine_step,
+                             pull);
   }
   const double clearance = is_slide(pull.kind) ? context.settings.clearance_mm * context.unit_per_mm : 0.0;
   action.travel = pull.travel * diagonal + clearance;

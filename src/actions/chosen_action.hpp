@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "actions/atom.hpp"
+#include "actions/undercut_part.hpp"
 
 namespace moldlight {
 
@@ -23,7 +23,8 @@ struct ChosenContext {
 [[nodiscard]] double clear_length(const Release& release, std::span<const UndercutSample> samples,
                                   LifterWay way);
 
-[[nodiscard]] SideAction chosen_action(const ChosenContext& context, const std::vector<Atom>& atoms,
-                                       const Column& column);
+[[nodiscard]] SideAction chosen_action(const ChosenContext& context,
+                                       const std::vector<UndercutPart>& undercut_parts,
+                                       const ActionOption& option);
 
 }  // namespace moldlight

@@ -11,12 +11,12 @@
 #include <tbb/parallel_for.h>
 
 #include "actions/action_feature.hpp"
-#include "actions/atom.hpp"
 #include "actions/chosen_action.hpp"
 #include "actions/least_set.hpp"
-#include "actions/revolved_columns.hpp"
+#include "actions/revolved_options.hpp"
 #include "actions/sharing.hpp"
 #include "actions/side_action.hpp"
+#include "actions/undercut_part.hpp"
 #include "actions/undercut_report.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/faces.hpp"
@@ -50,14 +50,15 @@ class Finder {
     find_candidates();
     find_pulls();
     progress_.report("looking for threads", 0.4);
-    revolved_ = revolved_columns({model_, split_, undercuts_, query_, settings_, progress_}, atoms_);
+    revolved_ = revolved_options({model_, split_, undercuts_, query_, settings_, progress_}, undercut_parts_);
     set_shallow_apart();
     split_the_rest();
     find_inserts();
-    std::vector<Column> columns = find_columns();
+    std::vector<ActionOption> options = find_options();
     const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_, detail_};
     ActionPlan plan = least_set(
-        context, atoms_, std::move(columns), [&](std::size_t atom) { return ways_round(atom); }, progress_);
+        context, undercut_parts_, std::move(options),
+        [&](std::size_t undercut_part) { return alternatives(undercut_part); }, progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
     if (detail_ == PlanDetail::whole) {
@@ -77,67 +78,71 @@ class Finder {
       const Undercut& patch = undercuts_.patches[k];
       const double wanted = (detail_ == PlanDetail::rough ? k_rough : 1.0) *
                             std::clamp(k_samples * patch.area / total, k_least_samples, k_most_samples);
-      atoms_.push_back({k, sample_undercut(model_, split_, patch, static_cast<std::size_t>(wanted))});
-      atoms_.back().pin = pin_of(settings_.pins, {atoms_.back().samples, patch.area}, model_.frame,
-                                 k_pin_reach * model_.frame.diagonal);
+      undercut_parts_.push_back(
+          {k, sample_undercut(model_, split_, patch, static_cast<std::size_t>(wanted))});
+      undercut_parts_.back().pin = pin_of(settings_.pins, {undercut_parts_.back().samples, patch.area},
+                                          model_.frame, k_pin_reach * model_.frame.diagonal);
     }
     if (model_.health.components > 1) set_covered_apart();
   }
 
-  /// Bodies of a part may overlap. What of an undercut lies within another body becomes an atom of its own.
+  /// Bodies of a part may overlap. What of an undercut lies within another body becomes an undercut part of
+  /// its own.
   void set_covered_apart() {
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       const auto is_covered = [&](const UndercutSample& sample) {
         return pulls_.release().is_covered(sample);
       };
-      if (std::ranges::all_of(atoms_[k].samples, is_covered)) {
-        atoms_[k].covered = true;
-        atoms_[k].whole = false;
+      if (std::ranges::all_of(undercut_parts_[k].samples, is_covered)) {
+        undercut_parts_[k].covered = true;
+        undercut_parts_[k].whole = false;
         continue;
       }
-      std::optional<Atom> covered = taken_out(atoms_[k], is_covered);
+      std::optional<UndercutPart> covered = taken_out(undercut_parts_[k], is_covered);
       if (!covered) continue;
       covered->covered = true;
-      atoms_.push_back(std::move(*covered));
+      undercut_parts_.push_back(std::move(*covered));
     }
   }
 
-  /// Takes the samples that `goes` says out of an atom, into one of their own that is returned; none where
-  /// they are too few for one, or all of it.
+  /// Takes the samples that `goes` says out of an undercut part, into one of their own that is returned; none
+  /// where they are too few for one, or all of it.
   template <typename Goes>
-  [[nodiscard]] std::optional<Atom> taken_out(Atom& atom, const Goes& goes) const {
-    Atom taken{.patch = atom.patch, .samples = {}, .whole = false, .pin = atom.pin};
+  [[nodiscard]] std::optional<UndercutPart> taken_out(UndercutPart& undercut_part, const Goes& goes) const {
+    UndercutPart taken{.patch = undercut_part.patch, .samples = {}, .whole = false, .pin = undercut_part.pin};
     std::vector<UndercutSample> rest;
-    for (const UndercutSample& sample : atom.samples) (goes(sample) ? taken.samples : rest).push_back(sample);
-    if (rest.empty() || taken.area() <= k_blocked_share * atom.area()) return std::nullopt;
-    atom.samples = std::move(rest);
-    atom.whole = false;
+    for (const UndercutSample& sample : undercut_part.samples)
+      (goes(sample) ? taken.samples : rest).push_back(sample);
+    if (rest.empty() || taken.area() <= k_blocked_share * undercut_part.area()) return std::nullopt;
+    undercut_part.samples = std::move(rest);
+    undercut_part.whole = false;
     return taken;
   }
 
   /// What nothing releases whole may be released but for what needs no release.
   void set_shallow_apart() {
     const std::vector<char> revolved = revolved_atoms();
-    std::vector<std::optional<Atom>> shallow(atoms_.size());
+    std::vector<std::optional<UndercutPart>> shallow(undercut_parts_.size());
     for_each_atom([&](std::size_t k) {
-      Atom& atom = atoms_[k];
-      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.wanted()) return;
-      shallow[k] = taken_out(atom, [&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
+      UndercutPart& undercut_part = undercut_parts_[k];
+      if (revolved[k] != 0 || !undercut_part.pulls.empty() || !undercut_part.wanted()) return;
+      shallow[k] =
+          taken_out(undercut_part, [&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
       if (!shallow[k]) return;
       shallow[k]->shallow = true;
-      find_pulls_of(atom);
+      find_pulls_of(undercut_part);
     });
-    for (std::optional<Atom>& atom : shallow) {
-      if (atom) atoms_.push_back(std::move(*atom));
+    for (std::optional<UndercutPart>& undercut_part : shallow) {
+      if (undercut_part) undercut_parts_.push_back(std::move(*undercut_part));
     }
   }
 
   void add_shallow_specks(ActionPlan& plan) const {
-    for (const Atom& atom : atoms_) {
-      if (!atom.shallow) continue;
-      const glm::dvec3 at(atom.samples.front().position);
-      plan.specks.push_back(
-          {atom.area(), model_.frame.center + model_.frame.diagonal * at, SpeckReason::shallow, true});
+    for (const UndercutPart& undercut_part : undercut_parts_) {
+      if (!undercut_part.shallow) continue;
+      const glm::dvec3 at(undercut_part.samples.front().position);
+      plan.specks.push_back({undercut_part.area(), model_.frame.center + model_.frame.diagonal * at,
+                             SpeckReason::shallow, true});
     }
     std::ranges::stable_sort(plan.specks, std::greater(), &Speck::area);
   }
@@ -150,14 +155,14 @@ class Finder {
       tried_[k].insert(tried_[k].end(), fan.begin(), fan.end());
     });
   }
-  [[nodiscard]] const std::vector<PullCandidate>& candidates(const Atom& atom) const {
-    return tried_[atom.patch];
+  [[nodiscard]] const std::vector<PullCandidate>& candidates(const UndercutPart& undercut_part) const {
+    return tried_[undercut_part.patch];
   }
 
-  /// Calls `work` for every atom, several at a time. Throws Cancelled.
+  /// Calls `work` for every undercut part, several at a time. Throws Cancelled.
   template <typename Work>
   void for_each_atom(const Work& work) {
-    tbb::parallel_for(std::size_t{0}, atoms_.size(), [&](std::size_t k) {
+    tbb::parallel_for(std::size_t{0}, undercut_parts_.size(), [&](std::size_t k) {
       if (!progress_.cancelled()) work(k);
     });
     if (progress_.cancelled()) throw Cancelled();
@@ -166,22 +171,23 @@ class Finder {
   void find_pulls() {
     progress_.report("looking for side actions", 0.0);
     for_each_atom([&](std::size_t k) {
-      if (atoms_[k].wanted()) find_pulls_of(atoms_[k]);
+      if (undercut_parts_[k].wanted()) find_pulls_of(undercut_parts_[k]);
     });
   }
 
-  void find_pulls_of(Atom& atom) const {
-    atom.pulls = pulls_.find(atom.samples, candidates(atom), atom.only());
-    set_rejected_apart(atom);
+  void find_pulls_of(UndercutPart& undercut_part) const {
+    undercut_part.pulls = pulls_.find(undercut_part.samples, candidates(undercut_part), undercut_part.only());
+    set_rejected_apart(undercut_part);
   }
 
-  static void set_rejected_apart(Atom& atom) {
-    const auto known = static_cast<std::ptrdiff_t>(atom.rejected.size());
-    std::erase_if(atom.pulls, [&](const Pull& pull) {
-      if (pull.lack) atom.rejected.push_back(pull);
+  static void set_rejected_apart(UndercutPart& undercut_part) {
+    const auto known = static_cast<std::ptrdiff_t>(undercut_part.rejected.size());
+    std::erase_if(undercut_part.pulls, [&](const Pull& pull) {
+      if (pull.lack) undercut_part.rejected.push_back(pull);
       return pull.lack.has_value();
     });
-    std::ranges::stable_sort(atom.rejected.begin() + known, atom.rejected.end(), {}, &Pull::travel);
+    std::ranges::stable_sort(undercut_part.rejected.begin() + known, undercut_part.rejected.end(), {},
+                             &Pull::travel);
   }
 
   /// Whether actions of the mold that can be built release all of an undercut.
@@ -197,8 +203,9 @@ class Finder {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
     std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
-    for (const Atom& atom : atoms_) {
-      if (!atom.rejected.empty() && first[atom.patch] == nullptr) first[atom.patch] = &atom.rejected.front();
+    for (const UndercutPart& undercut_part : undercut_parts_) {
+      if (!undercut_part.rejected.empty() && first[undercut_part.patch] == nullptr)
+        first[undercut_part.patch] = &undercut_part.rejected.front();
     }
     for (std::size_t patch = 0; patch < first.size(); ++patch) {
       if (first[patch] == nullptr || is_well_released(plan, patch)) continue;
@@ -214,40 +221,41 @@ class Finder {
     }
   }
 
-  /// 1 for each atom that a thread or a ring releases.
+  /// 1 for each undercut part that a thread or a ring releases.
   [[nodiscard]] std::vector<char> revolved_atoms() const {
-    std::vector<char> revolved(atoms_.size(), 0);
-    for (const Column& column : revolved_) {
-      for (const std::size_t k : column.atoms) revolved[k] = 1;
+    std::vector<char> revolved(undercut_parts_.size(), 0);
+    for (const ActionOption& option : revolved_) {
+      for (const std::size_t k : option.undercut_parts) revolved[k] = 1;
     }
     return revolved;
   }
 
-  /// What nothing releases whole becomes an atom for each part that a pull frees, and one for what none does.
+  /// What nothing releases whole becomes an undercut part for each part that a pull frees, and one for what
+  /// none does.
   void split_the_rest() {
     progress_.report("splitting undercuts that no single action releases", 0.6);
     const std::vector<char> revolved = revolved_atoms();
-    std::vector<std::vector<FreedPart>> parts(atoms_.size());
+    std::vector<std::vector<FreedPart>> parts(undercut_parts_.size());
     for_each_atom([&](std::size_t k) {
-      const Atom& atom = atoms_[k];
-      if (revolved[k] == 0 && atom.pulls.empty() && atom.wanted())
-        parts[k] = pulls_.split(atom.samples, candidates(atom), atom.only());
+      const UndercutPart& undercut_part = undercut_parts_[k];
+      if (revolved[k] == 0 && undercut_part.pulls.empty() && undercut_part.wanted())
+        parts[k] = pulls_.split(undercut_part.samples, candidates(undercut_part), undercut_part.only());
     });
     std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       add_crowded(k);
       if (!parts[k].empty()) changed.push_back(k);
     }
-    for (std::size_t k = take_parts(parts); k < atoms_.size(); ++k) changed.push_back(k);
+    for (std::size_t k = take_parts(parts); k < undercut_parts_.size(); ++k) changed.push_back(k);
     for (const std::size_t k : changed) add_crowded(k);
   }
 
   /// A lifter without its room is kept for what nothing better releases.
   void add_crowded(std::size_t k) {
-    const Atom& atom = atoms_[k];
-    if (!atom.pulls.empty()) return;
+    const UndercutPart& undercut_part = undercut_parts_[k];
+    if (!undercut_part.pulls.empty()) return;
     const Pull* best = nullptr;
-    for (const Pull& pull : atom.rejected) {
+    for (const Pull& pull : undercut_part.rejected) {
       if (!pull.is_makeshift()) continue;
       const auto cost = [&](const Pull& each) { return pull_cost(each, settings_.prices); };
       if (best == nullptr || cost(pull) < cost(*best)) best = &pull;
@@ -262,13 +270,16 @@ class Finder {
     ActionSettings all_round = settings_;
     all_round.incline_deg = 90.0;
     const std::vector<PullCandidate> sphere = pull_sphere(undercuts_.axes);
-    std::vector<std::vector<FreedPart>> parts(atoms_.size());
+    std::vector<std::vector<FreedPart>> parts(undercut_parts_.size());
     for_each_atom([&](std::size_t k) {
-      const Atom& atom = atoms_[k];
-      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.allows(ActionKind::insert)) return;
-      auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], all_round);
+      const UndercutPart& undercut_part = undercut_parts_[k];
+      if (revolved[k] != 0 || !undercut_part.pulls.empty() || !undercut_part.allows(ActionKind::insert))
+        return;
+      auto tried =
+          own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[undercut_part.patch], all_round);
       tried.insert(tried.end(), sphere.begin(), sphere.end());
-      parts[k] = pulls_.find_inserts(atom.samples, tried, undercuts_.patches[atom.patch].area);
+      parts[k] =
+          pulls_.find_inserts(undercut_part.samples, tried, undercuts_.patches[undercut_part.patch].area);
     });
     take_parts(parts);
   }
@@ -276,26 +287,27 @@ class Finder {
   /// Atoms that were split become their parts, those after the first at the end, which begins where is
   /// returned; the others, which have none, stay.
   std::size_t take_parts(std::vector<std::vector<FreedPart>>& parts) {
-    const std::size_t end = atoms_.size();
+    const std::size_t end = undercut_parts_.size();
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const bool whole = atoms_[k].whole && parts[k].size() == 1;
+      const bool whole = undercut_parts_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
-        Atom atom{.patch = atoms_[k].patch,
-                  .samples = std::move(parts[k][part].samples),
-                  .pulls = std::move(parts[k][part].pulls),
-                  .rejected = part == 0 ? std::move(atoms_[k].rejected) : std::vector<Pull>(),
-                  .whole = whole,
-                  .pin = atoms_[k].pin,
-                  .covered = atoms_[k].covered};
-        set_rejected_apart(atom);
+        UndercutPart undercut_part{
+            .patch = undercut_parts_[k].patch,
+            .samples = std::move(parts[k][part].samples),
+            .pulls = std::move(parts[k][part].pulls),
+            .rejected = part == 0 ? std::move(undercut_parts_[k].rejected) : std::vector<Pull>(),
+            .whole = whole,
+            .pin = undercut_parts_[k].pin,
+            .covered = undercut_parts_[k].covered};
+        set_rejected_apart(undercut_part);
         if (part == 0) {
-          atoms_[k] = std::move(atom);
+          undercut_parts_[k] = std::move(undercut_part);
         } else {
-          for (Column& column : crowded_) {
-            if (std::ranges::find(column.atoms, k) != column.atoms.end())
-              column.atoms.push_back(atoms_.size());
+          for (ActionOption& option : crowded_) {
+            if (std::ranges::find(option.undercut_parts, k) != option.undercut_parts.end())
+              option.undercut_parts.push_back(undercut_parts_.size());
           }
-          atoms_.push_back(std::move(atom));
+          undercut_parts_.push_back(std::move(undercut_part));
         }
       }
     }
@@ -307,34 +319,35 @@ class Finder {
     return {.across = settings_.bundle_across_mm * per_mm, .along = settings_.bundle_along_mm * per_mm};
   }
 
-  std::vector<Column> find_columns() const {
-    std::vector<Column> columns = pull_columns(atoms_, pulls_, sharing_reach());
-    columns.insert(columns.begin(), revolved_.begin(), revolved_.end());
-    columns.insert(columns.end(), crowded_.begin(), crowded_.end());
-    return columns;
+  std::vector<ActionOption> find_options() const {
+    std::vector<ActionOption> options = pull_options(undercut_parts_, pulls_, sharing_reach());
+    options.insert(options.begin(), revolved_.begin(), revolved_.end());
+    options.insert(options.end(), crowded_.begin(), crowded_.end());
+    return options;
   }
 
-  /// What else releases an atom whose slide or lifter meets another: its own slides turned, inclined ones,
-  /// lifters, those across its own ways, too.
-  std::vector<Column> ways_round(std::size_t number) const {
-    const Atom& atom = atoms_[number];
-    std::vector<Pull> pulls = pulls_.turned(atom.samples, atom.pulls);
+  /// What else releases an undercut part whose slide or lifter meets another: its own slides turned, inclined
+  /// ones, lifters, those across its own ways, too.
+  std::vector<ActionOption> alternatives(std::size_t number) const {
+    const UndercutPart& undercut_part = undercut_parts_[number];
+    std::vector<Pull> pulls = pulls_.turned(undercut_part.samples, undercut_part.pulls);
     for (const ActionKind kind : {ActionKind::inclined, ActionKind::lifter}) {
-      if (!atom.allows(kind)) continue;
-      add_feasible(pulls_.find(atom.samples, candidates(atom), kind), pulls);
+      if (!undercut_part.allows(kind)) continue;
+      add_feasible(pulls_.find(undercut_part.samples, candidates(undercut_part), kind), pulls);
     }
-    if (atom.allows(ActionKind::lifter)) {
-      std::vector<PullCandidate> across = candidates(atom);
+    if (undercut_part.allows(ActionKind::lifter)) {
+      std::vector<PullCandidate> across = candidates(undercut_part);
       std::erase_if(across, [&](const PullCandidate& tried) {
-        return std::ranges::any_of(atom.pulls, [&](const Pull& pull) {
+        return std::ranges::any_of(undercut_part.pulls, [&](const Pull& pull) {
           return std::abs(glm::dot(tried.direction, pull.direction)) > k_across;
         });
       });
-      add_feasible(pulls_.find(atom.samples, across, ActionKind::lifter), pulls);
+      add_feasible(pulls_.find(undercut_part.samples, across, ActionKind::lifter), pulls);
     }
-    std::vector<Column> columns;
-    for (const Pull& pull : pulls) add_pull_columns(atoms_, pulls_, sharing_reach(), number, pull, columns);
-    return columns;
+    std::vector<ActionOption> options;
+    for (const Pull& pull : pulls)
+      add_pull_options(undercut_parts_, pulls_, sharing_reach(), number, pull, options);
+    return options;
   }
 
   static void add_feasible(const std::vector<Pull>& more, std::vector<Pull>& pulls) {
@@ -365,10 +378,10 @@ class Finder {
   void place(std::size_t patch, UndercutReport& noted) const {
     const glm::vec3 centre = model_.frame.to_unit(noted.undercut.centre);
     float nearest = std::numeric_limits<float>::infinity();
-    for (const Atom& atom : atoms_) {
-      if (atom.patch != patch) continue;
-      if (atom.pin != nullptr) noted.pin = *atom.pin;
-      for (const UndercutSample& sample : atom.samples) {
+    for (const UndercutPart& undercut_part : undercut_parts_) {
+      if (undercut_part.patch != patch) continue;
+      if (undercut_part.pin != nullptr) noted.pin = *undercut_part.pin;
+      for (const UndercutSample& sample : undercut_part.samples) {
         const float distance = glm::distance(sample.position, centre);
         if (distance >= nearest) continue;
         nearest = distance;
@@ -387,9 +400,9 @@ class Finder {
   double unit_per_mm_;
   PlanDetail detail_;
   std::vector<std::vector<PullCandidate>> tried_;  // by patch
-  std::vector<Atom> atoms_;
-  std::vector<Column> revolved_;  // threads and rings
-  std::vector<Column> crowded_;   // lifters without the room that they need
+  std::vector<UndercutPart> undercut_parts_;
+  std::vector<ActionOption> revolved_;  // threads and rings
+  std::vector<ActionOption> crowded_;   // lifters without the room that they need
 };
 
 }  // namespace

@@ -28,26 +28,29 @@ constexpr std::size_t k_pairs_ahead = 1000;
 constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
 
-/// A set of columns as a plan, and the column of each of its actions.
+/// A set of options as a plan, and the option of each of its actions.
 struct Draft {
   ActionPlan plan;
-  std::vector<std::size_t> columns;
+  std::vector<std::size_t> options;
 };
 
 class LeastSet {
  public:
-  LeastSet(const ChosenContext& context, const std::vector<Atom>& atoms, const WaysRound& ways_round,
-           const Progress& progress)
-      : context_(context), atoms_(atoms), ways_round_(ways_round), progress_(progress) {}
+  LeastSet(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
+           const Alternatives& alternatives, const Progress& progress)
+      : context_(context),
+        undercut_parts_(undercut_parts),
+        alternatives_(alternatives),
+        progress_(progress) {}
 
-  ActionPlan run(std::vector<Column> columns) {
-    add(std::move(columns));
+  ActionPlan run(std::vector<ActionOption> options) {
+    add(std::move(options));
     std::optional<ActionPlan> best;
     double best_cost = std::numeric_limits<double>::infinity();
     int unproved = 0;
     for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
       progress_.report("choosing the least set", 0.8);
-      const Cover cover = least_cover(atoms_.size(), priced_, clashes_,
+      const Cover cover = least_cover(undercut_parts_.size(), priced_, clashes_,
                                       clashes_.empty() ? k_nodes : k_nodes_with_clashes, progress_);
       unproved += cover.optimal ? 0 : 1;
       // Clashes that are not known yet would only make it dearer.
@@ -71,14 +74,14 @@ class LeastSet {
   }
 
  private:
-  void add(std::vector<Column> columns) {
-    for (Column& column : columns) {
-      priced_.push_back({column.atoms, pull_cost(column.pull, context_.settings.prices)});
-      columns_.push_back(std::move(column));
+  void add(std::vector<ActionOption> options) {
+    for (ActionOption& option : options) {
+      priced_.push_back({option.undercut_parts, pull_cost(option.pull, context_.settings.prices)});
+      options_.push_back(std::move(option));
     }
   }
 
-  /// A column and those of its atoms that are left to it.
+  /// An option and those of its undercut parts that are left to it.
   using Left = std::pair<std::size_t, std::vector<std::size_t>>;
 
   /// Finds the actions that are not known yet, several at a time.
@@ -90,21 +93,21 @@ class LeastSet {
     }
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t k) {
       const auto& [left, action] = missing[k];
-      Column column = columns_[left->first];
-      column.atoms = left->second;
-      *action = chosen_action(context_, atoms_, column);
+      ActionOption option = options_[left->first];
+      option.undercut_parts = left->second;
+      *action = chosen_action(context_, undercut_parts_, option);
     });
   }
 
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
-    std::vector<std::int32_t> of_atom(atoms_.size(), k_unreleased_piece);
+    std::vector<std::int32_t> of_atom(undercut_parts_.size(), k_unreleased_piece);
     std::map<std::size_t, double> left_of;  // by patch
-    for (const std::size_t atom : cover.uncovered) {
-      if (atoms_[atom].shallow) {
-        of_atom[atom] = k_no_action_of_piece;
+    for (const std::size_t undercut_part : cover.uncovered) {
+      if (undercut_parts_[undercut_part].shallow) {
+        of_atom[undercut_part] = k_no_action_of_piece;
       } else {
-        left_of[atoms_[atom].patch] += atoms_[atom].area();
+        left_of[undercut_parts_[undercut_part].patch] += undercut_parts_[undercut_part].area();
       }
     }
     for (const auto& [patch, area] : left_of) {
@@ -113,10 +116,11 @@ class LeastSet {
       draft.plan.unreleased_area += area;
     }
     std::vector<Left> chosen;
-    for (const std::size_t c : cover.columns) {
-      std::vector<std::size_t> left = columns_[c].atoms;
-      std::erase_if(left, [&](std::size_t atom) { return of_atom[atom] >= 0; });
-      for (const std::size_t atom : left) of_atom[atom] = static_cast<std::int32_t>(chosen.size());
+    for (const std::size_t c : cover.options) {
+      std::vector<std::size_t> left = options_[c].undercut_parts;
+      std::erase_if(left, [&](std::size_t undercut_part) { return of_atom[undercut_part] >= 0; });
+      for (const std::size_t undercut_part : left)
+        of_atom[undercut_part] = static_cast<std::int32_t>(chosen.size());
       chosen.emplace_back(c, std::move(left));
     }
     find_actions_of(chosen);
@@ -129,30 +133,30 @@ class LeastSet {
     for (const std::size_t k : order) {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
-      draft.columns.push_back(cover.columns[k]);
+      draft.options.push_back(cover.options[k]);
     }
     for (std::int32_t& action : of_atom)
       action = action < 0 ? action : place[static_cast<std::size_t>(action)];
-    draft.plan.action_of_piece = actions_of_pieces(context_, atoms_, of_atom, draft.plan.actions);
+    draft.plan.action_of_piece = actions_of_pieces(context_, undercut_parts_, of_atom, draft.plan.actions);
     find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
     return draft;
   }
 
-  /// Takes down which of its columns meet, and looks for ways round. How many pairs were not known.
+  /// Takes down which of its options meet, and looks for ways round. How many pairs were not known.
   std::size_t learn(const Draft& draft) {
     std::vector<std::pair<std::size_t, std::size_t>> found;
-    std::vector<std::size_t> atoms;
+    std::vector<std::size_t> undercut_parts;
     for (std::size_t k = 0; k < draft.plan.actions.size(); ++k) {
       for (const std::size_t other : draft.plan.actions[k].meets) {
-        if (other > k || !take_down(draft.columns[k], draft.columns[other])) continue;
+        if (other > k || !take_down(draft.options[k], draft.options[other])) continue;
         found.emplace_back(k, other);
         for (const std::size_t one : {k, other}) {
-          const std::vector<std::size_t>& its = columns_[draft.columns[one]].atoms;
-          atoms.insert(atoms.end(), its.begin(), its.end());
+          const std::vector<std::size_t>& its = options_[draft.options[one]].undercut_parts;
+          undercut_parts.insert(undercut_parts.end(), its.begin(), its.end());
         }
       }
     }
-    go_round(std::move(atoms));
+    go_round(std::move(undercut_parts));
     for (const auto& [k, other] : found) look_ahead(draft, k, other);
     return found.size();
   }
@@ -164,27 +168,28 @@ class LeastSet {
     return true;
   }
 
-  /// Which others for the same atoms as the two that meet would meet, too: so that not each pair of
+  /// Which others for the same undercut parts as the two that meet would meet, too: so that not each pair of
   /// them has to be chosen first.
   void look_ahead(const Draft& draft, std::size_t one, std::size_t other) {
-    const std::array<std::vector<std::size_t>, 2> alike = {those_like(draft.columns[one]),
-                                                           those_like(draft.columns[other])};
+    const std::array<std::vector<std::size_t>, 2> alike = {those_like(draft.options[one]),
+                                                           those_like(draft.options[other])};
     const std::size_t pairs = alike[0].size() * alike[1].size();
-    if (pairs > pairs_ahead_ ||
-        !looked_ahead_.insert({columns_[draft.columns[one]].atoms, columns_[draft.columns[other]].atoms})
-             .second)
+    if (pairs > pairs_ahead_ || !looked_ahead_
+                                     .insert({options_[draft.options[one]].undercut_parts,
+                                              options_[draft.options[other]].undercut_parts})
+                                     .second)
       return;
     pairs_ahead_ -= pairs;
     progress_.report("looking for alternatives to actions that meet", 0.9);
     std::array<MovedAction, 2> moved = {MovedAction{.action = one}, MovedAction{.action = other}};
     std::vector<Left> wanted;
-    for (const std::vector<std::size_t>& columns : alike) {
-      for (const std::size_t c : columns) wanted.emplace_back(c, columns_[c].atoms);
+    for (const std::vector<std::size_t>& options : alike) {
+      for (const std::size_t c : options) wanted.emplace_back(c, options_[c].undercut_parts);
     }
     find_actions_of(wanted);
     for (const std::size_t side : {0, 1}) {
       for (const std::size_t c : alike[side]) {
-        moved[side].moves.push_back(move_of(known_.at({c, columns_[c].atoms})));
+        moved[side].moves.push_back(move_of(known_.at({c, options_[c].undercut_parts})));
       }
     }
     for (const auto& [a, b] : crossing_moves(context_.model, context_.split, context_.pulls.release(),
@@ -193,49 +198,53 @@ class LeastSet {
   }
 
   /// Slides for slides, lifters for lifters.
-  [[nodiscard]] std::vector<std::size_t> those_like(std::size_t column) const {
+  [[nodiscard]] std::vector<std::size_t> those_like(std::size_t option) const {
     const auto is_like = [&](ActionKind kind) {
-      return is_slide(columns_[column].pull.kind) ? is_slide(kind) : kind == ActionKind::lifter;
+      return is_slide(options_[option].pull.kind) ? is_slide(kind) : kind == ActionKind::lifter;
     };
     std::vector<std::size_t> alike;
-    for (std::size_t c = 0; c < columns_.size(); ++c) {
-      if (is_like(columns_[c].pull.kind) && columns_[c].atoms == columns_[column].atoms) alike.push_back(c);
+    for (std::size_t c = 0; c < options_.size(); ++c) {
+      if (is_like(options_[c].pull.kind) && options_[c].undercut_parts == options_[option].undercut_parts)
+        alike.push_back(c);
     }
     return alike;
   }
 
-  /// For each of the atoms once, several at a time.
-  void go_round(std::vector<std::size_t> atoms) {
-    std::erase_if(atoms, [&](std::size_t atom) { return !gone_round_.insert(atom).second; });
-    if (atoms.empty()) return;
+  /// For each of the undercut parts once, several at a time.
+  void go_round(std::vector<std::size_t> undercut_parts) {
+    std::erase_if(undercut_parts,
+                  [&](std::size_t undercut_part) { return !gone_round_.insert(undercut_part).second; });
+    if (undercut_parts.empty()) return;
     progress_.report("looking for alternatives to actions that meet", 0.85);
-    std::vector<std::vector<Column>> ways(atoms.size());
-    tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
-      if (!progress_.cancelled()) ways[k] = ways_round_(atoms[k]);
+    std::vector<std::vector<ActionOption>> ways(undercut_parts.size());
+    tbb::parallel_for(std::size_t{0}, undercut_parts.size(), [&](std::size_t k) {
+      if (!progress_.cancelled()) ways[k] = alternatives_(undercut_parts[k]);
     });
     if (progress_.cancelled()) throw Cancelled();
-    for (std::vector<Column>& columns : ways) add(std::move(columns));
+    for (std::vector<ActionOption>& options : ways) add(std::move(options));
   }
 
   const ChosenContext& context_;
-  const std::vector<Atom>& atoms_;
-  const WaysRound& ways_round_;
+  const std::vector<UndercutPart>& undercut_parts_;
+  const Alternatives& alternatives_;
   const Progress& progress_;
-  std::vector<Column> columns_;
-  std::vector<CoverColumn> priced_;
+  std::vector<ActionOption> options_;
+  std::vector<CoverOption> priced_;
   std::vector<CoverClash> clashes_;
   std::set<std::pair<std::size_t, std::size_t>> met_;
-  std::set<std::size_t> gone_round_;                                                      // atoms
-  std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>> looked_ahead_;  // atoms of pairs
+  std::set<std::size_t> gone_round_;  // undercut parts
+  std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>
+      looked_ahead_;                         // undercut parts of pairs
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
   std::map<Left, SideAction> known_;
 };
 
 }  // namespace
 
-ActionPlan least_set(const ChosenContext& context, const std::vector<Atom>& atoms,
-                     std::vector<Column> columns, const WaysRound& ways_round, const Progress& progress) {
-  return LeastSet(context, atoms, ways_round, progress).run(std::move(columns));
+ActionPlan least_set(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
+                     std::vector<ActionOption> options, const Alternatives& alternatives,
+                     const Progress& progress) {
+  return LeastSet(context, undercut_parts, alternatives, progress).run(std::move(options));
 }
 
 }  // namespace moldlight

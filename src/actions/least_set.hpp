@@ -8,14 +8,15 @@
 
 namespace moldlight {
 
-/// More columns that release an atom, for one whose slide or lifter meets another.
-using WaysRound = std::function<std::vector<Column>(std::size_t atom)>;
+/// More options that release an undercut part, for one whose slide or lifter meets another.
+using Alternatives = std::function<std::vector<ActionOption>(std::size_t undercut_part)>;
 
 /// A plan that has everything but its patches and what was dropped. Which of them meet is found of those that
-/// are chosen: two that do are not chosen together again unless no set of the columns, `ways_round` of the
-/// atoms of both among them, does without such a pair. Throws Cancelled.
-[[nodiscard]] ActionPlan least_set(const ChosenContext& context, const std::vector<Atom>& atoms,
-                                   std::vector<Column> columns, const WaysRound& ways_round,
+/// are chosen: two that do are not chosen together again unless no set of the options, `alternatives` of the
+/// undercut parts of both among them, does without such a pair. Throws Cancelled.
+[[nodiscard]] ActionPlan least_set(const ChosenContext& context,
+                                   const std::vector<UndercutPart>& undercut_parts,
+                                   std::vector<ActionOption> options, const Alternatives& alternatives,
                                    const Progress& progress);
 
 }  // namespace moldlight

@@ -13,32 +13,36 @@ namespace {
 
 class PieceActions {
  public:
-  PieceActions(const ChosenContext& context, const std::vector<Atom>& atoms,
+  PieceActions(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
                std::span<const std::int32_t> of_atom, const std::vector<SideAction>& actions)
       : model_(context.model),
         split_(context.split),
         pulls_(context.pulls),
-        atoms_(atoms),
+        undercut_parts_(undercut_parts),
         of_atom_(of_atom),
         actions_(actions) {}
 
   std::vector<std::int32_t> of(const std::vector<Undercut>& patches) const {
-    std::vector<std::vector<std::size_t>> atoms(patches.size());
-    for (std::size_t k = 0; k < atoms_.size(); ++k) atoms[atoms_[k].patch].push_back(k);
+    std::vector<std::vector<std::size_t>> undercut_parts(patches.size());
+    for (std::size_t k = 0; k < undercut_parts_.size(); ++k)
+      undercut_parts[undercut_parts_[k].patch].push_back(k);
     std::vector<std::int32_t> of_piece(split_.pieces.size(), k_no_action_of_piece);
-    for (std::size_t patch = 0; patch < atoms.size(); ++patch) {
-      const bool alike = std::ranges::all_of(
-          atoms[patch], [&](std::size_t k) { return of_atom_[k] == of_atom_[atoms[patch].front()]; });
+    for (std::size_t patch = 0; patch < undercut_parts.size(); ++patch) {
+      const bool alike = std::ranges::all_of(undercut_parts[patch], [&](std::size_t k) {
+        return of_atom_[k] == of_atom_[undercut_parts[patch].front()];
+      });
       const std::vector<std::uint32_t>& pieces = patches[patch].pieces;
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
-        of_piece[pieces[k]] = alike ? of_atom_[atoms[patch].front()] : action_for(pieces[k], atoms[patch]);
+        of_piece[pieces[k]] =
+            alike ? of_atom_[undercut_parts[patch].front()] : action_for(pieces[k], undercut_parts[patch]);
       });
     }
     return of_piece;
   }
 
  private:
-  [[nodiscard]] std::int32_t action_for(std::uint32_t piece, const std::vector<std::size_t>& atoms) const {
+  [[nodiscard]] std::int32_t action_for(std::uint32_t piece,
+                                        const std::vector<std::size_t>& undercut_parts) const {
     constexpr double k_inward = 0.1;
     pulls_.release().end_if_cancelled();
     const auto& corners = split_.pieces[piece].corners;
@@ -54,11 +58,12 @@ class PieceActions {
                return is_freed({model_.frame.to_unit(at), normal, 0.0}, action);
              });
     };
-    const std::int32_t nearest = of_atom_[nearest_atom(atoms, model_.frame.to_unit(middle))];
+    const std::int32_t nearest = of_atom_[nearest_atom(undercut_parts, model_.frame.to_unit(middle))];
     // Facets without area have no normal.
     if (nearest < 0 || normal == glm::dvec3(0.0) || frees(nearest)) return nearest;
-    const auto other = std::ranges::find_if(atoms, [&](std::size_t k) { return frees(of_atom_[k]); });
-    return other != atoms.end() ? of_atom_[*other] : nearest;
+    const auto other =
+        std::ranges::find_if(undercut_parts, [&](std::size_t k) { return frees(of_atom_[k]); });
+    return other != undercut_parts.end() ? of_atom_[*other] : nearest;
   }
 
   [[nodiscard]] bool is_freed(const UndercutSample& sample, const SideAction& action) const {
@@ -72,11 +77,12 @@ class PieceActions {
     return release.free_length(sample, action.direction) == std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] std::size_t nearest_atom(const std::vector<std::size_t>& atoms, const glm::vec3& at) const {
-    std::size_t nearest = atoms.front();
+  [[nodiscard]] std::size_t nearest_atom(const std::vector<std::size_t>& undercut_parts,
+                                         const glm::vec3& at) const {
+    std::size_t nearest = undercut_parts.front();
     float least = std::numeric_limits<float>::infinity();
-    for (const std::size_t k : atoms) {
-      for (const UndercutSample& sample : atoms_[k].samples) {
+    for (const std::size_t k : undercut_parts) {
+      for (const UndercutSample& sample : undercut_parts_[k].samples) {
         const float distance = glm::distance(sample.position, at);
         if (distance >= least) continue;
         least = distance;
@@ -89,17 +95,18 @@ class PieceActions {
   const PartModel& model_;
   const SplitMesh& split_;
   const PullFinder& pulls_;
-  const std::vector<Atom>& atoms_;
+  const std::vector<UndercutPart>& undercut_parts_;
   std::span<const std::int32_t> of_atom_;
   const std::vector<SideAction>& actions_;
 };
 
 }  // namespace
 
-std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context, const std::vector<Atom>& atoms,
+std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context,
+                                            const std::vector<UndercutPart>& undercut_parts,
                                             std::span<const std::int32_t> of_atom,
                                             const std::vector<SideAction>& actions) {
-  return PieceActions(context, atoms, of_atom, actions).of(context.undercuts.patches);
+  return PieceActions(context, undercut_parts, of_atom, actions).of(context.undercuts.patches);
 }
 
 }  // namespace moldlight

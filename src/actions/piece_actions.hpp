@@ -10,10 +10,10 @@
 namespace moldlight {
 
 /// For every piece of the split mesh an action, or k_no_action_of_piece or k_unreleased_piece; `of_atom` has
-/// such a number for each atom. Pieces of an undercut that was split go with the sample that is nearest, but
-/// rather with an action that frees their middles and corners, if there is one.
+/// such a number for each undercut part. Pieces of an undercut that was split go with the sample that is
+/// nearest, but rather with an action that frees their middles and corners, if there is one.
 [[nodiscard]] std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context,
-                                                          const std::vector<Atom>& atoms,
+                                                          const std::vector<UndercutPart>& undercut_parts,
                                                           std::span<const std::int32_t> of_atom,
                                                           const std::vector<SideAction>& actions);
 

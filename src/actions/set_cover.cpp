@@ -15,19 +15,20 @@ constexpr double k_saving = 1e-12;
 
 class Search {
  public:
-  Search(std::size_t atoms, std::span<const CoverColumn> columns, std::span<const CoverClash> clashes,
-         std::size_t most_nodes, const Progress& progress)
-      : columns_(columns),
+  Search(std::size_t undercut_parts, std::span<const CoverOption> options,
+         std::span<const CoverClash> clashes, std::size_t most_nodes, const Progress& progress)
+      : options_(options),
         most_nodes_(most_nodes),
         progress_(progress),
-        having_(atoms),
-        prices_(columns.size()),
-        covered_(atoms, 0),
-        allowed_(columns.size(), 1),
-        price_(columns.size(), 0.0) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      CHECK(columns[c].cost > 0.0);
-      for (const std::size_t atom : columns[c].atoms) having_[atom].push_back(c);
+        options_of_part_(undercut_parts),
+        prices_(options.size()),
+        covered_(undercut_parts, 0),
+        allowed_(options.size(), 1),
+        price_(options.size(), 0.0) {
+    for (std::size_t c = 0; c < options.size(); ++c) {
+      CHECK(options[c].cost > 0.0);
+      for (const std::size_t undercut_part : options[c].undercut_parts)
+        options_of_part_[undercut_part].push_back(c);
     }
     for (const CoverClash& clash : clashes) {
       CHECK(clash.a != clash.b && clash.price >= 0.0);
@@ -39,14 +40,14 @@ class Search {
 
   Cover run() {
     Cover cover;
-    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
-      if (!having_[atom].empty()) continue;
-      cover.uncovered.push_back(atom);
-      covered_[atom] = 1;
+    for (std::size_t undercut_part = 0; undercut_part < options_of_part_.size(); ++undercut_part) {
+      if (!options_of_part_[undercut_part].empty()) continue;
+      cover.uncovered.push_back(undercut_part);
+      covered_[undercut_part] = 1;
     }
     branch(0.0);
-    cover.columns = best_;
-    std::ranges::sort(cover.columns);
+    cover.options = best_;
+    std::ranges::sort(cover.options);
     cover.cost = best_.empty() ? 0.0 : best_cost_;
     cover.optimal = nodes_ <= most_nodes_;
     return cover;
@@ -55,23 +56,24 @@ class Search {
  private:
   void drop_dominated() {
     std::vector<std::vector<std::size_t>> sorted;
-    for (const CoverColumn& column : columns_) {
-      sorted.push_back(column.atoms);
+    for (const CoverOption& option : options_) {
+      sorted.push_back(option.undercut_parts);
       std::ranges::sort(sorted.back());
     }
     // In place of `a`, whatever else is chosen.
     const auto serves = [&](std::size_t b, std::size_t a) {
-      return columns_[b].cost <= columns_[a].cost && std::ranges::includes(sorted[b], sorted[a]) &&
+      return options_[b].cost <= options_[a].cost && std::ranges::includes(sorted[b], sorted[a]) &&
              clashes_no_more(b, a);
     };
-    for (std::size_t a = 0; a < columns_.size(); ++a) {
+    for (std::size_t a = 0; a < options_.size(); ++a) {
       if (progress_.cancelled()) throw Cancelled();
-      for (std::size_t b = 0; b < columns_.size() && allowed_[a] != 0; ++b) {
+      for (std::size_t b = 0; b < options_.size() && allowed_[a] != 0; ++b) {
         if (a == b || allowed_[b] == 0 || !serves(b, a)) continue;
         if (b < a || !serves(a, b)) allowed_[a] = 0;
       }
     }
-    for (auto& having : having_) std::erase_if(having, [&](std::size_t c) { return allowed_[c] == 0; });
+    for (auto& having : options_of_part_)
+      std::erase_if(having, [&](std::size_t c) { return allowed_[c] == 0; });
   }
 
   [[nodiscard]] bool clashes_no_more(std::size_t one, std::size_t than) const {
@@ -81,13 +83,14 @@ class Search {
     });
   }
 
-  /// Cost that the open atoms need at least: of atoms that share no column each needs one of its own.
+  /// Cost that the open undercut parts need at least: of undercut parts that share no option each needs one
+  /// of its own.
   [[nodiscard]] double bound() const {
     double least = 0.0;
-    std::vector<char> touched(columns_.size(), 0);
-    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
-      if (covered_[atom] > 0) continue;
-      const auto& having = having_[atom];
+    std::vector<char> touched(options_.size(), 0);
+    for (std::size_t undercut_part = 0; undercut_part < options_of_part_.size(); ++undercut_part) {
+      if (covered_[undercut_part] > 0) continue;
+      const auto& having = options_of_part_[undercut_part];
       if (std::ranges::any_of(having, [&](std::size_t c) { return touched[c] != 0; })) continue;
       double cheapest = std::numeric_limits<double>::infinity();
       for (const std::size_t c : having) {
@@ -100,19 +103,19 @@ class Search {
   }
 
   /// With the prices of its clashes with what is chosen.
-  [[nodiscard]] double cost_now(std::size_t column) const { return columns_[column].cost + price_[column]; }
+  [[nodiscard]] double cost_now(std::size_t option) const { return options_[option].cost + price_[option]; }
 
-  void choose(std::size_t column) {
-    chosen_.push_back(column);
-    for (const std::size_t atom : columns_[column].atoms) ++covered_[atom];
-    for (const auto& [other, price] : prices_[column]) price_[other] += price;
+  void choose(std::size_t option) {
+    chosen_.push_back(option);
+    for (const std::size_t undercut_part : options_[option].undercut_parts) ++covered_[undercut_part];
+    for (const auto& [other, price] : prices_[option]) price_[other] += price;
   }
   void take_back() {
-    const std::size_t column = chosen_.back();
+    const std::size_t option = chosen_.back();
     chosen_.pop_back();
-    for (const std::size_t atom : columns_[column].atoms) --covered_[atom];
+    for (const std::size_t undercut_part : options_[option].undercut_parts) --covered_[undercut_part];
     // Summed up anew: sums that are taken apart again would keep rounding.
-    for (const auto& [other, price] : prices_[column]) {
+    for (const auto& [other, price] : prices_[option]) {
       price_[other] = 0.0;
       for (const std::size_t c : chosen_) {
         const auto clash = prices_[other].find(c);
@@ -124,13 +127,13 @@ class Search {
   void branch(double cost) {
     if (progress_.cancelled()) throw Cancelled();
     if (++nodes_ > most_nodes_ && !best_.empty()) return;
-    std::size_t rarest = having_.size(), fewest = std::numeric_limits<std::size_t>::max();
-    for (std::size_t atom = 0; atom < having_.size(); ++atom) {
-      if (covered_[atom] > 0 || having_[atom].size() >= fewest) continue;
-      rarest = atom;
-      fewest = having_[atom].size();
+    std::size_t rarest = options_of_part_.size(), fewest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t undercut_part = 0; undercut_part < options_of_part_.size(); ++undercut_part) {
+      if (covered_[undercut_part] > 0 || options_of_part_[undercut_part].size() >= fewest) continue;
+      rarest = undercut_part;
+      fewest = options_of_part_[undercut_part].size();
     }
-    if (rarest == having_.size()) {
+    if (rarest == options_of_part_.size()) {
       if (cost < best_cost_ * (1.0 - k_saving)) {
         best_cost_ = cost;
         best_ = chosen_;
@@ -139,10 +142,11 @@ class Search {
     }
     if (cost + bound() >= best_cost_ * (1.0 - k_saving)) return;
     // Those that cover most for their cost first: a good cover is found soon.
-    std::vector<std::size_t> order = having_[rarest];
+    std::vector<std::size_t> order = options_of_part_[rarest];
     const auto worth = [&](std::size_t c) {
-      const auto open =
-          std::ranges::count_if(columns_[c].atoms, [&](std::size_t atom) { return covered_[atom] == 0; });
+      const auto open = std::ranges::count_if(options_[c].undercut_parts, [&](std::size_t undercut_part) {
+        return covered_[undercut_part] == 0;
+      });
       return static_cast<double>(open) / cost_now(c);
     };
     std::ranges::stable_sort(order, std::greater(), worth);
@@ -154,14 +158,14 @@ class Search {
     }
   }
 
-  std::span<const CoverColumn> columns_;
+  std::span<const CoverOption> options_;
   std::size_t most_nodes_;
   const Progress& progress_;
-  std::vector<std::vector<std::size_t>> having_;       // columns of each atom
-  std::vector<std::map<std::size_t, double>> prices_;  // of each column's clashes, by the other column
-  std::vector<int> covered_;                           // how often each atom is
+  std::vector<std::vector<std::size_t>> options_of_part_;  // options of each undercut part
+  std::vector<std::map<std::size_t, double>> prices_;      // of each option's clashes, by the other option
+  std::vector<int> covered_;                               // how often each undercut part is
   std::vector<char> allowed_;
-  std::vector<double> price_;  // of each column, of its clashes with what is chosen
+  std::vector<double> price_;  // of each option, of its clashes with what is chosen
   std::vector<std::size_t> chosen_, best_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   std::size_t nodes_ = 0;
@@ -169,9 +173,9 @@ class Search {
 
 }  // namespace
 
-Cover least_cover(std::size_t atoms, std::span<const CoverColumn> columns,
+Cover least_cover(std::size_t undercut_parts, std::span<const CoverOption> options,
                   std::span<const CoverClash> clashes, std::size_t most_nodes, const Progress& progress) {
-  return Search(atoms, columns, clashes, most_nodes, progress).run();
+  return Search(undercut_parts, options, clashes, most_nodes, progress).run();
 }
 
 }  // namespace moldlight

@@ -19,20 +19,20 @@ constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a g
 
 class Sharing {
  public:
-  Sharing(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach)
-      : atoms_(atoms), pulls_(pulls), reach_(reach) {
-    for (const Atom& atom : atoms_) {
+  Sharing(const std::vector<UndercutPart>& undercut_parts, const PullFinder& pulls, const SharingReach& reach)
+      : undercut_parts_(undercut_parts), pulls_(pulls), reach_(reach) {
+    for (const UndercutPart& undercut_part : undercut_parts_) {
       Ball& ball = balls_.emplace_back();
-      for (const UndercutSample& sample : atom.samples) ball.centre += glm::dvec3(sample.position);
-      ball.centre /= static_cast<double>(std::max<std::size_t>(1, atom.samples.size()));
-      for (const UndercutSample& sample : atom.samples)
+      for (const UndercutSample& sample : undercut_part.samples) ball.centre += glm::dvec3(sample.position);
+      ball.centre /= static_cast<double>(std::max<std::size_t>(1, undercut_part.samples.size()));
+      for (const UndercutSample& sample : undercut_part.samples)
         ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(sample.position), ball.centre));
     }
   }
 
-  void add(std::vector<Column>& columns, std::size_t atom, const Pull& pull) const {
-    if (is_slide(pull.kind)) add_shared(columns, atom, pull);
-    if (!pull.for_sharing) columns.push_back({pull, {atom}});
+  void add(std::vector<ActionOption>& options, std::size_t undercut_part, const Pull& pull) const {
+    if (is_slide(pull.kind)) add_shared(options, undercut_part, pull);
+    if (!pull.for_sharing) options.push_back({pull, {undercut_part}});
   }
 
  private:
@@ -41,39 +41,40 @@ class Sharing {
     double radius = 0.0;
   };
 
-  void add_shared(std::vector<Column>& columns, std::size_t first, Pull pull) const {
+  void add_shared(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
     std::vector<std::size_t> group = {first};
     for (std::size_t next = 0; next < group.size(); ++next) {
-      for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
         pulls_.release().end_if_cancelled();
-        if (std::ranges::find(group, k) != group.end() || !atoms_[k].allows(pull.kind) ||
+        if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
             are_far(group[next], k, pull.direction) || !may_share(first, k, pull.direction) ||
             !are_near(group[next], k, pull.direction) ||
-            !pulls_.release().releases(atoms_[k].samples, pull.direction, k_never))
+            !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
           continue;
         group.push_back(k);
         Pull its = pull;
-        pulls_.estimate_travel(atoms_[k].samples, its);
+        pulls_.estimate_travel(undercut_parts_[k].samples, its);
         pull.travel = std::max(pull.travel, its.travel);
         pull.way = std::max(pull.way, its.way);
       }
     }
     if (group.size() < 2) return;
     std::ranges::sort(group);
-    columns.push_back({pull, std::move(group)});
+    options.push_back({pull, std::move(group)});
   }
 
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this
   /// very one.
   [[nodiscard]] bool may_share(std::size_t a, std::size_t b, const glm::dvec3& direction) const {
     const double least = std::cos(glm::radians(k_bundle_deg));
-    const auto suggests = [&](const Atom& atom) {
-      return std::ranges::any_of(
-          atom.pulls, [&](const Pull& pull) { return glm::dot(pull.direction, direction) > k_same_cosine; });
+    const auto suggests = [&](const UndercutPart& undercut_part) {
+      return std::ranges::any_of(undercut_part.pulls, [&](const Pull& pull) {
+        return glm::dot(pull.direction, direction) > k_same_cosine;
+      });
     };
-    if (suggests(atoms_[a]) && suggests(atoms_[b])) return true;
-    return std::ranges::any_of(atoms_[a].pulls, [&](const Pull& one) {
-      return std::ranges::any_of(atoms_[b].pulls, [&](const Pull& other) {
+    if (suggests(undercut_parts_[a]) && suggests(undercut_parts_[b])) return true;
+    return std::ranges::any_of(undercut_parts_[a].pulls, [&](const Pull& one) {
+      return std::ranges::any_of(undercut_parts_[b].pulls, [&](const Pull& other) {
         return !one.for_sharing && !other.for_sharing && glm::dot(one.direction, other.direction) >= least;
       });
     });
@@ -85,7 +86,7 @@ class Sharing {
     const auto overlap = [&](const glm::dvec3& along) {
       std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
       for (const std::size_t side : {0, 1}) {
-        for (const UndercutSample& sample : atoms_[side == 0 ? a : b].samples) {
+        for (const UndercutSample& sample : undercut_parts_[side == 0 ? a : b].samples) {
           const double at = glm::dot(glm::dvec3(sample.position), along);
           least[side] = std::min(least[side], at);
           greatest[side] = std::max(greatest[side], at);
@@ -110,7 +111,7 @@ class Sharing {
     std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
     for (const std::size_t which : {a, b}) {
       const std::size_t side = which == a ? 0 : 1;
-      for (const UndercutSample& sample : atoms_[which].samples) {
+      for (const UndercutSample& sample : undercut_parts_[which].samples) {
         const double at = glm::dot(glm::dvec3(sample.position), pull);
         least[side] = std::min(least[side], at);
         greatest[side] = std::max(greatest[side], at);
@@ -121,37 +122,38 @@ class Sharing {
     // What lies behind the other is reached through the steel between: a pin through knuckles, but not one
     // through the core of a box.
     if (gap > reach_.along || (gap > k_bridged * longer && are_in_line(a, b, pull))) return false;
-    return std::ranges::any_of(atoms_[a].samples, [&](const UndercutSample& one) {
-      return std::ranges::any_of(atoms_[b].samples, [&](const UndercutSample& other) {
+    return std::ranges::any_of(undercut_parts_[a].samples, [&](const UndercutSample& one) {
+      return std::ranges::any_of(undercut_parts_[b].samples, [&](const UndercutSample& other) {
         const glm::dvec3 between(one.position - other.position);
         return glm::length(between - glm::dot(between, pull) * pull) <= reach_.across;
       });
     });
   }
 
-  const std::vector<Atom>& atoms_;
+  const std::vector<UndercutPart>& undercut_parts_;
   const PullFinder& pulls_;
   SharingReach reach_;
-  std::vector<Ball> balls_;  // around the samples of each atom
+  std::vector<Ball> balls_;  // around the samples of each undercut part
 };
 
 }  // namespace
 
-void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach,
-                      std::size_t atom, const Pull& pull, std::vector<Column>& columns) {
-  Sharing(atoms, pulls, reach).add(columns, atom, pull);
+void add_pull_options(const std::vector<UndercutPart>& undercut_parts, const PullFinder& pulls,
+                      const SharingReach& reach, std::size_t undercut_part, const Pull& pull,
+                      std::vector<ActionOption>& options) {
+  Sharing(undercut_parts, pulls, reach).add(options, undercut_part, pull);
 }
 
-std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
-                                 const SharingReach& reach) {
-  const Sharing sharing(atoms, pulls, reach);
-  std::vector<std::vector<Column>> of_atoms(atoms.size());
-  tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
-    for (const Pull& pull : atoms[k].pulls) sharing.add(of_atoms[k], k, pull);
+std::vector<ActionOption> pull_options(const std::vector<UndercutPart>& undercut_parts,
+                                       const PullFinder& pulls, const SharingReach& reach) {
+  const Sharing sharing(undercut_parts, pulls, reach);
+  std::vector<std::vector<ActionOption>> of_atoms(undercut_parts.size());
+  tbb::parallel_for(std::size_t{0}, undercut_parts.size(), [&](std::size_t k) {
+    for (const Pull& pull : undercut_parts[k].pulls) sharing.add(of_atoms[k], k, pull);
   });
-  std::vector<Column> columns;
-  for (std::vector<Column>& of_atom : of_atoms) std::ranges::move(of_atom, std::back_inserter(columns));
-  return columns;
+  std::vector<ActionOption> options;
+  for (std::vector<ActionOption>& of_atom : of_atoms) std::ranges::move(of_atom, std::back_inserter(options));
+  return options;
 }
 
 }  // namespace moldlight

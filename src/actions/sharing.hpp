@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actions/atom.hpp"
+#include "actions/undercut_part.hpp"
 
 namespace moldlight {
 
@@ -12,14 +12,15 @@ struct SharingReach {
   double across = 0.0, along = 0.0;  // its direction
 };
 
-/// Adds, for a pull of an atom, the atom alone and, for slides, all that its direction releases as well and
-/// that are near it or near another one of them; if some of their own directions are within k_bundle_deg, or
-/// the shapes of both suggest the same one. None behind another is reached over a gap of more than twice
-/// their lengths.
-void add_pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls, const SharingReach& reach,
-                      std::size_t atom, const Pull& pull, std::vector<Column>& columns);
-/// Of each pull of each atom.
-[[nodiscard]] std::vector<Column> pull_columns(const std::vector<Atom>& atoms, const PullFinder& pulls,
-                                               const SharingReach& reach);
+/// Adds, for a pull of an undercut part, the undercut part alone and, for slides, all that its direction
+/// releases as well and that are near it or near another one of them; if some of their own directions are
+/// within k_bundle_deg, or the shapes of both suggest the same one. None behind another is reached over a gap
+/// of more than twice their lengths.
+void add_pull_options(const std::vector<UndercutPart>& undercut_parts, const PullFinder& pulls,
+                      const SharingReach& reach, std::size_t undercut_part, const Pull& pull,
+                      std::vector<ActionOption>& options);
+/// Of each pull of each undercut part.
+[[nodiscard]] std::vector<ActionOption> pull_options(const std::vector<UndercutPart>& undercut_parts,
+                                                     const PullFinder& pulls, const SharingReach& reach);
 
 }  // namespace moldlight

@@ -6,8 +6,8 @@
 
 #include "base/shown_text.hpp"
 #include "base/utf8.hpp"
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 
 namespace moldlight {

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 
 namespace moldlight {
 
 namespace {
 /// Of the part's own measures: what is less is rounding.
-constexpr double k_least_share = 1e-6;
+constexpr double k_least_shown_share = 1e-6;
 }  // namespace
 
 void put_figures(const std::vector<FoundFigure>& figures, nlohmann::ordered_json& json) {
@@ -32,9 +32,9 @@ FigureStyle::FigureStyle(const PartModel& model)
     : length_(length_unit(model.part)),
       area_(powered_unit(model.part, 2)),
       volume_(powered_unit(model.part, 3)),
-      least_length_(k_least_share * model.frame.diagonal),
-      least_area_(k_least_share * model.geometry.total_area),
-      least_volume_(k_least_share * std::abs(model.health.volume)) {}
+      least_length_(k_least_shown_share * model.frame.diagonal),
+      least_area_(k_least_shown_share * model.geometry.total_area),
+      least_volume_(k_least_shown_share * std::abs(model.health.volume)) {}
 
 std::string FigureStyle::text(FigureKind kind, double value) const {
   switch (kind) {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "io/text_scanner.hpp"
 
 namespace moldlight {

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "classify/view_choice.hpp"
 #include "gl/objects.hpp"
 #include "mold/exact/exact_regions.hpp"

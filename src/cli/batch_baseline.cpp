@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "batch/csv.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "cli/console.hpp"
 
 namespace moldlight::cli {

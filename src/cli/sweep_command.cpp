@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "classify/figures.hpp"
 #include "classify/headless.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/console.hpp"

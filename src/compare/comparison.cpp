@@ -9,7 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "classify/figure_table.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "compare/criteria.hpp"
 #include "mesh/length_unit.hpp"
 

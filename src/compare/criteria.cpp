@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/shown_text.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 
 namespace moldlight {
 

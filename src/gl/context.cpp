@@ -29,7 +29,7 @@ Context::~Context() { CHECK(owner_ == std::thread::id()); }
 void Context::make_current() {
   if (current_context == this) return;
   CHECK(owner_ == std::thread::id());
-  const Turn turn(draws_on_cpu_);
+  const SoftwareGlLock turn(draws_on_cpu_);
   if (current_context != nullptr) current_context->release_current();
   bind();
   owner_ = std::this_thread::get_id();
@@ -38,7 +38,7 @@ void Context::make_current() {
 
 void Context::release_current() {
   if (current_context != this) return;
-  const Turn turn(draws_on_cpu_);
+  const SoftwareGlLock turn(draws_on_cpu_);
   unbind();
   owner_ = std::thread::id();
   current_context = nullptr;

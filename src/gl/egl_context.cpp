@@ -97,7 +97,7 @@ class EglContext final : public Context {
   }
   ~EglContext() override {
     release_current();
-    const Turn turn(draws_on_cpu());
+    const SoftwareGlLock turn(draws_on_cpu());
     egl_.destroy_context(display_, context_);
   }
 

@@ -7,7 +7,7 @@
 #include <GL/glcorearb.h>
 
 #include "base/error.hpp"
-#include "gl/turn.hpp"
+#include "gl/software_gl_lock.hpp"
 
 namespace moldlight::gl {
 
@@ -43,7 +43,7 @@ class Entry<Result (*)(Arguments...)> {
   }
   void take_turns() { takes_turns_ = true; }
   Result operator()(Arguments... arguments) const {
-    const Turn turn(takes_turns_);
+    const SoftwareGlLock turn(takes_turns_);
     return call_(arguments...);
   }
 

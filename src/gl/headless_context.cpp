@@ -97,7 +97,7 @@ std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const 
       {"OSMesa", HeadlessBackend::osmesa, create_osmesa_context, libraries.osmesa},
   };
   prepare_mesa_environment();
-  const Turn turn(true);
+  const SoftwareGlLock turn(true);
   require_room();
   std::string reasons;
   for (const Attempt& attempt : attempts) {

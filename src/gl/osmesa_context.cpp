@@ -71,7 +71,7 @@ class OsmesaContext final : public Context {
   }
   ~OsmesaContext() override {
     release_current();
-    const Turn turn(draws_on_cpu());
+    const SoftwareGlLock turn(draws_on_cpu());
     osmesa_.destroy_context(handle_);
   }
 

@@ -58,13 +58,13 @@ struct ActionBodies {
 /// A plan outlives changes of the actions' settings until another one is there, but not its undercuts.
 struct ActionsState {
   std::shared_ptr<const ActionPlan> plan;
-  std::shared_ptr<const ActionBodies> bodies;            // of the plan
-  std::shared_ptr<const std::vector<ToBeFree>> changes;  // of its undercuts; null until they are known
-  bool awaited = false;                                  // there will be another one
-  bool changes_awaited = false;                          // they are looked for
-  std::optional<JobStatus> running;                      // the search for it
-  std::uint64_t revision = 0;                            // rises with every plan
-  std::string error;                                     // why there is none
+  std::shared_ptr<const ActionBodies> bodies;                // of the plan
+  std::shared_ptr<const std::vector<DesignChange>> changes;  // of its undercuts; null until they are known
+  bool awaited = false;                                      // there will be another one
+  bool changes_awaited = false;                              // they are looked for
+  std::optional<JobStatus> running;                          // the search for it
+  std::uint64_t revision = 0;                                // rises with every plan
+  std::string error;                                         // why there is none
 };
 
 /// Whether the plan is of the present settings.

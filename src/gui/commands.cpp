@@ -4,7 +4,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/side_actions.hpp"
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/figure_table.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "classify/view_choice.hpp"
 #include "gui/app.hpp"
 #include "gui/jobs/batch_table.hpp"

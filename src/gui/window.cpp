@@ -66,7 +66,7 @@ class WindowContext final : public gl::Context {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "moldlight");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "moldlight");
-    const gl::Turn turn(true);
+    const gl::SoftwareGlLock turn(true);
     window_ = glfwCreateWindow(k_first_size.x, k_first_size.y, "moldlight", nullptr, nullptr);
     if (window_ == nullptr) throw Error(glfw_reason());
     glfwSetWindowSizeLimits(window_, 720, 450, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -86,7 +86,7 @@ class WindowContext final : public gl::Context {
   }
   ~WindowContext() override {
     release_current();
-    const gl::Turn turn(draws_on_cpu());
+    const gl::SoftwareGlLock turn(draws_on_cpu());
     glfwDestroyWindow(window_);
   }
 
@@ -257,7 +257,7 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     {
-      const gl::Turn turn(context.draws_on_cpu());
+      const gl::SoftwareGlLock turn(context.draws_on_cpu());
       glfwSwapBuffers(context.window());
     }
     std::string wanted = app.state().model

@@ -12,10 +12,10 @@
 
 #include "mesh/edges.hpp"
 #include "mesh/union_find.hpp"
+#include "parting/assigned_facets.hpp"
 #include "parting/height_cut.hpp"
 #include "parting/line_cost.hpp"
 #include "parting/min_cut.hpp"
-#include "parting/wished_facets.hpp"
 
 namespace moldlight {
 
@@ -24,7 +24,7 @@ namespace {
 constexpr double k_crease_weight = 0.5;
 /// A wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much as two climbs along it.
 constexpr double k_draft_weight = 2300.0;
-/// What a wall a diagonal away from the wished height costs, as a share of the diagonal and its area in
+/// What a wall a diagonal away from the assigned height costs, as a share of the diagonal and its area in
 /// diagonals.
 constexpr double k_height_weight = 4.0;
 /// What a user asks for outweighs lengths of line: a height that is given, and faces that are.
@@ -41,7 +41,7 @@ struct Costs {
   std::vector<double> line;                  // of each edge, where its pieces differ
   std::vector<std::array<double, 2>> draft;  // of each piece at core and cavity
   std::vector<double> area, middle;          // of each piece; height of its centre
-  double per_height = 0.0;                   // cost of an area a length away from the wished height
+  double per_height = 0.0;                   // cost of an area a length away from the assigned height
   double per_side = 0.0;                     // and of any area on its wrong side
 
   [[nodiscard]] double at_height(PieceIndex piece, int side, double height) const {
@@ -173,10 +173,10 @@ std::vector<MoldSide> cut_sides(const Assignment& assignment, const Costs& costs
 
 /// Costs of the faces that a half is to form at the other; a warning for those that it cannot.
 void add_wishes(const PartModel& model, const MoldSettings& settings, Assignment& assignment, Costs& costs) {
-  const std::vector<FacetWish> wished = wished_facets(model, settings);
+  const std::vector<FacetWish> assigned = assigned_facets(model, settings);
   double refused = 0.0;
   for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
-    const FacetWish wish = wished[assignment.mesh.pieces[piece].facet];
+    const FacetWish wish = assigned[assignment.mesh.pieces[piece].facet];
     if (wish == FacetWish::none) continue;
     if (assignment.free[piece] != 0) {
       costs.draft[piece][wish == FacetWish::core ? 1 : 0] +=

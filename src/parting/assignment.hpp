@@ -32,7 +32,7 @@ struct Assignment {
   std::vector<std::uint8_t> free;    // 1 for a piece that may go to either half
   std::vector<std::uint8_t> crease;  // 1 for an edge that bends by more than 30 degrees
   glm::dvec3 direction{0, 0, 1};     // unit
-  double height = 0.0;               // at which the halves were wished to meet
+  double height = 0.0;               // at which the halves were assigned to meet
   double energy = 0.0, energy_to_core = 0.0, energy_to_cavity = 0.0;  // of it, and of all that is free to one
   std::array<double, k_side_count> areas{};
   double free_area = 0.0;

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "io/atomic_file.hpp"
 #include "io/part_formats.hpp"
 #include "mesh/length_unit.hpp"

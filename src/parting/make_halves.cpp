@@ -12,13 +12,13 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "parting/hull/depth_columns.hpp"
-#include "parting/hull/half_checks.hpp"
-#include "parting/hull/parting_surface.hpp"
+#include "parting/assigned_facets.hpp"
+#include "parting/halves/depth_columns.hpp"
+#include "parting/halves/half_checks.hpp"
+#include "parting/halves/parting_surface.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/part_sheets.hpp"
 #include "parting/upright_walls.hpp"
-#include "parting/wished_facets.hpp"
 
 namespace moldlight {
 
@@ -30,7 +30,7 @@ constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, 
                                          {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
 /// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
 /// in an edge.
-constexpr std::size_t k_most_for_beauty = 5;
+constexpr std::size_t k_most_tries_for_cleaner = 5;
 /// So many with other bodies beside the part, which can be left out.
 constexpr std::size_t k_most_beside = 8;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
@@ -90,8 +90,8 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
   std::optional<glm::dvec3> place;
   double most = -1.0;
   for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
-    const Column column = sheets.column_of[v];
-    if (column == k_no_column || sheets.moved[column] <= most) continue;
+    const PlanePoint column = sheets.column_of[v];
+    if (column == k_no_plane_point || sheets.moved[column] <= most) continue;
     most = sheets.moved[column];
     place = sheets.vertices[v];
   }
@@ -105,7 +105,7 @@ struct HalvesWish {
   const Beside& beside;
   const PartModel& model;
   const MeetingPlace& place;
-  const std::vector<FacetWish>& wished;
+  const std::vector<FacetWish>& assigned;
   const MoldSettings& settings;
 };
 
@@ -161,8 +161,8 @@ class Trial {
     const double diagonal = frame_.diagonal;
     sheets_ = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_, attempt_);
     progress.report(k_halves_stage, 0.1);
-    hand_ = hand_walls(asked_.split, sheets_, asked_.wished, attempt_);
-    if (const auto at = sheets_.stand_in_columns(attempt_.tolerance))
+    hand_ = hand_walls(asked_.split, sheets_, asked_.assigned, attempt_);
+    if (const auto at = sheets_.align_ends(attempt_.tolerance))
       return MoldFault{"facets are so small or so close to each other that their ends fall together",
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
@@ -240,7 +240,7 @@ class Trial {
     return leaning;
   }
   [[nodiscard]] MissedFaces noted(double area, const std::optional<glm::dvec3>& at) const {
-    if (area <= k_least_missed * hand_.wished_area || !at) return {};
+    if (area <= k_least_missed * hand_.assigned_area || !at) return {};
     return {area * frame_.diagonal * frame_.diagonal, frame_.in_part(*at)};
   }
 
@@ -364,7 +364,7 @@ class Trial {
       const Needles needles = find_needles(mesh, thinnest);
       half.needles = needles.count;
       if (needles.place) half.needle_at = place_in_part(halves_, written, *needles.place);
-      half.crowded_edges = written.bodies[k].crowded_edges;
+      half.nonmanifold_edges = written.bodies[k].nonmanifold_edges;
       half.leaning = written.bodies[k].leaning;
     }
     for (std::size_t k = 0; k < halves_.inserts.size(); ++k) {
@@ -412,18 +412,18 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     halves.written = written_mold(halves);
     return halves;
   }
-  const std::vector<FacetWish> wished = wished_facets(model, settings);
+  const std::vector<FacetWish> assigned = assigned_facets(model, settings);
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
   const auto try_all = [&](const ExactPart& part, const TriangleMesh& alone) {
     const ExactSplit split =
         exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
-    const HalvesWish asked{split.mesh, alone, beside, model, place, wished, settings};
+    const HalvesWish asked{split.mesh, alone, beside, model, place, assigned, settings};
     std::size_t tried = 0;
     first.reset();
     for (const SheetTolerance& attempt : k_attempts) {
       if (tried >= k_most_beside && !beside.blanks.empty()) return;
-      if (best && tried >= k_most_for_beauty) return;
+      if (best && tried >= k_most_tries_for_cleaner) return;
       ++tried;
       progress.report(k_halves_stage, 0.0);
       MoldHalves attempted = halves;

@@ -12,8 +12,8 @@
 
 #include "base/error.hpp"
 #include "io/solid_writer.hpp"
-#include "parting/hull/tidy_solid.hpp"
-#include "parting/hull/uncross.hpp"
+#include "parting/halves/tidy_solid.hpp"
+#include "parting/halves/uncross.hpp"
 
 namespace moldlight {
 
@@ -118,7 +118,7 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
     written.closed = check.open_edges == 0;
     if (check.open_at) open_at = check.open_at;
-    if (written.closed) written.crowded_edges = split_touching(written.mesh);
+    if (written.closed) written.nonmanifold_edges = split_touching(written.mesh);
     mold.bodies.push_back(std::move(written));
   };
   add(halves.core, up);

@@ -13,8 +13,8 @@
 
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
-#include "parting/hull/bodies.hpp"
-#include "parting/hull/surface_figures.hpp"
+#include "parting/halves/bodies.hpp"
+#include "parting/halves/surface_figures.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_frame.hpp"
 #include "parting/mold_settings.hpp"
@@ -31,7 +31,7 @@ struct MoldBody {
   std::optional<double> thinnest = {};  // way through it between faces that are opposite to each other
   std::size_t crossed_facets = 0;       // in single precision, by rounding
   // Of a half, likewise.
-  std::size_t crowded_edges = 0;              // in which it touches itself
+  std::size_t nonmanifold_edges = 0;          // in which it touches itself
   std::optional<glm::dvec3> crossed_at = {};  // one of these, in the part's coordinates
   std::size_t needles = 0;                    // facets thinner than a ten-millionth of the part's diagonal
   std::optional<glm::dvec3> needle_at = {};   // the longest of these, in the part's coordinates
@@ -45,7 +45,7 @@ struct WrittenBody {
   TriangleMesh mesh;
   double volume = 0.0;
   bool closed = false;
-  std::size_t crowded_edges = 0;  // in which it touches itself; the mesh has them apart
+  std::size_t nonmanifold_edges = 0;  // in which it touches itself; the mesh has them apart
   double undercut = 0.0;  // of a half: what faces away from its pull, as a share of the block's rectangle
   double leaning = 0.0;   // of a half: what leans so by more than 0.01 degrees, as a share of its area
 };
@@ -105,8 +105,8 @@ struct MoldHalves {
   std::size_t mended_facets = 0;      // of these, that crossed by rounding before they were moved apart
 
   /// What a certified half may have of faults by rounding.
-  [[nodiscard]] std::size_t blemishes() const {
-    return core.crossed_facets + cavity.crossed_facets + core.crowded_edges + cavity.crowded_edges;
+  [[nodiscard]] std::size_t numerical_defects() const {
+    return core.crossed_facets + cavity.crossed_facets + core.nonmanifold_edges + cavity.nonmanifold_edges;
   }
   /// Whether rounding leaves walls with an undercut.
   [[nodiscard]] bool leans() const {
@@ -116,14 +116,15 @@ struct MoldHalves {
   /// Whether the halves are solids that CAM and Boolean kernels take: closed, and nothing crosses, touches
   /// itself or leans.
   [[nodiscard]] bool certified() const {
-    return made() && written.refusal.empty() && blemishes() == 0 && !leans();
+    return made() && written.refusal.empty() && numerical_defects() == 0 && !leans();
   }
-  [[nodiscard]] bool clean() const { return blemishes() + mended_facets == 0 && !leans(); }
+  [[nodiscard]] bool clean() const { return numerical_defects() + mended_facets == 0 && !leans(); }
   /// Of two that can be made: the cleaner one, then the one whose halves touch less on upright walls.
   [[nodiscard]] bool better_than(const MoldHalves& other) const {
     constexpr double k_same = 0.99;
     if (leans() != other.leans()) return other.leans();
-    if (blemishes() != other.blemishes()) return blemishes() < other.blemishes();
+    if (numerical_defects() != other.numerical_defects())
+      return numerical_defects() < other.numerical_defects();
     if (contact_area < k_same * other.contact_area) return true;
     return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }

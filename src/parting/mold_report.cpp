@@ -8,8 +8,8 @@
 
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "mold/direction_words.hpp"
 #include "parting/mold_figures.hpp"
@@ -59,7 +59,7 @@ Json body_json(const WrittenBody& body) {
   return {{"file", body.file.empty() ? Json() : Json(body.file)},
           {"volume", body.volume},
           {"closed", body.closed},
-          {"crowded_edges", body.crowded_edges}};
+          {"crowded_edges", body.nonmanifold_edges}};
 }
 
 Json half_json(const WrittenBody& written, const MoldBody& body) {
@@ -272,8 +272,9 @@ std::vector<std::string> half_faults(const PartModel& model, const MoldHalves& h
       faults.push_back(fmt::format(
           "{} of the {} cross{} others by rounding, near {}", plural(half->crossed_facets, "facet"), name,
           half->crossed_facets == 1 ? "es" : "", FigureStyle(model).point(*half->crossed_at)));
-    if (half->crowded_edges > 0)
-      faults.push_back(fmt::format("the {} touches itself in {}", name, plural(half->crowded_edges, "edge")));
+    if (half->nonmanifold_edges > 0)
+      faults.push_back(
+          fmt::format("the {} touches itself in {}", name, plural(half->nonmanifold_edges, "edge")));
   }
   if (halves.leans()) faults.push_back("walls of a half lean along its pull by rounding");
   return faults;

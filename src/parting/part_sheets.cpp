@@ -37,7 +37,7 @@ Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& 
                    const SheetTolerance& attempt) {
   Sheets sheets;
   for (const glm::dvec3& vertex : split.vertices) sheets.vertices.push_back(frame.in_mold(vertex));
-  sheets.column_of.assign(sheets.vertices.size(), k_no_column);
+  sheets.column_of.assign(sheets.vertices.size(), k_no_plane_point);
   for (const SplitPiece& piece : split.pieces) {
     if (is_upright(piece, sheets, attempt)) continue;
     const Sheet sheet = sheet_of(piece, sheets);
@@ -48,17 +48,17 @@ Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& 
   return sheets;
 }
 
-HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets, const std::vector<FacetWish>& wished,
+HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets, const std::vector<FacetWish>& assigned,
                      const SheetTolerance& attempt) {
   HandWalls found;
   double most = 0.0;
   for (const SplitPiece& piece : split.pieces) {
-    if (piece.facet >= wished.size() || wished[piece.facet] == FacetWish::none) continue;
-    const bool core = wished[piece.facet] == FacetWish::core;
+    if (piece.facet >= assigned.size() || assigned[piece.facet] == FacetWish::none) continue;
+    const bool core = assigned[piece.facet] == FacetWish::core;
     const glm::dvec3 &a = sheets.vertices[piece.corners[0]], &b = sheets.vertices[piece.corners[1]],
                      &c = sheets.vertices[piece.corners[2]];
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-    found.wished_area += area;
+    found.assigned_area += area;
     if (is_upright(piece, sheets, attempt)) {
       found.walls.push_back({{a, b, c}, core});
       found.released.push_back(piece.region == Region::both ||

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "mold/exact/split_mesh.hpp"
-#include "parting/hull/mold_fault.hpp"
-#include "parting/hull/sheets.hpp"
-#include "parting/hull/wished_walls.hpp"
+#include "parting/assigned_facets.hpp"
+#include "parting/halves/assigned_walls.hpp"
+#include "parting/halves/mold_fault.hpp"
+#include "parting/halves/sheets.hpp"
 #include "parting/mold_frame.hpp"
-#include "parting/wished_facets.hpp"
 
 namespace moldlight {
 
@@ -41,14 +41,14 @@ struct SheetFrame {
 /// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean
 /// the other way or are hidden.
 struct HandWalls {
-  std::vector<WishedWall> walls;
+  std::vector<AssignedWall> walls;
   std::vector<bool> released;  // whether the half could form the wall where the halves do not meet on it, too
-  double wished_area = 0.0, leaning_area = 0.0;
+  double assigned_area = 0.0, leaning_area = 0.0;
   std::optional<glm::dvec3> leaning_at;  // where the most of them is
 };
-/// `wished`: one a facet of the part. `sheets`: of that split mesh, not divided yet.
+/// `assigned`: one a facet of the part. `sheets`: of that split mesh, not divided yet.
 [[nodiscard]] HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets,
-                                   const std::vector<FacetWish>& wished, const SheetTolerance& attempt);
+                                   const std::vector<FacetWish>& assigned, const SheetTolerance& attempt);
 
 /// Where the ends of the sheets `upper` and `lower` do not sum up to nothing over a segment.
 [[nodiscard]] std::optional<MoldFault> residual(const Sheets& sheets, double diagonal);

@@ -6,7 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "classify/figure_table.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction_words.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_frame.hpp"

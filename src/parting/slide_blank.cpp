@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "parting/hull/depth_columns.hpp"
+#include "parting/halves/depth_columns.hpp"
 
 namespace moldlight {
 

@@ -8,8 +8,8 @@
 
 #include "classify/classifier.hpp"
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/headless.hpp"
+#include "classify/number_format.hpp"
 #include "python/bindings.hpp"
 #include "study/study_reports.hpp"
 

@@ -6,8 +6,8 @@
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
-#include "classify/figures.hpp"
 #include "classify/info_report.hpp"
+#include "classify/number_format.hpp"
 #include "mesh/part_selection.hpp"
 #include "mesh/weld.hpp"
 #include "mold/exact/united_bodies.hpp"
@@ -190,12 +190,13 @@ PartClass add_part(py::module_& module) {
                      .more = "name='', progress=None",
                      .text = k_part_text,
                      .settings = "Part"}))
-      .def_static("read", &read, py::arg("path"),
-                  call_doc({.name = "read",
-                            .arguments = "path",
-                            .more = "progress=None",
-                            .text = "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.",
-                            .settings = "read"}));
+      .def_static(
+          "read", &read, py::arg("path"),
+          call_doc({.name = "read",
+                    .arguments = "path",
+                    .more = "progress=None",
+                    .text = "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.",
+                    .settings = "read"}));
   add_properties(part);
   add_arrays(part);
   add_report(part, "The health report", "info");

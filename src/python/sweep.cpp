@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "python/bindings.hpp"
 #include "study/study_reports.hpp"
 #include "sweep/direction_figures.hpp"

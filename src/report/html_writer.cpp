@@ -86,7 +86,7 @@ std::string to_html(const ShareBar& bar) {
       k_width, k_height, html_text(text), html);
 }
 
-std::string cell_html(const Column& column, const Row& row, std::size_t k, const char* tag) {
+std::string cell_html(const TableColumn& column, const Row& row, std::size_t k, const char* tag) {
   const std::string mark = k == 0 && row.mark ? mark_html(*row.mark) : "";
   return fmt::format("<{0}{1}>{2}{3}</{0}>", tag, column.text ? " class=\"text\"" : "", mark,
                      value_html(row.cells[k]));
@@ -97,7 +97,7 @@ std::string to_html(const Table& table) {
       std::ranges::any_of(table.rows, [](const Row& row) { return !row.picture.rgba.empty(); });
   std::string html = "<div class=\"wide\"><table><thead><tr>";
   if (pictured) html += "<th></th>";
-  for (const Column& column : table.columns)
+  for (const TableColumn& column : table.columns)
     html += fmt::format("<th{}>{}</th>", column.text ? " class=\"text\"" : "", html_text(column.heading));
   html += "</tr></thead><tbody>\n";
   for (const Row& row : table.rows) {

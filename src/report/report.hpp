@@ -49,11 +49,11 @@ struct ShareBar {
 };
 
 /// Where a column is shown: pages have room for all.
-enum class ColumnRoom : std::uint8_t { any, wide, pages };
-struct Column {
+enum class TableColumnRoom : std::uint8_t { any, wide, pages };
+struct TableColumn {
   std::string heading;
   bool text = false;  // else figures, which stand at the right
-  ColumnRoom room = ColumnRoom::any;
+  TableColumnRoom room = TableColumnRoom::any;
 };
 struct Row {
   std::vector<Value> cells;
@@ -62,7 +62,7 @@ struct Row {
   std::string picture_text = {};
 };
 struct Table {
-  std::vector<Column> columns;
+  std::vector<TableColumn> columns;
   std::vector<Row> rows;
   std::string rest = {};  // what is said of rows that are left out
 };

@@ -66,8 +66,8 @@ class TextWriter {
   [[nodiscard]] std::string block_text(const Table& table) const {
     std::vector<std::size_t> shown;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      const ColumnRoom room = table.columns[c].room;
-      if (room == ColumnRoom::any || (room == ColumnRoom::wide && style_.wide)) shown.push_back(c);
+      const TableColumnRoom room = table.columns[c].room;
+      if (room == TableColumnRoom::any || (room == TableColumnRoom::wide && style_.wide)) shown.push_back(c);
     }
     const std::size_t rows = std::min(table.rows.size(), k_most_text_rows);
     std::vector<std::size_t> widths;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "actions/design_change.hpp"
 #include "actions/side_action.hpp"
-#include "actions/to_be_free.hpp"
 #include "classify/classification.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/loops.hpp"
@@ -39,7 +39,7 @@ struct SplitRegions {
 };
 /// What to change of each undercut of the plan so that it needs no side action.
 struct Changes {
-  std::vector<ToBeFree> of_patches;
+  std::vector<DesignChange> of_patches;
 };
 /// Which half forms what, and the line where they meet.
 struct MoldLine {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "parting/draft/draft_report.hpp"
 
 namespace moldlight {

@@ -7,7 +7,7 @@
 
 #include "actions/best_changes.hpp"
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mesh/defect_edges.hpp"
 
 namespace moldlight {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_words.hpp"
 

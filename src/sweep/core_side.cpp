@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/classification.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction_words.hpp"
 
 namespace moldlight {

@@ -7,8 +7,8 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_most = 3;
-constexpr double k_same_deg = 0.02;
+constexpr std::size_t k_most_cards = 3;
+constexpr double k_same_card_deg = 0.02;
 
 /// "+z", "-y": of axes alone, of which the sign is what one looks for.
 std::string card_name(const glm::dvec3& direction) {
@@ -26,12 +26,12 @@ std::vector<DirectionCard> direction_cards(const PartModel& model, const SweepRe
   for (const SweepCandidate& each : result.candidates) {
     const bool first = &each == &best;
     const bool other_gain = each.cost && best.cost && mold_trade(*each.cost, *best.cost).worth;
-    if (cards.size() == k_most || !(first || other_gain)) continue;
+    if (cards.size() == k_most_cards || !(first || other_gain)) continue;
     DirectionCard card{.candidate = static_cast<std::size_t>(&each - result.candidates.data()),
                        .direction = first ? result.recommended->direction : each.candidate.direction,
                        .name = {},
                        .verdict = mold_text(model, each),
-                       .here = line_angle_deg(each.candidate.direction, here) <= k_same_deg};
+                       .here = line_angle_deg(each.candidate.direction, here) <= k_same_card_deg};
     card.name = card_name(card.direction);
     const std::optional<MoldCost>& beside = cost || first ? cost : best.cost;
     if (beside && each.cost && !card.here) card.trade = mold_trade(*each.cost, *beside);

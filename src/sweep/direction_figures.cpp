@@ -10,7 +10,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction_words.hpp"
 #include "mold/measure.hpp"
 

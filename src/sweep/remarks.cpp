@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/direction_figures.hpp"
@@ -57,8 +57,8 @@ void remark_on_actions(const PartModel& model, const SweepResult& result, std::v
       result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
   if (unknown > 0 && result.settings.rank == SweepRank::mold && result.complete) {
     remarks.push_back(fmt::format(
-        "{} of the directions listed certainly need{} heavier side actions, which were not computed.", unknown,
-        unknown == 1 ? "s" : ""));
+        "{} of the directions listed certainly need{} heavier side actions, which were not computed.",
+        unknown, unknown == 1 ? "s" : ""));
   } else if (unknown > 0) {
     remarks.push_back(
         fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,

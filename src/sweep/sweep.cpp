@@ -12,7 +12,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "mold/direction_words.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/candidates/find_candidates.hpp"

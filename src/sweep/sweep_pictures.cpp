@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "io/png.hpp"
 #include "mold/direction_words.hpp"
 #include "picture/contact_sheet.hpp"

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "io/atomic_file.hpp"
 #include "mold/direction_words.hpp"

@@ -321,7 +321,7 @@ TEST_F(Mold, HalvesThatCrossThemselvesAreInDoubt) {
   ASSERT_TRUE(mold().solids) << mold().error;
   AppState doubtful = state();
   MoldSolids solids = *mold().solids;
-  solids.halves.cavity.crowded_edges = 3;
+  solids.halves.cavity.nonmanifold_edges = 3;
   doubtful.mold.solids = std::make_shared<const MoldSolids>(solids);
   EXPECT_FALSE(solids.halves.certified());
   const auto doubts = [](const AppState& shown) {

@@ -245,7 +245,7 @@ TEST_F(SideActions, ShowTheWindowThatWouldDoWithoutThem) {
   EXPECT_FALSE(window.app().controls().contains("undercut window")) << "none is looked at";
   click("undercut 1");
   window.settle();
-  const ToBeFree* const change = chosen_change(state());
+  const DesignChange* const change = chosen_change(state());
   ASSERT_TRUE(change != nullptr && change->depth && change->window);
   EXPECT_NEAR(*change->depth, 10.0, 0.07);
   EXPECT_NEAR(change->window->area, 600.0, 0.6);

@@ -81,7 +81,7 @@ void check_bodies(const MoldHalves& halves, const WrittenMold& written, double d
     EXPECT_TRUE(body.closed) << name << " " << body.name;
     if (k >= 2) continue;
     EXPECT_EQ(edges_not_of_two(body.mesh), 0U) << name << " " << body.name;
-    touches = touches || body.crowded_edges > 0;
+    touches = touches || body.nonmanifold_edges > 0;
     EXPECT_LE(body.undercut, 1e-8) << name << " " << body.name;
     EXPECT_NEAR(signed_volume(body.mesh) / body.volume, 1.0, 1e-4) << name << " " << body.name;
     const std::size_t needles = needles_of(body.mesh, 1e-7 * halves.scale * diagonal);

@@ -11,7 +11,7 @@
 
 #include "batch/csv.hpp"
 #include "batch/merge.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "page/page.hpp"
 #include "report/describe/describe.hpp"
 #include "report/html_writer.hpp"

@@ -3,7 +3,7 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include "base/error.hpp"
-#include "gl/turn.hpp"
+#include "gl/software_gl_lock.hpp"
 
 namespace moldlight::gui {
 
@@ -16,7 +16,7 @@ ImguiSession::ImguiSession() : context_(ImGui::CreateContext()) {
   io.UserData = &memory_;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would draw twice a second
   io.ConfigWindowsMoveFromTitleBarOnly = true;
-  const gl::Turn turn(true);
+  const gl::SoftwareGlLock turn(true);
   if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
     ImGui::DestroyContext(context_);
     throw Error("the OpenGL driver cannot draw the window's panels");
@@ -26,13 +26,13 @@ ImguiSession::ImguiSession() : context_(ImGui::CreateContext()) {
 
 ImguiSession::~ImguiSession() {
   ImGui::SetCurrentContext(context_);
-  const gl::Turn turn(true);
+  const gl::SoftwareGlLock turn(true);
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
 }
 
 void ImguiSession::prepare(Theme theme, float scale) {
-  const gl::Turn turn(true);
+  const gl::SoftwareGlLock turn(true);
   ImGui::SetCurrentContext(context_);
   const bool new_scale = ui_.fonts.body.font == nullptr || scale != ui_.scale;
   if (new_scale) {
@@ -68,7 +68,7 @@ const Ui& ImguiSession::begin_frame(double now_s, ControlKey key) {
 
 void ImguiSession::draw() {
   ImGui::Render();
-  const gl::Turn turn(true);
+  const gl::SoftwareGlLock turn(true);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -30,16 +30,16 @@ void FileWatch::wait(const std::optional<Time>& seen) {
   job_.start([file = file_, seen](const Progress& progress) {
     constexpr std::chrono::milliseconds k_nap(100);
     constexpr int k_naps = 10;  // between two looks
-    for (std::optional<Time> changing;;) {
+    for (Time changing = Time::min();;) {
       for (int nap = 0; nap < k_naps; ++nap) {
         progress.report({}, 0.0);
         std::this_thread::sleep_for(k_nap);
       }
       const auto time = time_of(file);
       if (!time || time == seen) {
-        changing.reset();
-      } else if (changing != time) {
-        changing = time;  // another program may still be writing
+        changing = Time::min();
+      } else if (changing != *time) {
+        changing = *time;  // another program may still be writing
       } else {
         return *time;
       }

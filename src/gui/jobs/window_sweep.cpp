@@ -26,7 +26,7 @@ constexpr double k_least_told_s = 0.5, k_least_told_share = 0.04;
 constexpr int k_niceness = 5;
 
 /// The window's own thread goes first. On Linux this is a matter of the calling thread and those it starts.
-void stand_back() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
+void lower_priority() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
 
 /// For every direction: without what was said of single undercuts of one.
 ActionSettings general(ActionSettings actions) {
@@ -73,7 +73,7 @@ void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, 
   sweep.running.emplace();
   job_.start(
       [model = model_, settings = settings_, scored = scored_by_job_, by_itself](const Progress& progress) {
-        stand_back();
+        lower_priority();
         SweepListener listener{.evaluated = [&scored](const EvaluatedDirection& direction) {
           const std::lock_guard lock(scored->mutex);
           scored->directions.push_back(direction);

@@ -10,7 +10,7 @@
 #include "actions/actions_files.hpp"
 #include "actions/actions_report.hpp"
 #include "classify/figure_table.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
@@ -190,7 +190,7 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
   if (const auto& changes = state.actions.changes) {
-    const ToBeFree& change = (*changes)[undercut];
+    const DesignChange& change = (*changes)[undercut];
     if (change.depth || change.window)
       tip += "\nWithout an action: " + mouth_text(*state.model, state.settings.actions, plan, undercut) +
              change_text(*state.model, change);

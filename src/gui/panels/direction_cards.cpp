@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 
 namespace moldlight::gui {

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
 #include "parting/draft/draft_report.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "classify/figures.hpp"
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"

@@ -1,6 +1,6 @@
 #include "gui/panels/option_row.hpp"
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 
 namespace moldlight::gui {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
 #include "gui/draw/panel_layout.hpp"

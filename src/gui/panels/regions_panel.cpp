@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "classify/figure_table.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "classify/option.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 

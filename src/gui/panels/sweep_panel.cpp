@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <imgui_internal.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/direction_cards.hpp"
 #include "gui/panels/panels.hpp"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "classify/view_choice.hpp"
 #include "compare/convex_polygon.hpp"
 #include "gui/draw/widgets.hpp"

@@ -9,7 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "actions/action_body.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/ui.hpp"
 
 namespace moldlight::gui {

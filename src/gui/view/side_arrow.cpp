@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/direction_words.hpp"
@@ -139,14 +139,14 @@ void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size
   draw_whole_tag(ui, beyond_tip(ui, from, at, name), name, ui.colours->text);
 }
 
-const ToBeFree* chosen_change(const AppState& state) {
+const DesignChange* chosen_change(const AppState& state) {
   const auto& chosen = state.action_choices.chosen;
   const auto& changes = state.actions.changes;
   return changes && chosen && *chosen < changes->size() ? &(*changes)[*chosen] : nullptr;
 }
 
 void draw_undercut_window(const Ui& ui, const AppState& state, const glm::ivec2& size) {
-  const ToBeFree* const change = chosen_change(state);
+  const DesignChange* const change = chosen_change(state);
   if (change == nullptr || !change->window) return;
   const UndercutWindow& window = *change->window;
   const ImU32 ink = packed(k_block_mark), shade = faded(ui.colours->panel, 0.7F);

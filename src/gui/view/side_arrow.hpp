@@ -21,7 +21,7 @@ struct SidePull {
 void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively);
 
 /// The change that makes the undercut free that is looked at; null for none, and while none is known.
-[[nodiscard]] const ToBeFree* chosen_change(const AppState& state);
+[[nodiscard]] const DesignChange* chosen_change(const AppState& state);
 
 /// The outline of the window where it leaves the part, lines along the parting direction to the undercut, and
 /// how large it is.

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "picture/design_space.hpp"
 #include "picture/legend.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "io/atomic_file.hpp"
 
 namespace moldlight {

@@ -150,7 +150,8 @@ Section regions_section(const ReportContext& context, const Classification& resu
   Section section{"Who forms what", {}};
   ShareBar bar;
   Table table{
-      {{"region", true}, {"area " + area_unit}, {"±"}, {"share"}, {"meaning", true, ColumnRoom::pages}}, {}};
+      {{"region", true}, {"area " + area_unit}, {"±"}, {"share"}, {"meaning", true, TableColumnRoom::pages}},
+      {}};
   for (const Region region : k_regions) {
     const std::string name(region_name(region)), title(facts(region).title);
     const Mark mark = region_mark(region, context.palette);

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "actions/action_figures.hpp"
-#include "classify/figures.hpp"
+#include "classify/number_format.hpp"
 #include "report/describe/describe.hpp"
 
 namespace moldlight::report {

@@ -45,10 +45,11 @@ Table candidates_table(const PartModel& model, const SweepResult& result) {
   keep_brief(brief);
   Table table{{{"#"}, {"tie", true}, {"direction", true}}, {}};
   for (const DirectionFigure* column : columns)
-    table.columns.push_back({figure_heading(*column, model), column->kind == FigureKind::actions,
-                             std::ranges::count(brief, column) > 0 ? ColumnRoom::any : ColumnRoom::wide});
+    table.columns.push_back(
+        {figure_heading(*column, model), column->kind == FigureKind::actions,
+         std::ranges::count(brief, column) > 0 ? TableColumnRoom::any : TableColumnRoom::wide});
   for (const char* heading : {"Pareto", "vector", "why"})
-    table.columns.push_back({heading, true, ColumnRoom::wide});
+    table.columns.push_back({heading, true, TableColumnRoom::wide});
   for (std::size_t k = 0; k < result.candidates.size(); ++k) {
     const SweepCandidate& candidate = result.candidates[k];
     const glm::dvec3& direction = candidate.classification.direction;

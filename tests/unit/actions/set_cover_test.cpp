@@ -16,26 +16,27 @@ double price_of(const std::vector<CoverClash>& clashes, std::uint32_t chosen) {
   return price;
 }
 
-/// The least cost of columns that cover every atom that any column has, with the prices of their clashes.
-double brute_force(std::size_t atoms, const std::vector<CoverColumn>& columns,
+/// The least cost of options that cover every undercut part that any option has, with the prices of their
+/// clashes.
+double brute_force(std::size_t undercut_parts, const std::vector<CoverOption>& options,
                    const std::vector<CoverClash>& clashes = {}) {
   std::vector<std::uint32_t> masks;
   std::uint32_t all = 0;
-  for (const CoverColumn& column : columns) {
+  for (const CoverOption& option : options) {
     std::uint32_t mask = 0;
-    for (const std::size_t atom : column.atoms) mask |= 1U << atom;
+    for (const std::size_t undercut_part : option.undercut_parts) mask |= 1U << undercut_part;
     masks.push_back(mask);
     all |= mask;
   }
-  EXPECT_LE(std::bit_width(all), static_cast<int>(atoms));
+  EXPECT_LE(std::bit_width(all), static_cast<int>(undercut_parts));
   double best = all == 0 ? 0.0 : 1e300;
-  for (std::uint32_t chosen = 1; chosen < (1U << columns.size()); ++chosen) {
+  for (std::uint32_t chosen = 1; chosen < (1U << options.size()); ++chosen) {
     std::uint32_t covered = 0;
     double cost = 0.0;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (std::size_t c = 0; c < options.size(); ++c) {
       if ((chosen >> c & 1U) == 0) continue;
       covered |= masks[c];
-      cost += columns[c].cost;
+      cost += options[c].cost;
     }
     if (covered != all || cost >= best) continue;
     best = std::min(best, cost + price_of(clashes, chosen));
@@ -43,39 +44,40 @@ double brute_force(std::size_t atoms, const std::vector<CoverColumn>& columns,
   return best;
 }
 
-std::vector<CoverColumn> random_columns(std::mt19937& random, std::size_t atoms, std::size_t count) {
-  std::vector<CoverColumn> columns(count);
-  for (CoverColumn& column : columns) {
-    for (std::size_t atom = 0; atom < atoms; ++atom) {
-      if (random() % 4 == 0) column.atoms.push_back(atom);
+std::vector<CoverOption> random_options(std::mt19937& random, std::size_t undercut_parts, std::size_t count) {
+  std::vector<CoverOption> options(count);
+  for (CoverOption& option : options) {
+    for (std::size_t undercut_part = 0; undercut_part < undercut_parts; ++undercut_part) {
+      if (random() % 4 == 0) option.undercut_parts.push_back(undercut_part);
     }
-    column.cost = 0.5 + 0.25 * static_cast<double>(random() % 8);
+    option.cost = 0.5 + 0.25 * static_cast<double>(random() % 8);
   }
-  return columns;
+  return options;
 }
 
 TEST(SetCover, IsTheCheapestOfRandomTables) {
   std::mt19937 random(7);
   std::size_t with_uncovered = 0;
   for (int table = 0; table < 1000; ++table) {
-    const std::size_t atoms = 1 + random() % 12, count = 1 + random() % (table % 50 == 0 ? 20 : 12);
-    const std::vector<CoverColumn> columns = random_columns(random, atoms, count);
-    const Cover cover = least_cover(atoms, columns);
+    const std::size_t undercut_parts = 1 + random() % 12, count = 1 + random() % (table % 50 == 0 ? 20 : 12);
+    const std::vector<CoverOption> options = random_options(random, undercut_parts, count);
+    const Cover cover = least_cover(undercut_parts, options);
     EXPECT_TRUE(cover.optimal);
-    EXPECT_NEAR(cover.cost, brute_force(atoms, columns), 1e-12) << table;
-    std::vector<char> covered(atoms, 0);
+    EXPECT_NEAR(cover.cost, brute_force(undercut_parts, options), 1e-12) << table;
+    std::vector<char> covered(undercut_parts, 0);
     double cost = 0.0;
-    for (const std::size_t c : cover.columns) {
-      cost += columns[c].cost;
-      for (const std::size_t atom : columns[c].atoms) covered[atom] = 1;
+    for (const std::size_t c : cover.options) {
+      cost += options[c].cost;
+      for (const std::size_t undercut_part : options[c].undercut_parts) covered[undercut_part] = 1;
     }
     EXPECT_NEAR(cost, cover.cost, 1e-12);
-    for (const std::size_t atom : cover.uncovered) {
-      EXPECT_EQ(covered[atom], 0);
-      covered[atom] = 1;
+    for (const std::size_t undercut_part : cover.uncovered) {
+      EXPECT_EQ(covered[undercut_part], 0);
+      covered[undercut_part] = 1;
       ++with_uncovered;
     }
-    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), static_cast<std::ptrdiff_t>(atoms)) << table;
+    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), static_cast<std::ptrdiff_t>(undercut_parts))
+        << table;
   }
   EXPECT_GT(with_uncovered, 100U);
 }
@@ -86,9 +88,9 @@ TEST(SetCover, IsTheCheapestOfRandomTablesWithClashes) {
   std::mt19937 random(17);
   std::size_t dearer = 0, unavoidable = 0;
   for (int table = 0; table < 1000; ++table) {
-    const std::size_t atoms = 1 + random() % 12, count = 2 + random() % (table % 50 == 0 ? 19 : 13);
+    const std::size_t undercut_parts = 1 + random() % 12, count = 2 + random() % (table % 50 == 0 ? 19 : 13);
     const bool high = table % 3 != 0;
-    const std::vector<CoverColumn> columns = random_columns(random, atoms, count);
+    const std::vector<CoverOption> options = random_options(random, undercut_parts, count);
     std::vector<CoverClash> clashes;
     const std::size_t one_of = 2 + random() % 6;
     for (std::size_t a = 0; a < count; ++a) {
@@ -97,15 +99,16 @@ TEST(SetCover, IsTheCheapestOfRandomTablesWithClashes) {
           clashes.push_back({a, b, high ? k_high : 0.25 * static_cast<double>(random() % 8)});
       }
     }
-    const Cover cover = least_cover(atoms, columns, clashes), careless = least_cover(atoms, columns);
+    const Cover cover = least_cover(undercut_parts, options, clashes),
+                careless = least_cover(undercut_parts, options);
     EXPECT_TRUE(cover.optimal);
-    EXPECT_NEAR(cover.cost, brute_force(atoms, columns, clashes), 1e-9) << table;
+    EXPECT_NEAR(cover.cost, brute_force(undercut_parts, options, clashes), 1e-9) << table;
     EXPECT_EQ(cover.uncovered, careless.uncovered) << table;
     std::uint32_t chosen = 0;
     double cost = 0.0;
-    for (const std::size_t c : cover.columns) {
+    for (const std::size_t c : cover.options) {
       chosen |= 1U << c;
-      cost += columns[c].cost;
+      cost += options[c].cost;
     }
     EXPECT_NEAR(cost + price_of(clashes, chosen), cover.cost, 1e-9) << table;
     dearer += high && cover.cost > careless.cost && cover.cost < k_high ? 1 : 0;
@@ -117,14 +120,14 @@ TEST(SetCover, IsTheCheapestOfRandomTablesWithClashes) {
 
 TEST(SetCover, GivenUpEarlySaysSo) {
   std::mt19937 random(3);
-  std::vector<CoverColumn> columns(60);
-  for (CoverColumn& column : columns) {
-    for (std::size_t atom = 0; atom < 40; ++atom) {
-      if (random() % 6 == 0) column.atoms.push_back(atom);
+  std::vector<CoverOption> options(60);
+  for (CoverOption& option : options) {
+    for (std::size_t undercut_part = 0; undercut_part < 40; ++undercut_part) {
+      if (random() % 6 == 0) option.undercut_parts.push_back(undercut_part);
     }
-    column.cost = 1.0 + 1e-3 * static_cast<double>(random() % 100);
+    option.cost = 1.0 + 1e-3 * static_cast<double>(random() % 100);
   }
-  const Cover hasty = least_cover(40, columns, {}, 50), thorough = least_cover(40, columns, {}, 1'000'000);
+  const Cover hasty = least_cover(40, options, {}, 50), thorough = least_cover(40, options, {}, 1'000'000);
   EXPECT_FALSE(hasty.optimal);
   EXPECT_TRUE(hasty.uncovered.empty());
   EXPECT_GE(hasty.cost, thorough.cost);

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
-#include "classify/figures.hpp"
 #include "classify/info_report.hpp"
+#include "classify/number_format.hpp"
 #include "support/boxes.hpp"
 #include "sweep/sweep_texts.hpp"
 

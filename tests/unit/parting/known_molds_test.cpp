@@ -143,7 +143,7 @@ void expect_known(const KnownMold& known, const Pose& pose) {
   const double cube = pose.scale * pose.scale * pose.scale;
   EXPECT_NEAR(halves.part_volume / (known.part_volume * cube), 1.0, 10.0 * pose.slack) << name;
   EXPECT_LE(halves.insert_volume, 1e-6 * halves.part_volume) << name;
-  EXPECT_EQ(halves.blemishes(), 0U) << name;
+  EXPECT_EQ(halves.numerical_defects(), 0U) << name;
   const WrittenMold written = written_mold(halves);
   ASSERT_EQ(written.refusal, "") << name;
   const glm::dvec3 up = written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);

@@ -7,7 +7,7 @@
 
 #include "mesh/health.hpp"
 #include "mesh/orient.hpp"
-#include "parting/hull/parting_surface.hpp"
+#include "parting/halves/parting_surface.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/mold_report.hpp"
@@ -176,7 +176,7 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
     const auto first = static_cast<SheetVertex>(sheets.vertices.size());
     for (const glm::dvec2& at : {glm::dvec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
       sheets.vertices.emplace_back(at, z);
-    sheets.column_of.resize(sheets.vertices.size(), k_no_column);
+    sheets.column_of.resize(sheets.vertices.size(), k_no_plane_point);
     for (const std::array<SheetVertex, 3>& c : {std::array<SheetVertex, 3>{0, 1, 2}, {0, 2, 3}}) {
       const SheetVertex a = first + c[0], b = first + c[1], d = first + c[2];
       sheets.facets.push_back({up ? std::array{a, b, d} : std::array{a, d, b}, sheet});
@@ -189,7 +189,7 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
   Sheets twice;
   square(Sheet::upper, 1.0, true, twice);
   square(Sheet::upper, 2.0, true, twice);
-  ASSERT_FALSE(twice.stand_in_columns(1e-7).has_value());
+  ASSERT_FALSE(twice.align_ends(1e-7).has_value());
   PartingSurface surface;
   const auto over = add_parting_surface(twice, wish, surface, Progress{});
   ASSERT_TRUE(over.has_value());
@@ -199,13 +199,13 @@ TEST(MoldHalvesRefused, NameThePlaceInTheSheets) {
 
   Sheets open;
   square(Sheet::upper, 1.0, true, open);
-  ASSERT_FALSE(open.stand_in_columns(1e-7).has_value());
+  ASSERT_FALSE(open.align_ends(1e-7).has_value());
   std::vector<std::array<SheetVertex, 3>> facets;
   const auto gap = close_upright(
       open, {.sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower), .turned = 0}, facets);
   EXPECT_TRUE(on_rim(gap));
   square(Sheet::lower, 0.0, false, open);
-  ASSERT_FALSE(open.stand_in_columns(1e-7).has_value());
+  ASSERT_FALSE(open.align_ends(1e-7).has_value());
   facets.clear();
   EXPECT_FALSE(close_upright(open,
                              {.sheets = Sheets::bit(Sheet::upper) | Sheets::bit(Sheet::lower), .turned = 0},

@@ -1,5 +1,5 @@
 // The constrained triangulation against its definition.
-#include "parting/hull/plane_mesh.hpp"
+#include "parting/halves/plane_mesh.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "parting/hull/sheets.hpp"
+#include "parting/halves/sheets.hpp"
 #include "support/random.hpp"
 
 namespace moldlight {

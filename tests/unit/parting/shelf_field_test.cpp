@@ -1,5 +1,5 @@
 // Shelf, land and ramps against their definition.
-#include "parting/hull/shelf_field.hpp"
+#include "parting/halves/shelf_field.hpp"
 
 #include <cmath>
 

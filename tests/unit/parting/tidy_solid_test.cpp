@@ -1,5 +1,5 @@
 // What rounding leaves in solids, and what is left of it.
-#include "parting/hull/tidy_solid.hpp"
+#include "parting/halves/tidy_solid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // Facets that cross others by rounding are moved apart; those that cross by more stay, and are not certified.
-#include "parting/hull/uncross.hpp"
+#include "parting/halves/uncross.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "parting/hull/half_checks.hpp"
+#include "parting/halves/half_checks.hpp"
 #include "parting/mold_report.hpp"
 #include "support/boxes.hpp"
 
@@ -56,7 +56,7 @@ TEST(Certificate, IsNotGivenToHalvesThatCrossOrTouchThemselves) {
   EXPECT_TRUE(half_faults(*model, halves).empty());
   halves.core.crossed_facets = 1;
   halves.core.crossed_at = glm::dvec3(1, 2, 3);
-  halves.cavity.crowded_edges = 3;
+  halves.cavity.nonmanifold_edges = 3;
   EXPECT_FALSE(halves.certified());
   const std::vector<std::string> faults = half_faults(*model, halves);
   ASSERT_EQ(faults.size(), 2u);
@@ -64,7 +64,7 @@ TEST(Certificate, IsNotGivenToHalvesThatCrossOrTouchThemselves) {
   EXPECT_EQ(faults[1], "the cavity touches itself in 3 edges");
   halves.core.crossed_facets = 0;
   EXPECT_FALSE(halves.certified());
-  halves.cavity.crowded_edges = 0;
+  halves.cavity.nonmanifold_edges = 0;
   EXPECT_TRUE(halves.certified());
 }
 

@@ -12,9 +12,11 @@ Report small_report() {
   report.subject = "along −z";
   report.sentence = "1 slide releases the undercut.";
   report.lead = {"2 marks are ignored."};
-  Table table{
-      {{"region", true}, {"area mm²"}, {"why", true, ColumnRoom::wide}, {"meaning", true, ColumnRoom::pages}},
-      {}};
+  Table table{{{"region", true},
+               {"area mm²"},
+               {"why", true, TableColumnRoom::wide},
+               {"meaning", true, TableColumnRoom::pages}},
+              {}};
   table.rows.push_back({{{"Undercut"}, {"−12.5"}, {"because"}, {"hidden"}}, Mark{{}, true, "\033[31m"}});
   table.rows.push_back({{{"Core"}, {"7"}, {"so"}, {"seen"}}});
   FigureGrid grid;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/health.hpp"
-#include "parting/hull/depth_columns.hpp"
+#include "parting/halves/depth_columns.hpp"
 #include "parting/slide_blank.hpp"
 #include "study/study_reports.hpp"
 #include "support/boxes.hpp"

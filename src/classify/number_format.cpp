@@ -1,0 +1,102 @@
+#include "classify/number_format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "io/text_scanner.hpp"
+
+namespace moldlight {
+
+namespace {
+/// Of a length, what its sums and differences may be off.
+constexpr double k_rounding_share = 1e-12;
+}  // namespace
+
+FigureColumn::FigureColumn(double greatest) {
+  if (!(greatest > 0.0)) return;
+  const int magnitude = static_cast<int>(std::floor(std::log10(greatest)));
+  scientific_ = magnitude < -6 || magnitude > 11;
+  decimals_ = scientific_ ? 5 : std::max(0, 5 - magnitude);
+}
+
+std::string FigureColumn::text(double value) const {
+  return scientific_ ? fmt::format("{:.{}e}", value, decimals_) : fmt::format("{:.{}f}", value, decimals_);
+}
+
+double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
+
+std::string share_text(double value, double whole) {
+  return fmt::format("{:.2f} %", 100.0 * share(value, whole));
+}
+
+std::string error_text(double error) { return fmt::format("{:.2g}", error); }
+
+std::string rounded(double value, double least) {
+  constexpr int k_digits = 4;
+  const double size = std::abs(value);
+  if (size == 0.0) return "0";
+  if (size < least) {
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(least))));
+    const double shown = std::ceil(least * std::pow(10.0, decimals)) / std::pow(10.0, decimals);
+    return fmt::format("< {:.{}f}", shown, decimals);
+  }
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  const int decimals = std::clamp(k_digits - 1 - magnitude, 0, 12);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string rounded_area(double area, double whole) { return rounded(area, 1e-6 * whole); }
+
+std::string figure(double value) { return fmt::format("{:.6g}", value); }
+
+std::string figures(const glm::dvec3& values, double scale) {
+  const auto text = [scale](double value) {
+    return figure(std::abs(value) < k_rounding_share * scale ? 0.0 : value);
+  };
+  return fmt::format("{}, {}, {}", text(values.x), text(values.y), text(values.z));
+}
+
+std::string component_text(double value, int decimals) {
+  const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
+}
+
+std::string direction_text(const glm::dvec3& direction, int decimals) {
+  return fmt::format("{}, {}, {}", component_text(direction.x, decimals),
+                     component_text(direction.y, decimals), component_text(direction.z, decimals));
+}
+
+std::string sentence_of(std::string text) {
+  if (text.empty()) return text;
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
+    text.replace(at, 1, "−");
+  }
+  return text;
+}
+
+std::string length_unit(const Part& part) { return part.unit.empty() ? "unit" : part.unit; }
+
+std::string powered_unit(const Part& part, int power) {
+  CHECK(power == 2 || power == 3);
+  return length_unit(part) + (power == 2 ? "²" : "³");
+}
+
+std::string part_name(const Part& part) {
+  return clean_name(std::filesystem::path(part.file).filename().string());
+}
+
+}  // namespace moldlight

@@ -1,0 +1,273 @@
+#include "parting/halves/sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mesh/union_find.hpp"
+#include "parting/halves/plane_grid.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_most_sheet_rounds = 8;
+
+}  // namespace
+
+glm::dvec2 on_grid(const glm::dvec2& at) {
+  constexpr double k_cells = 35184372088832.0;  // 2^45
+  return glm::round(at * k_cells) / k_cells;
+}
+
+PlanePoint Sheets::add_column(const glm::dvec2& at) {
+  columns.push_back(on_grid(at));
+  moved.push_back(0.0);
+  return static_cast<PlanePoint>(columns.size() - 1);
+}
+
+SheetVertex Sheets::add_vertex(PlanePoint column, double z) {
+  vertices.emplace_back(columns[column].x, columns[column].y, z);
+  column_of.push_back(column);
+  return static_cast<SheetVertex>(vertices.size() - 1);
+}
+
+std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned) const {
+  struct Use {
+    std::uint64_t key;
+    int count;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * facets.size());
+  for (const SheetFacet& facet : facets) {
+    if ((bit(facet.sheet) & sheets) == 0) continue;
+    const int sign = (bit(facet.sheet) & turned) != 0 ? -1 : 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SheetVertex from = facet.corners[k], to = facet.corners[(k + 1) % 3];
+      uses.push_back({edge_key(from, to), from < to ? sign : -sign});
+    }
+  }
+  std::ranges::sort(uses, {}, &Use::key);
+  std::vector<SheetEdge> found;
+  for (std::size_t k = 0; k < uses.size();) {
+    const std::uint64_t key = uses[k].key;
+    int count = 0;
+    for (; k < uses.size() && uses[k].key == key; ++k) count += uses[k].count;
+    const auto low = static_cast<SheetVertex>(key >> 32U), high = static_cast<SheetVertex>(key);
+    if (count > 0) found.push_back({low, high, count});
+    if (count < 0) found.push_back({high, low, -count});
+  }
+  return found;
+}
+
+std::vector<SegmentEdges> Sheets::by_segment(std::span<const SheetEdge> edges) const {
+  struct Placed {
+    std::uint64_t key;
+    SegmentEdge edge;
+  };
+  std::vector<Placed> placed;
+  placed.reserve(edges.size());
+  for (const SheetEdge& edge : edges) {
+    const PlanePoint from = column_of[edge.from], to = column_of[edge.to];
+    if (from == to || from == k_no_plane_point || to == k_no_plane_point) continue;
+    placed.push_back(from < to ? Placed{edge_key(from, to), {edge.from, edge.to, edge.count}}
+                               : Placed{edge_key(from, to), {edge.to, edge.from, -edge.count}});
+  }
+  std::ranges::stable_sort(placed, {}, &Placed::key);
+  std::vector<SegmentEdges> segments;
+  for (const Placed& one : placed) {
+    const auto a = static_cast<PlanePoint>(one.key >> 32U), b = static_cast<PlanePoint>(one.key);
+    if (segments.empty() || segments.back().a != a || segments.back().b != b) segments.push_back({a, b, {}});
+    segments.back().edges.push_back(one.edge);
+  }
+  return segments;
+}
+
+void Sheets::make_columns(double tolerance) {
+  std::vector<SheetVertex> ends_at;
+  for (const Sheet sheet : k_standing_sheets) {
+    for (const SheetEdge& edge : ends(bit(sheet))) {
+      ends_at.push_back(edge.from);
+      ends_at.push_back(edge.to);
+    }
+  }
+  std::ranges::sort(ends_at);
+  ends_at.erase(std::unique(ends_at.begin(), ends_at.end()), ends_at.end());
+  UnionFind joined(ends_at.size());
+  PlaneGrid grid(2.0 * tolerance);
+  for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
+    const glm::dvec2 at(vertices[ends_at[k]]);
+    grid.for_each_near(at, [&](std::uint32_t other) {
+      if (glm::distance(glm::dvec2(vertices[ends_at[other]]), at) <= tolerance) joined.join(k, other);
+    });
+    grid.add(at, k);
+  }
+  std::vector<PlanePoint> column(ends_at.size(), k_no_plane_point);
+  for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
+    const std::uint32_t root = joined.find(k);
+    const SheetVertex vertex = ends_at[k];
+    if (column[root] == k_no_plane_point) column[root] = add_column(glm::dvec2(vertices[ends_at[root]]));
+    column_of[vertex] = column[root];
+    moved[column[root]] =
+        std::max(moved[column[root]], glm::distance(columns[column[root]], glm::dvec2(vertices[vertex])));
+    vertices[vertex].x = columns[column[root]].x;
+    vertices[vertex].y = columns[column[root]].y;
+  }
+}
+
+std::optional<glm::dvec3> Sheets::insert_columns(double tolerance) {
+  std::vector<SheetEdge> edges;
+  for (const Sheet sheet : k_standing_sheets) {
+    const auto more = ends(bit(sheet));
+    edges.insert(edges.end(), more.begin(), more.end());
+  }
+  double length = 0.0;
+  for (const SheetEdge& edge : edges)
+    length += glm::distance(glm::dvec2(vertices[edge.from]), glm::dvec2(vertices[edge.to]));
+  PlaneGrid grid(std::max({length / (1.0 + static_cast<double>(edges.size())), 4.0 * tolerance, 1e-4}));
+  for (PlanePoint column = 0; column < columns.size(); ++column) grid.add(columns[column], column);
+
+  OnEdges on_edges;
+  std::vector<std::pair<double, PlanePoint>> passed;
+  for (const SheetEdge& edge : edges) {
+    const SheetVertex low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
+    if (column_of[low] == column_of[high] || on_edges.contains(edge_key(low, high))) continue;
+    const glm::dvec2 a(vertices[low]), b(vertices[high]);
+    const double squared = glm::dot(b - a, b - a);
+    passed.clear();
+    grid.for_each_along(a, b, [&](PlanePoint column) {
+      if (column == column_of[low] || column == column_of[high]) return;
+      const double share = glm::dot(columns[column] - a, b - a) / squared;
+      if (share <= 0.0 || share >= 1.0) return;
+      if (glm::distance(a + share * (b - a), columns[column]) <= tolerance)
+        passed.emplace_back(share, column);
+    });
+    if (passed.empty()) continue;
+    std::ranges::sort(passed);
+    std::vector<SheetVertex>& on_edge = on_edges[edge_key(low, high)];
+    for (const auto& [share, column] : passed) {
+      if (!on_edge.empty() && column_of[on_edge.back()] == column) continue;
+      moved[column] = std::max(moved[column], glm::distance(a + share * (b - a), columns[column]));
+      on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
+    }
+  }
+  if (on_edges.empty()) return std::nullopt;
+  divide_edges(on_edges);
+  return vertices.back();
+}
+
+void Sheets::divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SheetVertex a = facet.corners[k], b = facet.corners[(k + 1) % 3], tip = facet.corners[(k + 2) % 3];
+    const auto found = on_edges.find(edge_key(a, b));
+    if (found == on_edges.end()) continue;
+    // Fans from the opposite corner; the first and the last have the facet's other edges.
+    const std::vector<SheetVertex>& between = found->second;
+    SheetVertex before = a;
+    for (std::size_t i = 0; i <= between.size(); ++i) {
+      const std::size_t place = a < b ? i : between.size() - 1 - i;
+      const SheetVertex next = i == between.size() ? b : between[place];
+      divide({{before, next, tip}, facet.sheet}, on_edges, parts);
+      before = next;
+    }
+    return;
+  }
+  parts.push_back(facet);
+}
+
+void Sheets::divide_edges(const OnEdges& on_edges) {
+  std::vector<SheetFacet> divided;
+  divided.reserve(facets.size() + 2 * on_edges.size());
+  for (const SheetFacet& facet : facets) divide(facet, on_edges, divided);
+  facets = std::move(divided);
+}
+
+void Sheets::weld_columns(double tolerance) {
+  std::vector<SheetVertex> standing;
+  for (SheetVertex vertex = 0; vertex < vertices.size(); ++vertex) {
+    if (column_of[vertex] != k_no_plane_point) standing.push_back(vertex);
+  }
+  std::ranges::sort(standing, [&](SheetVertex x, SheetVertex y) {
+    return std::tuple(column_of[x], vertices[x].z, x) < std::tuple(column_of[y], vertices[y].z, y);
+  });
+  std::vector<SheetVertex> becomes(vertices.size());
+  std::iota(becomes.begin(), becomes.end(), 0U);
+  SheetVertex kept = 0;
+  for (std::size_t k = 0; k < standing.size(); ++k) {
+    const SheetVertex vertex = standing[k];
+    if (k > 0 && column_of[kept] == column_of[vertex] && vertices[vertex].z - vertices[kept].z <= tolerance) {
+      becomes[vertex] = kept;
+    } else {
+      kept = vertex;
+    }
+  }
+  std::erase_if(facets, [&](SheetFacet& facet) {
+    for (SheetVertex& corner : facet.corners) corner = becomes[corner];
+    const auto& [a, b, c] = facet.corners;
+    return a == b || b == c || c == a;
+  });
+}
+
+double Sheets::volume() const {
+  long double sum = 0.0L;
+  for (const SheetFacet& facet : facets) {
+    if (facet.sheet == Sheet::parting) continue;
+    const glm::dvec3 &a = vertices[facet.corners[0]], &b = vertices[facet.corners[1]],
+                     &c = vertices[facet.corners[2]];
+    const double seen = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    sum += static_cast<long double>((facet.sheet == Sheet::beside ? -seen : seen) * (a.z + b.z + c.z)) / 6.0L;
+  }
+  return static_cast<double>(sum);
+}
+
+void Sheets::keep_volume(double assigned, double most) {
+  const double lacking = assigned - volume();
+  if (lacking == 0.0 || std::abs(lacking) > most) return;
+  // How the volume changes with a column's place; upright surface adds nothing to it.
+  std::vector<glm::dvec2> gradient(columns.size(), glm::dvec2(0.0));
+  for (const SheetFacet& facet : facets) {
+    if (facet.sheet == Sheet::parting) continue;
+    double height = 0.0;
+    for (const SheetVertex v : facet.corners) height += vertices[v].z / 6.0;
+    if (facet.sheet == Sheet::beside) height = -height;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlanePoint column = column_of[facet.corners[k]];
+      if (column == k_no_plane_point) continue;
+      const glm::dvec3 along = vertices[facet.corners[(k + 2) % 3]] - vertices[facet.corners[(k + 1) % 3]];
+      gradient[column] += height * glm::dvec2(-along.y, along.x);
+    }
+  }
+  double reach = 0.0;
+  for (PlanePoint column = 0; column < columns.size(); ++column)
+    reach += moved[column] * glm::length(gradient[column]);
+  if (reach <= 0.0) return;
+  const double share = std::clamp(lacking / reach, -0.5, 0.5);
+  for (PlanePoint column = 0; column < columns.size(); ++column) {
+    const double steep = glm::length(gradient[column]);
+    if (moved[column] > 0.0 && steep > 0.0)
+      columns[column] = on_grid(columns[column] + share * moved[column] / steep * gradient[column]);
+  }
+  for (SheetVertex vertex = 0; vertex < vertices.size(); ++vertex) {
+    if (column_of[vertex] == k_no_plane_point) continue;
+    vertices[vertex].x = columns[column_of[vertex]].x;
+    vertices[vertex].y = columns[column_of[vertex]].y;
+  }
+}
+
+std::optional<glm::dvec3> Sheets::align_ends(double tolerance) {
+  make_columns(tolerance);
+  weld_columns(tolerance);
+  std::optional<glm::dvec3> place;
+  for (int round = 0; round < k_most_sheet_rounds; ++round) {
+    place = insert_columns(tolerance);
+    weld_columns(tolerance);
+    if (!place) break;
+  }
+  return place;
+}
+
+}  // namespace moldlight

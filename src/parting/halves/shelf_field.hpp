@@ -1,0 +1,110 @@
+// Heights of the parting surface at every place of the plane: a plane, the shelf, which level land and ramps
+// join to an outline that leaves it. What is above the shelf pulls the surface up, over its land and down a
+// ramp; the rest of the outline holds it down, by the steepest slope that is allowed; below the shelf alike.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "parting/halves/height_range.hpp"
+
+namespace moldlight {
+
+/// A segment of the outline, the surface on its left, and between what heights it may be met at the ends.
+struct RimSegment {
+  std::array<glm::dvec2, 2> ends{};
+  std::array<HeightRange, 2> ranges{};
+
+  [[nodiscard]] double length() const;
+};
+
+/// Tangents of slopes, and a length.
+struct ShelfShape {
+  double ramp = 0.57735;     // of ramps
+  double slope = 1.7320508;  // the most, where the outline itself is steeper than a ramp
+  double land = 0.02;        // level outwards from the outline
+};
+
+/// A plane over the plane.
+struct ShelfPlane {
+  double height = 0.0;  // over the origin
+  glm::dvec2 tilt{0.0};
+
+  [[nodiscard]] double at(const glm::dvec2& place) const {
+    return height + tilt.x * place.x + tilt.y * place.y;
+  }
+  /// Whether it meets all of the outline, but for this much.
+  [[nodiscard]] bool meets(const std::vector<RimSegment>& rims, double slack) const;
+};
+
+/// The greatest, over segments and corners with heights, of height − slope · max(0, distance − land), over
+/// what lies in front of them, so that it does not reach through the part.
+class Envelope {
+ public:
+  struct Source {
+    std::array<glm::dvec2, 2> ends{};
+    std::array<double, 2> heights{};
+    double land = 0.0;
+    std::array<glm::dvec2, 2> fronts{};  // it counts on the left of one of these directions, or on them
+  };
+  Envelope() = default;
+  Envelope(std::vector<Source> sources, double slope);
+
+  /// `least` where all are lower.
+  [[nodiscard]] double at(const glm::dvec2& place, double least) const;
+
+ private:
+  struct Group {
+    std::size_t first = 0, last = 0;
+    glm::dvec2 low{INFINITY}, high{-INFINITY};
+    double most = -INFINITY, land = 0.0;
+  };
+  std::vector<Source> sources_;
+  std::vector<Group> groups_;
+  double slope_ = 1.0;
+};
+
+class ShelfField {
+ public:
+  ShelfField(const std::vector<RimSegment>& rims, const ShelfPlane& shelf, const ShelfShape& shape);
+
+  [[nodiscard]] double at(const glm::dvec2& place) const;
+  /// Whether the shelf is all of the surface.
+  [[nodiscard]] bool plane() const { return plane_; }
+  [[nodiscard]] const ShelfPlane& shelf() const { return shelf_; }
+  [[nodiscard]] const ShelfShape& shape() const { return shape_; }
+
+ private:
+  /// What leaves the shelf one way: pulls the surface along, and what holds it back; downwards with heights
+  /// turned over.
+  struct Side {
+    Envelope pull, hold;
+  };
+  [[nodiscard]] double rise(const Side& side, const glm::dvec2& place, double sign) const;
+  [[nodiscard]] Side side_of(const std::vector<RimSegment>& rims, double sign) const;
+
+  ShelfPlane shelf_;
+  ShelfShape shape_;
+  bool plane_;
+  Side up_, down_;
+};
+
+/// The level that most of the outline can be met at, by its length; of several, that at which most of the
+/// line runs, then the one nearest to `wish`. `line`: heights of the line, one a segment, or not finite.
+[[nodiscard]] double shelf_level(const std::vector<RimSegment>& rims, const std::vector<double>& line,
+                                 double wish);
+
+/// The plane through an outline that is in one.
+[[nodiscard]] ShelfPlane fitted_plane(const std::vector<RimSegment>& rims);
+
+/// The rectangle outside of which the surface around the outline is level.
+struct LevelOutside {
+  glm::dvec2 low{INFINITY}, high{-INFINITY};
+};
+[[nodiscard]] LevelOutside level_outside(const std::vector<RimSegment>& rims, double shelf,
+                                         const ShelfShape& shape);
+
+}  // namespace moldlight

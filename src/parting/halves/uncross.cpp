@@ -1,0 +1,179 @@
+#include "parting/halves/uncross.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mesh/facet_geometry.hpp"
+#include "mesh/unit_frame.hpp"
+#include "mold/exact/facet_encounters.hpp"
+#include "parting/halves/half_checks.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr int k_most_uncross_rounds = 3;
+/// More are no matter of rounding, and to look at each takes long.
+constexpr std::size_t k_most_crossed = 4096;
+constexpr std::size_t k_most_near = 512;         // facets about a vertex
+constexpr std::size_t k_most_looks = 5'000'000;  // at pairs of facets, in all
+
+class Uncrosser {
+ public:
+  Uncrosser(TriangleMesh& mesh, const TidyQuery& query)
+      : mesh_(mesh),
+        query_(query),
+        box_(bounds(mesh)),
+        frame_(unit_frame(box_)),
+        around_(mesh.vertices.size()) {
+    for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+      for (const VertexIndex corner : mesh.facets[facet]) around_[corner].push_back(facet);
+    }
+    for (const glm::dvec3& vertex : mesh.vertices) positions_.push_back(in_frame(vertex));
+  }
+
+  /// Tries each corner of these facets.
+  void mend(std::span<const FacetIndex> crossed, const Progress& progress) {
+    for (const FacetIndex facet : crossed) {
+      progress.report("making the halves", 0.9);
+      for (const VertexIndex corner : mesh_.facets[facet]) {
+        if (!on_block(corner)) mend_at(corner);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] glm::dvec3 in_frame(const glm::dvec3& vertex) const {
+    return (vertex - frame_.center) / frame_.diagonal;
+  }
+  [[nodiscard]] bool on_block(VertexIndex vertex) const {
+    const glm::dvec3& at = mesh_.vertices[vertex];
+    return glm::any(glm::equal(at, box_.min)) || glm::any(glm::equal(at, box_.max));
+  }
+  void move(VertexIndex vertex, const glm::dvec3& to) {
+    mesh_.vertices[vertex] = to;
+    positions_[vertex] = in_frame(to);
+  }
+  [[nodiscard]] glm::dvec3 normal_of(FacetIndex facet) const {
+    const glm::dvec3& a = mesh_.corner(facet, 0);
+    return glm::cross(mesh_.corner(facet, 1) - a, mesh_.corner(facet, 2) - a);
+  }
+
+  /// What the facets around a vertex have against the pull, each as long as twice its area.
+  struct Against {
+    double seen = 0.0, leaning = 0.0;
+    bool degenerate = false;
+  };
+  [[nodiscard]] Against against(VertexIndex vertex) const {
+    Against sum;
+    for (const FacetIndex facet : around_[vertex]) {
+      const glm::dvec3 normal = normal_of(facet);
+      const double size = glm::length(normal), along = glm::dot(normal, query_.pull);
+      sum.seen += std::max(0.0, along);
+      if (along > k_leaning_sine * size) sum.leaning += size;
+      sum.degenerate = sum.degenerate || size == 0.0;
+    }
+    return sum;
+  }
+
+  /// Crossings among the facets around a vertex and those near them.
+  [[nodiscard]] std::size_t crossings(const std::vector<FacetIndex>& near) {
+    looks_ += near.size() * near.size();
+    TriangleMesh some;
+    std::vector<glm::dvec3> normals;
+    for (const FacetIndex facet : near) {
+      some.facets.push_back(mesh_.facets[facet]);
+      const glm::dvec3 normal = normal_of(facet);
+      const double size = glm::length(normal);
+      normals.push_back(size > 0.0 ? normal / size : glm::dvec3(0.0));
+    }
+    return facet_encounters(some, positions_, normals, {}, k_any_encounters, Progress())
+        .crossings.items.size();
+  }
+
+  [[nodiscard]] std::vector<FacetIndex> near_facets(VertexIndex vertex) const {
+    Bounds reach;
+    for (const FacetIndex facet : around_[vertex]) {
+      for (int k = 0; k < 3; ++k) reach.add(mesh_.corner(facet, k));
+    }
+    std::vector<FacetIndex> near;
+    for (FacetIndex facet = 0; facet < mesh_.facets.size(); ++facet) {
+      const glm::dvec3 &a = mesh_.corner(facet, 0), &b = mesh_.corner(facet, 1), &c = mesh_.corner(facet, 2);
+      const glm::dvec3 low = glm::min(glm::min(a, b), c) - query_.tolerance,
+                       high = glm::max(glm::max(a, b), c) + query_.tolerance;
+      if (glm::all(glm::lessThanEqual(low, reach.max)) && glm::all(glm::greaterThanEqual(high, reach.min)))
+        near.push_back(facet);
+    }
+    return near;
+  }
+
+  void mend_at(VertexIndex vertex) {
+    const std::vector<FacetIndex> near = near_facets(vertex);
+    if (near.size() > k_most_near || looks_ > k_most_looks) return;
+    const std::size_t before = crossings(near);
+    if (before == 0) return;
+    const Against had = against(vertex);
+    const glm::dvec3 from = mesh_.vertices[vertex];
+    glm::dvec3 best = from;
+    std::size_t least = before;
+    for (const glm::dvec3& step : steps()) {
+      const glm::dvec3 to(glm::vec3(from + step));
+      if (to == from) continue;
+      move(vertex, to);
+      const Against has = against(vertex);
+      if (has.seen > had.seen || has.leaning > had.leaning || (has.degenerate && !had.degenerate)) continue;
+      if (const std::size_t count = crossings(near); count < least) {
+        least = count;
+        best = to;
+        if (count == 0) break;
+      }
+    }
+    move(vertex, best);
+  }
+
+  /// Those along the pull first.
+  [[nodiscard]] std::vector<glm::dvec3> steps() const {
+    std::vector<glm::dvec3> list;
+    for (const double length : {0.5 * query_.tolerance, query_.tolerance}) {
+      for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+          for (int z = -1; z <= 1; ++z)
+            if (x != 0 || y != 0 || z != 0) list.push_back(length * glm::dvec3(x, y, z));
+    }
+    std::ranges::stable_sort(list, {}, [&](const glm::dvec3& step) {
+      const double along = glm::dot(step, query_.pull);
+      return glm::dot(step, step) - along * along;  // beside the pull
+    });
+    return list;
+  }
+
+  TriangleMesh& mesh_;
+  const TidyQuery& query_;
+  Bounds box_;
+  UnitFrame frame_;
+  std::vector<glm::dvec3> positions_;
+  std::size_t looks_ = 0;
+  std::vector<std::vector<FacetIndex>> around_;  // each vertex
+};
+
+}  // namespace
+
+std::size_t uncross(TriangleMesh& mesh, const TidyQuery& query, const Progress& progress) {
+  std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+  if (crossed.empty() || crossed.size() > k_most_crossed) return crossed.size();
+  Uncrosser uncrosser(mesh, query);
+  for (int round = 0; round < k_most_uncross_rounds && !crossed.empty(); ++round) {
+    uncrosser.mend(crossed, progress);
+    std::vector<FacetIndex> left = crossed_facets(mesh, progress);
+    const bool better = left.size() < crossed.size();
+    crossed = std::move(left);
+    if (!better) break;
+  }
+  return crossed.size();
+}
+
+}  // namespace moldlight
