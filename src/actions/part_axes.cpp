@@ -61,6 +61,8 @@ std::vector<Facing> facings(const PartModel& model, const PartAxes& axes) {
       moment += walls[k].area * walls[k].turn;
     }
     facing.turn = moment / facing.area;
+    // But for the rounding of its file a wall faces the file's axis.
+    if (std::abs(facing.turn) < 0.5 * k_same_turn) facing.turn = 0.0;
     found.push_back(facing);
   }
   std::erase_if(found, [&](const Facing& facing) { return facing.area < k_least_share * total; });

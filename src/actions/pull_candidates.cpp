@@ -16,7 +16,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_same_deg = 1e-4;
+constexpr double k_same_deg = 0.01;       // the rounding of files turns walls and axes by less
 constexpr std::size_t k_most_planes = 8;  // of an undercut, the largest
 constexpr std::size_t k_most_walls = 4;   // round ones looked for
 constexpr double k_plane_cosine = 0.99999;

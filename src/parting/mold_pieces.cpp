@@ -174,6 +174,8 @@ class PieceMaker {
       in_way = fmt::format("{} stands in its way, near {}", name, FigureStyle(wish_.model).point(place));
     };
     looked_at(part_, "the part");
+    looked_at(unscaled(halves.core.mesh), "the core");
+    looked_at(unscaled(halves.cavity.mesh), "the cavity");
     for (std::size_t k = 0; k < halves.inserts.size(); ++k) {
       if (k != number)
         looked_at(unscaled(halves.inserts[k].mesh),

@@ -137,7 +137,7 @@ std::string made_text(const MoldReport& report) {
                             length(halves.block_volume / (size.x * size.y)));
 }
 
-/// Of a body as it is written: the halves leave first, then slides, then what leaves with the part.
+/// Of a body as it is written, in the mold's sequence: slides, halves, and by hand what leaves with the part.
 Json piece_json(const MoldReport& report, std::size_t number) {
   const MoldHalves& halves = report.halves;
   const WrittenBody& written = report.written.bodies[number];
@@ -148,14 +148,14 @@ Json piece_json(const MoldReport& report, std::size_t number) {
   json["file"] = written.file.empty() ? Json() : Json(written.file);
   json["direction"] = json["travel"] = Json();
   if (half) {
-    json["direction"] = point_json(number == 0 ? halves.frame.z : -halves.frame.z);
+    json["direction"] = point_json(number == 0 ? halves.frame.z : glm::dvec3(0.0) - halves.frame.z);
     json["travel"] = halves.part_height;
   } else if (slide) {
     const SideAction& action = report.plan->actions[report.pieces->of_slides[body.blanks.front()]];
     json["direction"] = point_json(action.direction);
     json["travel"] = action.travel;
   }
-  json["sequence"] = half ? 1 : slide ? 2 : 3;
+  json["sequence"] = slide ? 1 : half ? 2 : 4;
   json.update({{"volume", written.volume},
                {"closed", written.closed},
                {"crossings", body.crossed_facets},

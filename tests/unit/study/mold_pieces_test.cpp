@@ -63,10 +63,10 @@ TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
   const auto& pieces = json["pieces"];
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_EQ(pieces[0]["kind"], "core");
-  EXPECT_EQ(pieces[0]["sequence"], 1);
+  EXPECT_EQ(pieces[0]["sequence"], 2);
   EXPECT_EQ(pieces[2]["name"], "slide_1");
   EXPECT_EQ(pieces[2]["kind"], "slide");
-  EXPECT_EQ(pieces[2]["sequence"], 2);
+  EXPECT_EQ(pieces[2]["sequence"], 1);
   EXPECT_EQ(pieces[2]["crossings"], 0);
   EXPECT_TRUE(pieces[2]["closed"]);
   EXPECT_GT(pieces[2]["travel"].get<double>(), 3.0);
