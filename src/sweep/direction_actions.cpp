@@ -43,9 +43,8 @@ bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercu
 
 bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
   const double more_left = rough.totals.unreleased_area - left;
-  return more_left > 2.0 * left_band ||
-         ((left <= left_band || more_left > -0.5 * left_band) &&
-          rough.weight + per_area * rough.formed_area > most + k_rough_margin);
+  return more_left > 2.0 * left_band || ((left <= left_band || more_left > -0.5 * left_band) &&
+                                         rough.weight + per_area * rough.formed_area > most + k_rough_margin);
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,

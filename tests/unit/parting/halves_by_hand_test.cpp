@@ -192,9 +192,8 @@ TEST(HalvesByHand, ADraftedFaceStaysAndIsTold) {
   const WrittenMold written = written_mold(halves);
   const MoldReport report{*model, query, settings, assignment, line, halves, written};
   const std::vector<std::string> remarks = halves_remarks(report);
-  EXPECT_TRUE(std::ranges::any_of(remarks, [](const std::string& remark) {
-    return remark.find("reverse draft") != std::string::npos;
-  }));
+  EXPECT_TRUE(std::ranges::any_of(
+      remarks, [](const std::string& remark) { return remark.find("reverse draft") != std::string::npos; }));
   EXPECT_NEAR(mold_json(report)["halves"]["missed"]["leaning"]["area"].get<double>(), area, 1e-9);
 }
 
