@@ -43,10 +43,10 @@ std::string fault_of(std::string_view text, const Digest& key, Json& result) {
   const std::size_t tail = k_before_checksum.size() + k_key_digits + k_after_checksum.size();
   if (text.size() <= tail || !text.ends_with(k_after_checksum) ||
       text.substr(text.size() - tail, k_before_checksum.size()) != k_before_checksum)
-    return "is damaged: it does not end with its checksum";
+    return "is damaged and does not end with its checksum";
   const std::string_view noted = text.substr(text.size() - tail + k_before_checksum.size(), k_key_digits);
   const std::string whole = std::string(text.substr(0, text.size() - tail)) + "}";
-  if (hex_of(digest_of(whole)) != noted) return "was changed: its checksum does not match";
+  if (hex_of(digest_of(whole)) != noted) return "was changed and does not match its checksum";
   result = Json::parse(whole, nullptr, false);
   if (!result.is_object()) return "is damaged";
   const auto own = result.find("key");

@@ -30,7 +30,7 @@ using Found = std::optional<double>;
 using Use = DirectionFigure::Use;
 
 constexpr DirectionFigure k_figures[] = {
-    {"undercut", "undercut", FigureKind::area, "Undercut area.",
+    {"undercut", "undercut", FigureKind::area, "Area that no mold half releases.",
      Use{.objective = true, .classified = true, .brief = true},
      [](const Facts& f) -> Found { return f.classification.areas[Region::undercut]; }},
     {"undercut_share", "%", FigureKind::per_cent, "Undercut, per cent of the part's area.",

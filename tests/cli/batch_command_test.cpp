@@ -71,7 +71,8 @@ TEST(Batch, OddNamesMissingFilesAndDuplicates) {
   const auto plan = parts.plan("list.csv");
   ASSERT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_NE(plan.err.find("2 parts cannot be read"), std::string::npos) << plan.err;
-  EXPECT_NE(plan.err.find("1 part holds what another"), std::string::npos) << plan.err;
+  EXPECT_NE(plan.err.find("1 part holds the same content and settings as another"), std::string::npos)
+      << plan.err;
   const auto run = parts.batch("run");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("parts/junk.stl: failed: "), std::string::npos) << run.err;

@@ -101,7 +101,7 @@ class Reports(unittest.TestCase):
             found.write_line(folder + "/line.dxf")
             program_folder = folder + "/program"
             support.program("mold", LID, "--unit", "mm", "--direction", "z", "--fill-undercut", "--shrink", "0.6",
-                            "--out", program_folder, "--lines", folder + "/program.dxf", "--quiet")
+                            "--actions", "--out", program_folder, "--lines", folder + "/program.dxf", "--quiet")
             for name in (file.rsplit("/", 1)[1] for file in files):
                 with open(f"{folder}/out/{name}", "rb") as own, open(f"{program_folder}/{name}", "rb") as noted:
                     self.assertEqual(own.read(), noted.read(), name)

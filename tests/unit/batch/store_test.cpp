@@ -101,9 +101,9 @@ TEST(ResultStore, AResultProvesWhatItIs) {
   std::string changed = text;
   changed.replace(changed.find("12.5"), 4, "10.5");
   write(changed);
-  EXPECT_EQ(fault_of(store, key), "was changed: its checksum does not match");
+  EXPECT_EQ(fault_of(store, key), "was changed and does not match its checksum");
   write(result.dump() + "\n");
-  EXPECT_EQ(fault_of(store, key), "is damaged: it does not end with its checksum");
+  EXPECT_EQ(fault_of(store, key), "is damaged and does not end with its checksum");
   fs::copy_file(file_of(other), file_of(key), fs::copy_options::overwrite_existing);
   EXPECT_EQ(fault_of(store, key), "is the result of another part");
   write(text);
