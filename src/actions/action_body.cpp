@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "actions/lifter_stem.hpp"
 #include "mesh/health.hpp"
 #include "mesh/open_surface.hpp"
 #include "mesh/polygon_triangulation.hpp"
@@ -32,16 +33,19 @@ constexpr double k_flat = 0.02;
 constexpr double k_lean = 5e-4;
 constexpr std::uint64_t k_cap_work = 2'000'000;
 
-class BodyMaker {
+}  // namespace
+
+class ActionBody::Maker {
  public:
-  BodyMaker(const PartModel& model, const Classification& result, const ActionPlan& plan, std::size_t number,
-            double thickness)
-      : model_(model),
-        vertices_(result.split->vertices),
+  Maker(const Context& context, const ActionPlan& plan, std::size_t number)
+      : model_(context.model),
+        vertices_(context.split.vertices),
         action_(plan.actions[number]),
-        thickness_(k_thickness * thickness),
-        release_(model, exact_query(model, result.query())) {
-    const SplitMesh& split = *result.split;
+        lateral_(context.query.lateral),
+        sine_(std::sin(glm::radians(context.query.tau_deg))),
+        stem_(context.stem),
+        release_(context.model, context.query) {
+    const SplitMesh& split = context.split;
     std::set<FacetIndex> formed;
     for (const std::size_t patch : action_.patches) {
       const UndercutReport& noted = plan.patches[patch];
@@ -57,38 +61,76 @@ class BodyMaker {
     if (!action_.about) leave_out_blocked();
   }
 
-  std::optional<TriangleMesh> make() {
+  [[nodiscard]] std::optional<TriangleMesh> make(double share) const {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
-    OpenSurface surface = surface_of_triangles();
-    if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
-    const bool leaves = is_slide(action_.kind);
+    OpenSurface surface = surface_of(triangles_);
     const double diagonal = model_.frame.diagonal;
-    double length = thickness_ * diagonal;
+    if (action_.kind == ActionKind::unscrew) {
+      // Facets of a thread leave their helix by so much.
+      constexpr double k_play = 0.04;
+      move_off(surface,
+               std::min((1.0 / share - 1.0) * lateral_ * diagonal, k_play * std::abs(action_.about->pitch)));
+      return solid_between(surface, toward_axis(surface));
+    }
+    const bool leaves = is_slide(action_.kind);
     if (leaves) {
-      length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
+      // Walls that lean against its way by less than tau do not hold it, but it keeps off them.
+      const auto [least, greatest] = reach_of(surface.mesh.vertices);
+      move_off(surface, std::min((1.0 / share - 1.0) * lateral_ * diagonal, sine_ * (greatest - least)));
+    }
+    const double thickness = share * k_thickness * diagonal;
+    double length = thickness;
+    if (leaves) {
+      length =
+          (release_.reach(action_.direction) + k_beyond) * diagonal - reach_of(surface.mesh.vertices).first;
     } else if (std::isfinite(action_.clear_to)) {
       length = std::clamp(action_.clear_to - action_.travel, k_least_thickness * diagonal, length);
     }
-    if (leaves && close_far_ends(surface)) surface = surface_of_triangles();
+    if (leaves) {
+      const auto caps = far_ends(surface);
+      auto closed = triangles_;
+      closed.insert(closed.end(), caps.begin(), caps.end());
+      if (!caps.empty()) surface = surface_of(closed);
+    }
     const glm::dvec3 normal = mean_normal(surface.mesh);
     const glm::dvec3 way = length * (action_.direction + k_lean * normal);
     TriangleMesh solid = solid_between(surface, shifted(surface, way));
     const double area = total_area(surface.mesh);
-    if (signed_volume(solid) > k_flat * std::pow(area, 1.5)) return solid;
+    if (signed_volume(solid) > k_flat * std::pow(area, 1.5))
+      return with_stem(std::move(solid), surface, length);
     // It gets its thickness off the surface.
     std::vector<glm::dvec3> image = surface.mesh.vertices;
     const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
     for (std::size_t k = 0; k < image.size(); ++k)
-      image[k] += thickness_ * diagonal * (normal != glm::dvec3(0.0) ? normal : curved[k]);
-    return solid_between(surface, image);
+      image[k] += thickness * (normal != glm::dvec3(0.0) ? normal : curved[k]);
+    return with_stem(solid_between(surface, image), surface, thickness);
   }
 
  private:
+  using Triangles = std::vector<std::array<VertexIndex, 3>>;
+
+  [[nodiscard]] TriangleMesh with_stem(TriangleMesh head, const OpenSurface& surface,
+                                       double thickness) const {
+    if (action_.kind != ActionKind::lifter || stem_ <= 0.0) return head;
+    const TriangleMesh stem =
+        lifter_stem({.model = model_,
+                     .action = action_,
+                     .side = action_.core_side ? release_.direction() : -release_.direction(),
+                     .section = stem_,
+                     .head = thickness,
+                     .lateral = lateral_ * model_.frame.diagonal,
+                     .surface = surface.mesh.vertices});
+    const auto first = static_cast<VertexIndex>(head.vertices.size());
+    head.vertices.insert(head.vertices.end(), stem.vertices.begin(), stem.vertices.end());
+    for (const auto& [a, b, c] : stem.facets) head.facets.push_back({first + a, first + b, first + c});
+    return head;
+  }
+
   /// Triangles are divided until each leaves whole, or has little of the surface; then those that do not go.
   void leave_out_blocked() {
     constexpr std::size_t k_most = 8'000;
     constexpr double k_little = 0.01;
-    std::vector<std::array<VertexIndex, 3>> free;
+    Triangles free;
     for (bool fine = false; !fine; fine = fine || !divide(k_most)) {
       free.clear();
       fine = true;
@@ -114,7 +156,7 @@ class BodyMaker {
       if (added) vertices_.push_back(0.5 * (vertices_[a] + vertices_[b]));
       return at->second;
     };
-    std::vector<std::array<VertexIndex, 3>> finer;
+    Triangles finer;
     for (const auto& [a, b, c] : triangles_) {
       const VertexIndex ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
@@ -155,9 +197,9 @@ class BodyMaker {
 
   /// Where fans of triangles meet in a point they are drawn back from it, each into itself, so that the walls
   /// over them do not share an edge.
-  [[nodiscard]] OpenSurface surface_of_triangles() const {
+  [[nodiscard]] OpenSurface surface_of(const Triangles& triangles) const {
     constexpr double k_back = 1e-3;  // of the triangles' size
-    OpenSurface surface = open_surface(vertices_, triangles_);
+    OpenSurface surface = open_surface(vertices_, triangles);
     std::map<VertexIndex, int> uses;
     for (const VertexIndex source : surface.sources) ++uses[source];
     const std::vector<glm::dvec3> corners = surface.mesh.vertices;
@@ -171,11 +213,15 @@ class BodyMaker {
     return surface;
   }
 
-  [[nodiscard]] double least_reach(std::span<const glm::dvec3> points) const {
-    double least = k_never;
-    for (const glm::dvec3& point : points)
-      least = std::min(least, glm::dot(point - model_.frame.center, action_.direction));
-    return least;
+  /// The least and the greatest along its way, from the middle of the part.
+  [[nodiscard]] std::pair<double, double> reach_of(std::span<const glm::dvec3> points) const {
+    double least = k_never, greatest = -k_never;
+    for (const glm::dvec3& point : points) {
+      const double at = glm::dot(point - model_.frame.center, action_.direction);
+      least = std::min(least, at);
+      greatest = std::max(greatest, at);
+    }
+    return {least, greatest};
   }
 
   [[nodiscard]] static double total_area(const TriangleMesh& mesh) {
@@ -200,16 +246,16 @@ class BodyMaker {
     return image;
   }
 
-  /// Adds caps where the surface, seen against the pull, has a hole that leads on through the part, or where
+  /// Caps where the surface, seen against the pull, has a hole that leads on through the part, or where
   /// it goes part of the way round such a hole, and the cap can be pulled out, too. The corners of a cap are
   /// those of the border.
-  bool close_far_ends(const OpenSurface& surface) {
+  [[nodiscard]] Triangles far_ends(const OpenSurface& surface) const {
     constexpr double k_end = 1e-3;  // of the diagonal, along the pull
-    const std::size_t before = triangles_.size();
+    Triangles caps;
     const double square = model_.frame.diagonal * model_.frame.diagonal;
     for (const std::vector<VertexIndex>& border : surface.borders) {
       if (glm::dot(enclosed_area(surface, border), action_.direction) < -1e-9 * square) {
-        add_cap(surface, border);
+        add_cap(surface, border, caps);
         continue;
       }
       const auto reach = [&](VertexIndex vertex) {
@@ -229,16 +275,16 @@ class BodyMaker {
       const std::size_t least_size = end.size() / 2;
       while (end.size() < border.size() && end.size() > std::max<std::size_t>(4, least_size) &&
              glm::dot(enclosed_area(surface, end), action_.direction) < -k_end * k_end * square &&
-             !add_cap(surface, end)) {
+             !add_cap(surface, end, caps)) {
         end.pop_back();
         end.erase(end.begin());
       }
     }
-    return triangles_.size() > before;
+    return caps;
   }
 
   /// Not where the border crosses itself, or something is in the way.
-  bool add_cap(const OpenSurface& surface, const std::vector<VertexIndex>& border) {
+  bool add_cap(const OpenSurface& surface, const std::vector<VertexIndex>& border, Triangles& caps) const {
     if (border.size() < 3) return false;
     std::vector<glm::dvec3> outline;
     for (auto at = border.rbegin(); at != border.rend(); ++at) outline.push_back(surface.mesh.vertices[*at]);
@@ -254,9 +300,14 @@ class BodyMaker {
       std::array<VertexIndex, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k)
         triangle[k] = surface.sources[border[border.size() - 1 - corners[k]]];
-      triangles_.push_back(triangle);
+      caps.push_back(triangle);
     }
     return true;
+  }
+
+  static void move_off(OpenSurface& surface, double distance) {
+    const std::vector<glm::dvec3> normals = vertex_normals(surface.mesh);
+    for (std::size_t k = 0; k < normals.size(); ++k) surface.mesh.vertices[k] += distance * normals[k];
   }
 
   [[nodiscard]] static std::vector<glm::dvec3> vertex_normals(const TriangleMesh& mesh) {
@@ -303,18 +354,18 @@ class BodyMaker {
 
   const PartModel& model_;
   std::vector<glm::dvec3> vertices_;  // of the split mesh, and such as divide its pieces
-  const SideAction& action_;
-  double thickness_;  // at most of a body that does not leave sideways, share of the diagonal
+  SideAction action_;
+  double lateral_;  // tolerance, share of the diagonal
+  double sine_;     // of tau
+  double stem_;
   Release release_;
-  std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
+  Triangles triangles_;
 };
 
-}  // namespace
+ActionBody::ActionBody(const Context& context, const ActionPlan& plan, std::size_t action)
+    : maker_(std::make_shared<const Maker>(context, plan, action)) {}
 
-std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
-                                        const ActionPlan& plan, std::size_t action, double thickness) {
-  return BodyMaker(model, result, plan, action, thickness).make();
-}
+std::optional<TriangleMesh> ActionBody::shaped(double thickness) const { return maker_->make(thickness); }
 
 double turn_of(const SideAction& action, double share) {
   if (action.kind != ActionKind::unscrew || !action.about) return 0.0;

@@ -1,6 +1,7 @@
 // The solid that an action moves to release what it forms, and how it moves.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <glm/mat4x4.hpp>
@@ -12,12 +13,28 @@ namespace moldlight {
 
 /// The closed, oriented solid that an action moves, beside the part, in its unit and place. It touches the
 /// undercut pieces that the action releases and the faces that it forms with them, but for what of them it
-/// does not free. A slide's goes as far out as the part reaches; what cannot leave sideways is a slice, with
-/// this share (0, 1] of the usual thickness. Through holes are stopped at their far end. Nothing for what is
-/// stripped off, which has no body of its own.
-[[nodiscard]] std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
-                                                      const ActionPlan& plan, std::size_t action,
-                                                      double thickness);
+/// does not free. A slide's goes as far out as the part reaches, a lifter's stem as far out of its half.
+/// Through holes are stopped at their far end.
+class ActionBody {
+ public:
+  struct Context {
+    const PartModel& model;
+    const SplitMesh& split;
+    const ExactQuery& query;
+    double stem = 0.0;  // side of the square that carries a lifter, the part's unit
+  };
+  /// Of an action of a plan that has its patches.
+  ActionBody(const Context& context, const ActionPlan& plan, std::size_t action);
+
+  /// What cannot leave sideways is a slice, with this share (0, 1] of the usual thickness. A slide keeps off
+  /// walls that lean against its way by less than tau, and a thread's core off the thread, the more, the less
+  /// the share is. Nothing for what is stripped off, which has no body.
+  [[nodiscard]] std::optional<TriangleMesh> shaped(double thickness) const;
+
+ private:
+  class Maker;
+  std::shared_ptr<const Maker> maker_;  // not null
+};
 
 /// Where a body is at a share [0, 1] of its travel: points of the part's own unit and place.
 [[nodiscard]] glm::dmat4 action_motion(const SideAction& action, double share);

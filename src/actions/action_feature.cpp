@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "classify/map_comparison.hpp"
@@ -24,6 +25,7 @@ constexpr std::size_t k_shape_samples = 32;  // of an undercut
 constexpr double k_most_of = 0.8;            // of its area
 constexpr double k_same_size = 0.05;         // between vents of a row
 constexpr std::size_t k_least_vents = 3;
+constexpr double k_along = 0.996;     // cosine between the axis of a hole and the pull
 constexpr double k_slot_ratio = 2.5;  // of length to width, at least
 
 /// Shares of the diagonal.
@@ -50,7 +52,8 @@ class FeatureFinder {
     const auto leaves = [&](const glm::dvec3& way, double length) {
       return context_.release.free_area(samples, way, length) >= k_most_of * patch.area;
     };
-    if (is_round(patch)) {
+    const auto hole = round_hole(context_.model, context_.split, patch);
+    if (hole && std::abs(glm::dot(hole->axis, action_.direction)) > k_along) {
       feature.shape = Shape::hole;
     } else if (leaves(action_.direction, k_never) && leaves(-action_.direction, k_never)) {
       feature.shape = longer > k_slot_ratio * shorter ? Shape::slot : Shape::window;
@@ -76,26 +79,6 @@ class FeatureFinder {
     return std::max(0.0, greatest - least);
   }
 
-  /// Whether most of its larger facets are of round walls along the pull.
-  [[nodiscard]] bool is_round(const Undercut& patch) const {
-    constexpr std::size_t k_asked = 12;
-    constexpr double k_along = 0.996;  // cosine
-    std::map<FacetIndex, double> areas;
-    for (const std::uint32_t piece : patch.pieces)
-      areas[context_.split.pieces[piece].facet] += piece_area(context_.split, context_.split.pieces[piece]);
-    std::vector<std::pair<double, FacetIndex>> order;
-    for (const auto& [facet, area] : areas) order.emplace_back(area, facet);
-    std::ranges::stable_sort(order, std::greater(), [](const auto& each) { return each.first; });
-    order.resize(std::min(order.size(), k_asked));
-    double all = 0.0, round = 0.0;
-    for (const auto& [area, facet] : order) {
-      all += area;
-      const auto axis = round_wall_axis(context_.model.geometry, context_.model.adjacency, facet);
-      if (axis && std::abs(glm::dot(glm::normalize(*axis), action_.direction)) > k_along) round += area;
-    }
-    return round > k_most_of * all;
-  }
-
   const FeatureContext& context_;
   const SideAction& action_;
   glm::dvec3 level_{1, 0, 0}, upright_{0, 0, 1};  // unit, across the pull
@@ -107,6 +90,49 @@ bool are_alike(const Feature& one, const Feature& other) {
 }
 
 }  // namespace
+
+std::optional<RoundHole> round_hole(const PartModel& model, const SplitMesh& split, const Undercut& patch) {
+  constexpr std::size_t k_asked = 12;
+  std::map<FacetIndex, double> areas;
+  for (const std::uint32_t piece : patch.pieces)
+    areas[split.pieces[piece].facet] += piece_area(split, split.pieces[piece]);
+  std::vector<std::pair<double, FacetIndex>> order;
+  for (const auto& [facet, area] : areas) order.emplace_back(area, facet);
+  std::ranges::stable_sort(order, std::greater(), [](const auto& each) { return each.first; });
+  order.resize(std::min(order.size(), k_asked));
+  std::optional<glm::dvec3> axis;
+  double all = 0.0, round = 0.0;
+  for (const auto& [area, facet] : order) {
+    all += area;
+    const auto its = round_wall_axis(model.geometry, model.adjacency, facet);
+    if (!axis) axis = its;
+    if (its && std::abs(glm::dot(*its, *axis)) > k_along) round += area;
+  }
+  if (!axis || round <= k_most_of * all) return std::nullopt;
+  const glm::dvec3 one = glm::normalize(glm::cross(
+                       *axis, std::abs(axis->x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
+                   other = glm::cross(*axis, one);
+  glm::dvec3 least(k_never), greatest(-k_never);
+  for (const std::uint32_t piece : patch.pieces) {
+    for (const VertexIndex corner : split.pieces[piece].corners) {
+      const glm::dvec3& at = split.vertices[corner];
+      const glm::dvec3 place(glm::dot(at, one), glm::dot(at, other), glm::dot(at, *axis));
+      least = glm::min(least, place);
+      greatest = glm::max(greatest, place);
+    }
+  }
+  const glm::dvec3 size = greatest - least, middle = 0.5 * (greatest + least);
+  double inward = 0.0;
+  for (const std::uint32_t piece : patch.pieces) {
+    const glm::dvec3& normal = model.geometry.normals[split.pieces[piece].facet];
+    const glm::dvec3& at = split.vertices[split.pieces[piece].corners[0]];
+    inward +=
+        piece_area(split, split.pieces[piece]) * (glm::dot(normal, one) * (middle.x - glm::dot(at, one)) +
+                                                  glm::dot(normal, other) * (middle.y - glm::dot(at, other)));
+  }
+  if (inward <= 0.0) return std::nullopt;
+  return RoundHole{{std::max(size.x, size.y), size.z}, *axis};
+}
 
 std::string feature_text(const FeatureContext& context, const ActionPlan& plan, const SideAction& action) {
   std::map<Shape, std::size_t> counts;

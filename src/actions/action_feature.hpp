@@ -21,4 +21,13 @@ struct FeatureContext {
 [[nodiscard]] std::string feature_text(const FeatureContext& context, const ActionPlan& plan,
                                        const SideAction& action);
 
+/// The core pin of an undercut that is a round hole, and the axis (unit) along which it is pulled; none of
+/// others.
+struct RoundHole {
+  CorePin pin;
+  glm::dvec3 axis{0, 0, 1};
+};
+[[nodiscard]] std::optional<RoundHole> round_hole(const PartModel& model, const SplitMesh& split,
+                                                  const Undercut& patch);
+
 }  // namespace moldlight

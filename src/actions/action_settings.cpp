@@ -18,6 +18,12 @@ std::span<const Option<ActionSettings>> action_options() {
        "What a lifter needs beyond its travel, for its own thickness and to stay clear; one with less is "
        "rejected.",
        RealKind<S>{&S::lifter_room_mm, 0.0, 1000.0, 0.5}},
+      {"lifter_section_mm", "--lifter-section", "Lifter section", "mm",
+       "Side of the square stem that carries a lifter out of its half; 0: none.",
+       RealKind<S>{&S::lifter_section_mm, 0.0, 1000.0, 0.5}},
+      {"pin_diameter_mm", "--pin-diameter", "Pin diameter", "mm",
+       "A core pin is no thinner: no slide forms a round hole that is.",
+       RealKind<S>{&S::pin_diameter_mm, 0.0, 1000.0, 0.1}},
       {"clearance_mm", "--clearance", "Clearance", "mm", "What a slide travels beyond the least.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},
       {"least_travel_mm", "--least-travel", "Least travel", "mm",

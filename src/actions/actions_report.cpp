@@ -86,19 +86,19 @@ Json action_json(const SideAction& action) {
   Json axis;
   if (action.about)
     axis = {{"point", vector_json(action.about->point)}, {"direction", vector_json(action.about->direction)}};
-  Json json = {{"kind", facts(action.kind).name},
-               {"feature", action.feature},
-               {"sequence", sequence_of(action.kind)},
-               {"direction", vector_json(action.direction)},
-               {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
-               {"axis", axis},
-               {"patches", numbers_json(action.patches)},
-               {"side", side_name(action.core_side)},
-               {"has_room", has_room(action)},
-               {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
-               {"meets", numbers_json(action.meets)},
-               {"body", {{"file", Json()}}},
-               {"clear", action.body ? hit_json(action.body->hit) : Json()}};
+  Json json = {
+      {"kind", facts(action.kind).name},
+      {"feature", action.feature},
+      {"sequence", sequence_of(action.kind)},
+      {"direction", vector_json(action.direction)},
+      {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
+      {"axis", axis},
+      {"patches", numbers_json(action.patches)},
+      {"side", side_name(action.core_side)},
+      {"meets", numbers_json(action.meets)},
+      {"pin", action.pin ? Json{{"diameter", action.pin->diameter}, {"length", action.pin->length}} : Json()},
+      {"body", {{"file", Json()}}},
+      {"clear", action.body ? hit_json(action.body->hit) : Json()}};
   put_figures(found_figures(action_figures(), action), json);
   put_figures(found_figures(body_figures(), action), json);
   return json;
@@ -118,7 +118,13 @@ Json saving_json(const SavingChange& change, const ActionsReport& report) {
           {"to_be_free", todo}};
 }
 
+bool has_room_figure(const RejectedAction& rejected) {
+  return rejected.reason == RejectReason::no_room || rejected.reason == RejectReason::no_way_out ||
+         rejected.reason == RejectReason::thin_pin;
+}
+
 Json rejected_json(const RejectedAction& rejected) {
+  const bool hits = rejected.hit.depth > 0.0;
   return {{"patch", rejected.patch + 1},
           {"kind", facts(rejected.kind).name},
           {"direction", vector_json(rejected.direction)},
@@ -126,7 +132,9 @@ Json rejected_json(const RejectedAction& rejected) {
           {"side", side_name(rejected.core_side)},
           {"reason", reject_text(rejected.reason)},
           {"place", vector_json(rejected.place)},
-          {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()}};
+          {"room", has_room_figure(rejected) && std::isfinite(rejected.room) ? Json(rejected.room) : Json()},
+          {"depth", hits ? Json(rejected.hit.depth) : Json()},
+          {"when", hits ? Json(stage_text(rejected.hit.stage)) : Json()}};
 }
 
 /// Without the sign of what two decimals show as 0.
@@ -150,9 +158,17 @@ std::string change_text(const PartModel& model, const ToBeFree& change) {
 
 std::string mouth_text(const PartModel& model, const ActionSettings& settings, const ActionPlan& plan,
                        std::size_t patch) {
-  const auto found = std::ranges::find(plan.rejected, patch, &RejectedAction::patch);
-  if (found == plan.rejected.end() || found->reason != RejectReason::no_room) return "";
+  const auto found = std::ranges::find_if(plan.rejected, [&](const RejectedAction& rejected) {
+    return rejected.patch == patch && rejected.reason == RejectReason::no_room;
+  });
   const std::string unit = length_unit(model.part);
+  const auto thin = std::ranges::find_if(plan.rejected, [&](const RejectedAction& rejected) {
+    return rejected.patch == patch && rejected.reason == RejectReason::thin_pin;
+  });
+  if (thin != plan.rejected.end())
+    return fmt::format("hole {} {} wide: widen it to {} {}, or ", rounded(thin->room), unit,
+                       rounded(settings.pin_diameter_mm * unit_per_mm(model.part)), unit);
+  if (found == plan.rejected.end()) return "";
   const double needed = settings.lifter_room_mm * unit_per_mm(model.part);
   return fmt::format("recess {} {} deep with a {} {} mouth: widen the mouth to {} {}, or ",
                      rounded(found->travel), unit, rounded(found->travel + found->room), unit,
@@ -191,16 +207,21 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
-std::string crowded_text(const ActionPlan& plan, const std::string& unit) {
+std::string rejected_text(const ActionPlan& plan, const std::string& unit) {
   constexpr std::size_t k_most = 6;
   std::string rows;
   for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
     const RejectedAction& rejected = plan.rejected[k];
-    rows += fmt::format("{}{} ({:.3g} {}: {}, {:.2f} {})", k == 0 ? "" : ", ", rejected.patch + 1,
-                        rejected.travel, unit, reject_text(rejected.reason), rejected.room, unit);
+    std::string more;
+    if (has_room_figure(rejected)) more = fmt::format(", {:.2f} {}", rejected.room, unit);
+    if (rejected.hit.depth > 0.0)
+      more = fmt::format(" by {} {} {}", rounded(rejected.hit.depth), unit, stage_text(rejected.hit.stage));
+    rows +=
+        fmt::format("{}{} ({} of {:.3g} {}: {}{})", k == 0 ? "" : ", ", rejected.patch + 1,
+                    facts(rejected.kind).singular, rejected.travel, unit, reject_text(rejected.reason), more);
   }
   if (rows.empty()) return "";
-  return fmt::format("Lifters that cannot be built, for undercuts: {}{}.", rows,
+  return fmt::format("What cannot be built, for undercuts: {}{}.", rows,
                      plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
 }
 

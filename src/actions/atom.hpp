@@ -20,12 +20,13 @@ struct Atom {
   const ActionPin* pin = nullptr;  // of its undercut
   bool covered = false;            // by another body of the part: nothing releases it
   bool shallow = false;            // clear within the least travel: it needs no action
+  bool thin = false;               // a round hole, thinner than a core pin may be
 
   [[nodiscard]] bool allows(ActionKind kind) const {
-    return !covered && !shallow && (pin == nullptr || pin->allows(kind));
+    return !covered && !shallow && !thin && (pin == nullptr || pin->allows(kind));
   }
   /// False where it is to be left as it is.
-  [[nodiscard]] bool wanted() const { return !covered && !shallow && (pin == nullptr || pin->kind); }
+  [[nodiscard]] bool wanted() const { return !covered && !shallow && !thin && (pin == nullptr || pin->kind); }
   /// The kind that alone may release it.
   [[nodiscard]] std::optional<ActionKind> only() const { return pin == nullptr ? std::nullopt : pin->kind; }
 

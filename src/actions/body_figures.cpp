@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <tbb/parallel_for.h>
 
 #include "actions/action_body.hpp"
@@ -24,9 +26,15 @@ namespace {
 
 /// In the part's unit and place, as all lengths here.
 struct Solid {
-  std::size_t action = 0;
   std::shared_ptr<const PartModel> model;
-  std::vector<glm::dvec3> points;  // of its surface
+  std::vector<glm::dvec3> few, points;  // of its surface
+  BodyHit hit = {};                     // of the part: by all, or by the few where these are too deep
+  double in_part = 0.0;                 // how deep that is, beyond the tolerance
+};
+/// Of an action of a plan.
+struct Placed {
+  std::size_t action = 0;
+  Solid* solid = nullptr;  // not null
 };
 
 /// Of a closed solid's section across a direction (unit) by the plane at a height along it.
@@ -127,27 +135,37 @@ class Player {
         progress_(progress),
         allowed_(2.0 * query.lateral * model.frame.diagonal) {}
 
-  /// Of a body in the part and in others; none where that is within the tolerance.
-  [[nodiscard]] std::optional<BodyHit> deepest(const Solid& body, std::span<const Solid> others) const {
+  /// The deepest of some points of a body in the part.
+  [[nodiscard]] BodyHit in_part(const Placed& body, std::span<const glm::dvec3> points) const {
     BodyHit hit;
-    if (model_.health.closed && model_.health.volume > 0.0) play_against(body, nullptr, hit);
-    for (const Solid& other : others) {
-      if (other.action != body.action) play_against(body, &other, hit);
+    if (model_.health.closed && model_.health.volume > 0.0) play_against(body, points, nullptr, hit);
+    return hit;
+  }
+  /// Likewise in the part, of which it is known, and in others; none where that is within the tolerance.
+  [[nodiscard]] std::optional<BodyHit> deepest(const Placed& body, std::span<const Placed> others) const {
+    BodyHit hit = body.solid->hit;
+    for (const Placed& other : others) {
+      if (other.action != body.action) play_against(body, body.solid->points, &other, hit);
     }
-    return hit.depth > allowed_ ? std::optional(hit) : std::nullopt;
+    return beyond(hit.depth) > 0.0 ? std::optional(hit) : std::nullopt;
   }
-
-  /// How deep a body and others are in each other, and it in the part; 0 within the tolerance.
-  [[nodiscard]] double depth_of_all(const Solid& body, std::span<const Solid> others) const {
-    BodyHit hit = deepest(body, others).value_or(BodyHit());
-    for (const Solid& other : others) play_against(other, &body, hit);
-    return hit.depth > allowed_ ? hit.depth : 0.0;
+  /// How deep a body and others are in each other, by a few points.
+  [[nodiscard]] double depth_of_all(const Placed& body, std::span<const Placed> others) const {
+    BodyHit hit;
+    for (const Placed& other : others) {
+      play_against(body, body.solid->few, &other, hit);
+      play_against(other, other.solid->few, &body, hit);
+    }
+    return beyond(hit.depth);
   }
+  /// 0 within the tolerance.
+  [[nodiscard]] double beyond(double depth) const { return depth > allowed_ ? depth : 0.0; }
 
  private:
   /// Of a body in another one, or in the part where that is null.
-  void play_against(const Solid& body, const Solid* other, BodyHit& hit) const {
-    const PartModel& solid = other != nullptr ? *other->model : model_;
+  void play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
+                    BodyHit& hit) const {
+    const PartModel& solid = other != nullptr ? *other->solid->model : model_;
     const SideAction& action = plan_.actions[body.action];
     const SideAction* its = other != nullptr ? &plan_.actions[other->action] : nullptr;
     const int turn = sequence_of(action.kind);
@@ -158,7 +176,21 @@ class Player {
         its_turn < turn || (turn == k_last_turn && other != nullptr && other->action < body.action);
     const bool straight = action.kind != ActionKind::unscrew && !(together && its->about);
     const glm::dvec3 side = action.core_side ? direction_ : -direction_;
-    for (const glm::dvec3& point : body.points) {
+    const bool goes_out = turn != k_last_turn && !together && !has_left;
+    if (other != nullptr && straight) {
+      const glm::dvec3 way = has_left   ? glm::dvec3(0.0)
+                             : together ? action.travel * action.direction - its->travel * its->direction
+                                        : action.travel * action.direction;
+      Bounds path = body.solid->model->health.bounds;
+      for (const glm::dvec3& corner : Bounds(path).corners()) {
+        path.add(corner + way);
+        if (goes_out) path.add(corner + way + 2.0 * model_.frame.diagonal * side);
+      }
+      const Bounds& box = solid.health.bounds;
+      if (glm::any(glm::greaterThan(path.min, box.max)) || glm::any(glm::greaterThan(box.min, path.max)))
+        return;
+    }
+    for (const glm::dvec3& point : points) {
       if (progress_.cancelled()) throw Cancelled();
       const auto take = [&](HitStage stage, double depth) {
         if (depth > hit.depth)
@@ -171,7 +203,7 @@ class Player {
         return glm::dvec3(together ? glm::inverse(action_motion(*its, share)) * at : at);
       };
       move(solid, straight, on_its_way, [&](double depth) { take(HitStage::way, depth); });
-      if (turn == k_last_turn || together) continue;
+      if (!goes_out) continue;
       const glm::dvec3 from = on_its_way(1.0);
       const auto on_its_way_out = [&](double share) {
         return from + 2.0 * share * model_.frame.diagonal * side;
@@ -205,48 +237,110 @@ std::vector<glm::dvec3> points_of(const PartModel& body, std::size_t count) {
   return points;
 }
 
+/// Of what an action forms, and how it moves.
+std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
+  constexpr std::size_t k_motion = 7;
+  const SideAction& action = plan.actions[number];
+  std::vector<double> key = {static_cast<double>(action.kind),
+                             action.core_side ? 1.0 : 0.0,
+                             action.direction.x,
+                             action.direction.y,
+                             action.direction.z,
+                             action.travel,
+                             action.clear_to};
+  for (std::size_t piece = 0; piece < plan.action_of_piece.size(); ++piece)
+    if (plan.action_of_piece[piece] == static_cast<std::int32_t>(number))
+      key.push_back(static_cast<double>(piece));
+  if (key.size() == k_motion) key.push_back(static_cast<double>(number));
+  for (const std::size_t patch : action.patches) {
+    if (action_of(plan, patch) != &action) continue;
+    key.push_back(-1.0);
+    for (const FacetIndex facet : plan.patches[patch].formed) key.push_back(facet);
+  }
+  return key;
+}
+
 }  // namespace
 
-void measure_bodies(const PartModel& model, const Classification& result, const Progress& progress,
-                    ActionPlan& plan, const BodyPlay& play) {
-  constexpr double k_thinnest = 0.01;   // of what a body usually is
-  constexpr std::size_t k_coarser = 3;  // as long as its shape is looked for
-  const Player player(model, exact_query(model, result.query()), plan, play.steps, progress);
+struct BodyPlayer::Shapes {
+  ActionBody shaper;
+  std::deque<Solid> solids = {};  // each half as thick as the one before
+  bool done = false;              // there is no thinner one
+
+  /// The next one; null where there is none.
+  Solid* thinner(const Player& player, std::size_t action, const BodyPlay& play, const Progress& progress) {
+    constexpr std::size_t k_most = 5;
+    constexpr std::size_t k_coarser = 30;  // as long as its shape is looked for
+    if (done) return nullptr;
+    auto mesh = shaper.shaped(std::exp2(-static_cast<double>(solids.size())));
+    done = !mesh || solids.size() + 1 == k_most;
+    if (!mesh) return nullptr;
+    Part part;
+    part.mesh = std::move(*mesh);
+    Solid solid{prepare_part(std::move(part), Progress(&progress)), {}, {}};
+    if (!solids.empty() && solids.back().model->health.volume == solid.model->health.volume) {
+      done = true;
+      return nullptr;
+    }
+    solid.few = points_of(*solid.model, 1 + play.points / k_coarser);
+    solid.points = points_of(*solid.model, play.points);
+    solid.hit = player.in_part({action, &solid}, solid.few);
+    if (player.beyond(solid.hit.depth) == 0.0) solid.hit = player.in_part({action, &solid}, solid.points);
+    solid.in_part = player.beyond(solid.hit.depth);
+    return &solids.emplace_back(std::move(solid));
+  }
+};
+
+BodyPlayer::BodyPlayer(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                       const Progress& progress, const BodyPlay& play)
+    : model_(model), split_(split), query_(query), progress_(progress), play_(play) {}
+BodyPlayer::~BodyPlayer() = default;
+
+void BodyPlayer::measure(ActionPlan& plan) {
+  progress_.report("shaping what moves", 0.95);
+  const Player player(model_, query_, plan, play_.steps, progress_);
+  std::vector<Shapes*> shapes;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    auto key = key_of(plan, k);
+    auto known = known_.find(key);
+    if (known == known_.end())
+      known = known_.emplace(std::move(key), Shapes{{{model_, split_, query_, play_.stem}, plan, k}}).first;
+    shapes.push_back(&known->second);
+  }
+  tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+    std::deque<Solid>& solids = shapes[k]->solids;
+    while ((solids.empty() || solids.back().in_part > 0.0) &&
+           shapes[k]->thinner(player, k, play_, progress_) != nullptr) {
+    }
+  });
   std::vector<std::size_t> order(plan.actions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return sequence_of(plan.actions[k].kind); });
-  std::vector<Solid> bodies;
+  std::vector<Placed> bodies;
   for (const std::size_t k : order) {
-    progress.report("shaping what moves", 0.95);
-    std::optional<Solid> best;
-    double least = std::numeric_limits<double>::infinity(), volume = 0.0;
-    for (double thickness = 1.0; least > 0.0 && thickness > k_thinnest; thickness *= 0.5) {
-      auto mesh = shaped_body(model, result, plan, k, thickness);
-      if (!mesh) break;
-      Part part;
-      part.mesh = std::move(*mesh);
-      Solid tried{k, prepare_part(std::move(part), Progress(&progress)), {}};
-      // What reaches out of the mold is as long as it must be.
-      if (std::exchange(volume, tried.model->health.volume) == tried.model->health.volume) break;
-      tried.points = points_of(*tried.model, 1 + play.points / k_coarser);
-      const double depth = player.depth_of_all(tried, bodies);
+    std::optional<std::size_t> best;
+    double least = std::numeric_limits<double>::infinity();
+    std::deque<Solid>& solids = shapes[k]->solids;
+    for (std::size_t thin = 0; least > 0.0; ++thin) {
+      if (thin == solids.size() && shapes[k]->thinner(player, k, play_, progress_) == nullptr) break;
+      const double in_part = solids[thin].in_part;
+      const double depth = in_part > 0.0 ? in_part : player.depth_of_all({k, &solids[thin]}, bodies);
       if (depth >= least) continue;
       least = depth;
-      best = std::move(tried);
+      best = thin;
     }
-    if (best) bodies.push_back(std::move(*best));
+    if (best) bodies.push_back({k, &solids[*best]});
   }
-  for (Solid& body : bodies) body.points = points_of(*body.model, play.points);
   std::vector<std::optional<BodyHit>> hits(bodies.size());
   tbb::parallel_for(std::size_t{0}, bodies.size(),
                     [&](std::size_t k) { hits[k] = player.deepest(bodies[k], bodies); });
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const TriangleMesh& mesh = bodies[k].model->part.mesh;
+    const std::shared_ptr<const PartModel>& model = bodies[k].solid->model;
     SideAction& action = plan.actions[bodies[k].action];
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
-    action.body = BodyFigures{.solid = {bodies[k].model, &mesh},
-                              .volume = bodies[k].model->health.volume,
-                              .least_section = least_section(mesh, way),
+    action.body = BodyFigures{.solid = {model, &model->part.mesh},
+                              .volume = model->health.volume,
+                              .least_section = least_section(model->part.mesh, way),
                               .hit = hits[k]};
   }
 }

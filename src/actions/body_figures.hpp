@@ -2,6 +2,9 @@
 // and of each other as the mold moves.
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "actions/side_action.hpp"
 #include "base/progress.hpp"
 
@@ -9,13 +12,30 @@ namespace moldlight {
 
 /// How finely bodies are played.
 struct BodyPlay {
-  std::size_t points = 300;  // of a body's surface, at least 1
-  int steps = 40;            // of its travel, and of its way out, at least 1
+  std::size_t points = 3000;  // of a body's surface, at least 1
+  int steps = 40;             // of its travel, and of its way out, at least 1
+  double stem = 0.0;          // side of the square that carries a lifter, the part's unit; 0: none
 };
 
-/// Fills in `body` of every action that has a body. `result` is a classification that has its split mesh,
-/// from which `plan` was found. Throws Cancelled.
-void measure_bodies(const PartModel& model, const Classification& result, const Progress& progress,
-                    ActionPlan& plan, const BodyPlay& play = {});
+/// Of the plans of one part and one direction; what several of them share is shaped once.
+class BodyPlayer {
+ public:
+  BodyPlayer(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+             const Progress& progress, const BodyPlay& play = {});
+  ~BodyPlayer();
+
+  /// Fills in `body` of every action of a plan that has one; the plan has its patches. Bodies that need not
+  /// leave sideways are as thick as the part and those that move before them allow. Throws Cancelled.
+  void measure(ActionPlan& plan);
+
+ private:
+  struct Shapes;
+  const PartModel& model_;
+  const SplitMesh& split_;
+  ExactQuery query_;
+  const Progress& progress_;
+  BodyPlay play_;
+  std::map<std::vector<double>, Shapes> known_;  // by what an action forms and how it moves
+};
 
 }  // namespace moldlight

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -12,6 +13,7 @@
 
 #include "actions/action_feature.hpp"
 #include "actions/atom.hpp"
+#include "actions/body_figures.hpp"
 #include "actions/chosen_action.hpp"
 #include "actions/least_set.hpp"
 #include "actions/revolved_columns.hpp"
@@ -43,7 +45,8 @@ class Finder {
         undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
         pulls_(model, query_, undercuts_.axes, settings, progress),
         unit_per_mm_(unit_per_mm(model.part)),
-        detail_(detail) {}
+        detail_(detail),
+        bodies_(model, split_, query_, progress, {.stem = settings.lifter_section_mm * unit_per_mm_}) {}
 
   ActionPlan run() {
     sample();
@@ -56,14 +59,19 @@ class Finder {
     find_inserts();
     std::vector<Column> columns = find_columns();
     const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_, detail_};
-    ActionPlan plan = least_set(
-        context, atoms_, std::move(columns), [&](std::size_t atom) { return ways_round(atom); }, progress_);
+    ActionPlan plan =
+        least_set(context, atoms_, std::move(columns),
+                  {.ways_round = [&](std::size_t atom) { return ways_round(atom); },
+                   .faults = [&](ActionPlan& draft) { return faults_of(draft); },
+                   .last_resort = [&](const std::vector<std::size_t>& which) { return inserts_for(which); }},
+                  progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
+    keep_rejected(plan);
     if (detail_ == PlanDetail::whole) {
-      add_rejected(plan);
       report(plan);
     } else {
+      plan.patches.clear();
       for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
     }
     return plan;
@@ -82,6 +90,21 @@ class Finder {
                                  k_pin_reach * model_.frame.diagonal);
     }
     if (model_.health.components > 1) set_covered_apart();
+    for_each_atom([&](std::size_t k) { mark_thin_hole(atoms_[k]); });
+  }
+
+  /// Its core pin would break.
+  void mark_thin_hole(Atom& atom) const {
+    const auto hole = round_hole(model_, split_, undercuts_.patches[atom.patch]);
+    if (!hole || std::abs(elevation_deg(hole->axis, query_.direction)) > settings_.incline_deg ||
+        hole->pin.diameter >= settings_.pin_diameter_mm * unit_per_mm_)
+      return;
+    atom.thin = true;
+    Pull pull{.direction = hole->axis, .travel = hole->pin.length / model_.frame.diagonal};
+    pull.lack = Pull::Lack{.reason = RejectReason::thin_pin,
+                           .at = atom.samples.front(),
+                           .room = hole->pin.diameter / model_.frame.diagonal};
+    atom.rejected.push_back(pull);
   }
 
   /// Bodies of a part may overlap. What of an undercut lies within another body becomes an atom of its own.
@@ -184,16 +207,32 @@ class Finder {
     std::ranges::stable_sort(atom.rejected.begin() + known, atom.rejected.end(), {}, &Pull::travel);
   }
 
-  /// Whether actions of the mold that can be built release all of an undercut.
+  /// Whether actions of the mold release all of an undercut.
   [[nodiscard]] static bool is_well_released(const ActionPlan& plan, std::size_t patch) {
     return std::ranges::find(plan.unreleased, patch) == plan.unreleased.end() &&
            std::ranges::all_of(plan.actions, [&](const SideAction& action) {
              return std::ranges::find(action.patches, patch) == action.patches.end() ||
-                    (action.kind != ActionKind::insert && has_room(action));
+                    action.kind != ActionKind::insert;
            });
   }
 
-  void add_rejected(ActionPlan& plan) const {
+  /// Of what was tried for undercuts that nothing of the mold releases: the shortest lifter without its room,
+  /// and each kind whose body hits.
+  void keep_rejected(ActionPlan& plan) const {
+    std::vector<RejectedAction> hitting = std::move(plan.rejected);
+    plan.rejected.clear();
+    add_lifters_without_room(plan);
+    for (RejectedAction& rejected : hitting) {
+      const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
+        return other.patch == rejected.patch && other.kind == rejected.kind &&
+               other.reason == rejected.reason;
+      });
+      if (!known && !is_well_released(plan, rejected.patch)) plan.rejected.push_back(rejected);
+    }
+    std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::patch);
+  }
+
+  void add_lifters_without_room(ActionPlan& plan) const {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
     std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
@@ -233,39 +272,27 @@ class Finder {
       if (revolved[k] == 0 && atom.pulls.empty() && atom.wanted())
         parts[k] = pulls_.split(atom.samples, candidates(atom), atom.only());
     });
-    std::vector<std::size_t> changed;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      add_crowded(k);
-      if (!parts[k].empty()) changed.push_back(k);
-    }
-    for (std::size_t k = take_parts(parts); k < atoms_.size(); ++k) changed.push_back(k);
-    for (const std::size_t k : changed) add_crowded(k);
-  }
-
-  /// A lifter without its room is kept for what nothing better releases.
-  void add_crowded(std::size_t k) {
-    const Atom& atom = atoms_[k];
-    if (!atom.pulls.empty()) return;
-    const Pull* best = nullptr;
-    for (const Pull& pull : atom.rejected) {
-      if (!pull.is_makeshift()) continue;
-      const auto cost = [&](const Pull& each) { return pull_cost(each, settings_.prices); };
-      if (best == nullptr || cost(pull) < cost(*best)) best = &pull;
-    }
-    if (best != nullptr) crowded_.push_back({*best, {k}});
+    take_parts(parts);
   }
 
   /// For what no action of the mold releases.
   void find_inserts() {
-    progress_.report("looking for loose inserts", 0.7);
     const std::vector<char> revolved = revolved_atoms();
+    std::vector<char> wanted;
+    for (std::size_t k = 0; k < atoms_.size(); ++k)
+      wanted.push_back(revolved[k] == 0 && atoms_[k].pulls.empty() ? 1 : 0);
+    find_inserts(wanted);
+  }
+  /// For atoms that are wanted; those that are split become their parts.
+  void find_inserts(const std::vector<char>& wanted) {
+    progress_.report("looking for loose inserts", 0.7);
     ActionSettings all_round = settings_;
     all_round.incline_deg = 90.0;
     const std::vector<PullCandidate> sphere = pull_sphere(undercuts_.axes);
     std::vector<std::vector<FreedPart>> parts(atoms_.size());
     for_each_atom([&](std::size_t k) {
       const Atom& atom = atoms_[k];
-      if (revolved[k] != 0 || !atom.pulls.empty() || !atom.allows(ActionKind::insert)) return;
+      if (wanted[k] == 0 || !atom.allows(ActionKind::insert)) return;
       auto tried = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[atom.patch], all_round);
       tried.insert(tried.end(), sphere.begin(), sphere.end());
       parts[k] = pulls_.find_inserts(atom.samples, tried, undercuts_.patches[atom.patch].area);
@@ -273,10 +300,29 @@ class Finder {
     take_parts(parts);
   }
 
-  /// Atoms that were split become their parts, those after the first at the end, which begins where is
-  /// returned; the others, which have none, stay.
-  std::size_t take_parts(std::vector<std::vector<FreedPart>>& parts) {
+  /// For atoms whose other actions cannot be built, once each.
+  std::vector<Column> inserts_for(const std::vector<std::size_t>& which) {
+    std::vector<char> wanted(atoms_.size(), 0);
+    for (const std::size_t k : which) {
+      const bool had =
+          std::ranges::find(atoms_[k].pulls, ActionKind::insert, &Pull::kind) != atoms_[k].pulls.end();
+      wanted[k] = insisted_.insert(k).second && !had ? 1 : 0;
+    }
     const std::size_t end = atoms_.size();
+    find_inserts(wanted);
+    std::vector<Column> columns;
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      if (k < end && wanted[k] == 0) continue;
+      for (const Pull& pull : atoms_[k].pulls) {
+        if (pull.kind == ActionKind::insert) columns.push_back({pull, {k}});
+      }
+    }
+    return columns;
+  }
+
+  /// Atoms that were split become their parts, those after the first at the end; the others, which have none,
+  /// stay.
+  void take_parts(std::vector<std::vector<FreedPart>>& parts) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool whole = atoms_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
@@ -291,26 +337,22 @@ class Finder {
         if (part == 0) {
           atoms_[k] = std::move(atom);
         } else {
-          for (Column& column : crowded_) {
-            if (std::ranges::find(column.atoms, k) != column.atoms.end())
-              column.atoms.push_back(atoms_.size());
-          }
           atoms_.push_back(std::move(atom));
         }
       }
     }
-    return end;
   }
 
   [[nodiscard]] SharingReach sharing_reach() const {
     const double per_mm = unit_per_mm_ / model_.frame.diagonal;
-    return {.across = settings_.bundle_across_mm * per_mm, .along = settings_.bundle_along_mm * per_mm};
+    return {.across = settings_.bundle_across_mm * per_mm,
+            .along = settings_.bundle_along_mm * per_mm,
+            .stem = settings_.lifter_section_mm * per_mm};
   }
 
   std::vector<Column> find_columns() const {
     std::vector<Column> columns = pull_columns(atoms_, pulls_, sharing_reach());
     columns.insert(columns.begin(), revolved_.begin(), revolved_.end());
-    columns.insert(columns.end(), crowded_.begin(), crowded_.end());
     return columns;
   }
 
@@ -341,12 +383,32 @@ class Finder {
     std::ranges::copy_if(more, std::back_inserter(pulls), [](const Pull& pull) { return !pull.lack; });
   }
 
+  std::vector<ActionFault> faults_of(ActionPlan& plan) {
+    if (!faces_) faces_ = part_faces(model_.part, model_.geometry, model_.adjacency);
+    plan.patches.resize(undercuts_.patches.size());
+    tbb::parallel_for(std::size_t{0}, plan.patches.size(), [&](std::size_t k) {
+      plan.patches[k].undercut = undercuts_.patches[k];
+      add_formed_surface({model_, split_, *faces_, pulls_.release()}, action_of(plan, k), plan.patches[k]);
+    });
+    bodies_.measure(plan);
+    std::vector<ActionFault> faults;
+    for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+      const SideAction& action = plan.actions[k];
+      if (action.kind == ActionKind::strip) continue;
+      if (!action.body) {
+        faults.push_back({.action = k, .reason = RejectReason::no_body});
+        faults.back().hit.place = plan.patches[action.patches.front()].undercut.centre;
+      } else if (const std::optional<BodyHit>& hit = action.body->hit) {
+        faults.push_back({k, hit->action ? RejectReason::hits_body : RejectReason::hits_part, *hit});
+      }
+    }
+    return faults;
+  }
+
   void report(ActionPlan& plan) const {
-    const Faces faces = part_faces(model_.part, model_.geometry, model_.adjacency);
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
-      UndercutReport noted;
-      noted.undercut = undercuts_.patches[k];
+      UndercutReport& noted = plan.patches[k];
       noted.blocked_by = blockers(model_, split_, noted.undercut, query_.direction);
       place(k, noted);
       const SideAction* action = action_of(plan, k);
@@ -354,11 +416,22 @@ class Finder {
         noted.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         noted.core_side = action->core_side;
       }
-      add_formed_surface({model_, split_, faces, pulls_.release()}, action, noted);
-      plan.patches.push_back(std::move(noted));
     }
-    for (SideAction& action : plan.actions)
+    for (SideAction& action : plan.actions) {
       action.feature = feature_text({model_, split_, pulls_.release()}, plan, action);
+      if (is_slide(action.kind)) action.pin = longest_pin(action);
+    }
+  }
+
+  /// For its diameter.
+  [[nodiscard]] std::optional<CorePin> longest_pin(const SideAction& action) const {
+    std::optional<CorePin> longest;
+    for (const std::size_t patch : action.patches) {
+      const auto hole = round_hole(model_, split_, undercuts_.patches[patch]);
+      if (hole && (!longest || hole->pin.length * longest->diameter > longest->length * hole->pin.diameter))
+        longest = hole->pin;
+    }
+    return longest;
   }
 
   /// Where a pin finds it, and the pin that did.
@@ -389,7 +462,9 @@ class Finder {
   std::vector<std::vector<PullCandidate>> tried_;  // by patch
   std::vector<Atom> atoms_;
   std::vector<Column> revolved_;  // threads and rings
-  std::vector<Column> crowded_;   // lifters without the room that they need
+  std::optional<Faces> faces_;
+  BodyPlayer bodies_;
+  std::set<std::size_t> insisted_;  // atoms for which inserts were looked for last
 };
 
 }  // namespace

@@ -32,17 +32,42 @@ constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a
 struct Draft {
   ActionPlan plan;
   std::vector<std::size_t> columns;
+  std::vector<std::vector<std::size_t>> atoms;  // of each action
 };
 
 class LeastSet {
  public:
-  LeastSet(const ChosenContext& context, const std::vector<Atom>& atoms, const WaysRound& ways_round,
+  LeastSet(const ChosenContext& context, const std::vector<Atom>& atoms, const LeastSetQuestions& ask,
            const Progress& progress)
-      : context_(context), atoms_(atoms), ways_round_(ways_round), progress_(progress) {}
+      : context_(context), atoms_(atoms), ask_(ask), progress_(progress) {}
 
   ActionPlan run(std::vector<Column> columns) {
+    constexpr int k_most_others = 6;  // rounds in which others are looked for
     add(std::move(columns));
-    std::optional<ActionPlan> best;
+    for (int round = 0;; ++round) {
+      Draft draft = cheapest();
+      if (context_.detail == PlanDetail::rough) return std::move(draft.plan);
+      const std::vector<ActionFault> faults = ask_.faults(draft.plan);
+      if (faults.empty()) {
+        draft.plan.rejected = std::move(rejected_);
+        return std::move(draft.plan);
+      }
+      const bool others = round < k_most_others;
+      std::vector<std::size_t> lost = rejected_of(draft, faults, others);
+      if (others) {
+        std::erase_if(lost, [&](std::size_t atom) { return has_column(atom); });
+        add(ask_.last_resort(lost));
+      } else {
+        for (Column& column : columns_) give_up(lost, column.atoms);
+        for (CoverColumn& column : priced_) give_up(lost, column.atoms);
+      }
+    }
+  }
+
+ private:
+  /// Without what cannot be built so far.
+  Draft cheapest() {
+    std::optional<Draft> best;
     double best_cost = std::numeric_limits<double>::infinity();
     int unproved = 0;
     for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
@@ -52,7 +77,7 @@ class LeastSet {
       unproved += cover.optimal ? 0 : 1;
       // Clashes that are not known yet would only make it dearer.
       if (best && cover.cost >= best_cost) {
-        best->optimal = cover.optimal;
+        best->plan.optimal = cover.optimal;
         break;
       }
       Draft draft = draft_of(cover);
@@ -60,17 +85,60 @@ class LeastSet {
       const double its_cost = cover.cost + k_meeting_cost * static_cast<double>(found);
       if (its_cost < best_cost) {
         best_cost = its_cost;
-        best = std::move(draft.plan);
-        best->optimal = false;
+        best = std::move(draft);
+        best->plan.optimal = false;
       }
       if (found > 0) continue;
-      best->optimal = cover.optimal;
+      best->plan.optimal = cover.optimal;
       break;
     }
     return std::move(*best);
   }
 
- private:
+  /// Gives up the columns of a draft that cannot be built; two that hit each other for the first time may be
+  /// spared, as they are not chosen together again where that can be helped. The atoms that were theirs.
+  std::vector<std::size_t> rejected_of(const Draft& draft, const std::vector<ActionFault>& faults,
+                                       bool spare) {
+    std::set<std::pair<std::size_t, std::size_t>> spared;
+    std::set<std::size_t> gone;
+    std::vector<std::size_t> lost;
+    for (const ActionFault& fault : faults) {
+      std::size_t action = fault.action;
+      if (fault.hit.action) {
+        const std::size_t other = *fault.hit.action;
+        const std::pair<std::size_t, std::size_t> both = std::minmax(action, other);
+        if (spare && take_down(draft.columns[action], draft.columns[other])) spared.insert(both);
+        if (spared.contains(both) || gone.contains(other)) continue;
+        action = both.second;  // the smaller one
+      }
+      if (!gone.insert(action).second) continue;
+      priced_[draft.columns[action]].atoms.clear();
+      columns_[draft.columns[action]].atoms.clear();
+      lost.insert(lost.end(), draft.atoms[action].begin(), draft.atoms[action].end());
+      const SideAction& its = draft.plan.actions[action];
+      for (const std::size_t patch : its.patches)
+        rejected_.push_back({.patch = patch,
+                             .kind = its.kind,
+                             .direction = its.direction,
+                             .travel = its.travel,
+                             .core_side = its.core_side,
+                             .reason = fault.reason,
+                             .place = fault.hit.place,
+                             .hit = fault.hit});
+    }
+    return lost;
+  }
+
+  [[nodiscard]] bool has_column(std::size_t atom) const {
+    return std::ranges::any_of(priced_, [&](const CoverColumn& column) {
+      return std::ranges::find(column.atoms, atom) != column.atoms.end();
+    });
+  }
+
+  static void give_up(const std::vector<std::size_t>& lost, std::vector<std::size_t>& atoms) {
+    std::erase_if(atoms, [&](std::size_t atom) { return std::ranges::find(lost, atom) != lost.end(); });
+  }
+
   void add(std::vector<Column> columns) {
     for (Column& column : columns) {
       priced_.push_back({column.atoms, pull_cost(column.pull, context_.settings.prices)});
@@ -130,6 +198,7 @@ class LeastSet {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
       draft.columns.push_back(cover.columns[k]);
+      draft.atoms.push_back(chosen[k].second);
     }
     for (std::int32_t& action : of_atom)
       action = action < 0 ? action : place[static_cast<std::size_t>(action)];
@@ -211,7 +280,7 @@ class LeastSet {
     progress_.report("looking for ways round actions that meet", 0.85);
     std::vector<std::vector<Column>> ways(atoms.size());
     tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
-      if (!progress_.cancelled()) ways[k] = ways_round_(atoms[k]);
+      if (!progress_.cancelled()) ways[k] = ask_.ways_round(atoms[k]);
     });
     if (progress_.cancelled()) throw Cancelled();
     for (std::vector<Column>& columns : ways) add(std::move(columns));
@@ -219,7 +288,7 @@ class LeastSet {
 
   const ChosenContext& context_;
   const std::vector<Atom>& atoms_;
-  const WaysRound& ways_round_;
+  const LeastSetQuestions& ask_;
   const Progress& progress_;
   std::vector<Column> columns_;
   std::vector<CoverColumn> priced_;
@@ -229,13 +298,14 @@ class LeastSet {
   std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>> looked_ahead_;  // atoms of pairs
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
   std::map<Left, SideAction> known_;
+  std::vector<RejectedAction> rejected_;
 };
 
 }  // namespace
 
 ActionPlan least_set(const ChosenContext& context, const std::vector<Atom>& atoms,
-                     std::vector<Column> columns, const WaysRound& ways_round, const Progress& progress) {
-  return LeastSet(context, atoms, ways_round, progress).run(std::move(columns));
+                     std::vector<Column> columns, const LeastSetQuestions& ask, const Progress& progress) {
+  return LeastSet(context, atoms, ask, progress).run(std::move(columns));
 }
 
 }  // namespace moldlight

@@ -13,6 +13,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_same_cosine = 1.0 - 1e-9;
+constexpr double k_same_lifter = 1.0 - 1e-6;  // cosine
 constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a gap that a slide passes
 
 class Sharing {
@@ -22,6 +23,7 @@ class Sharing {
 
   void add(std::vector<Column>& columns, std::size_t atom, const Pull& pull) const {
     if (is_slide(pull.kind)) add_shared(columns, atom, pull);
+    if (pull.kind == ActionKind::lifter) add_carried(columns, atom, pull);
     if (!pull.for_sharing) columns.push_back({pull, {atom}});
   }
 
@@ -45,6 +47,37 @@ class Sharing {
     if (group.size() < 2) return;
     std::ranges::sort(group);
     columns.push_back({pull, std::move(group)});
+  }
+
+  /// Neighbours that are nearer than a stem is wide, and that the same lifter clears, stand on one stem.
+  void add_carried(std::vector<Column>& columns, std::size_t first, Pull pull) const {
+    std::vector<std::size_t> group = {first};
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      const auto its = std::ranges::find_if(atoms_[k].pulls, [&](const Pull& other) {
+        return other.kind == ActionKind::lifter && other.core_side == pull.core_side &&
+               glm::dot(other.direction, pull.direction) > k_same_lifter;
+      });
+      if (k == first || its == atoms_[k].pulls.end() || !are_within(group, k, reach_.stem)) continue;
+      group.push_back(k);
+      pull.travel = std::max(pull.travel, its->travel);
+    }
+    if (group.size() < 2) return;
+    const glm::dvec3 side = pull.core_side ? pulls_.direction() : -pulls_.direction();
+    const LifterWay way{pull.direction, side, pull.travel};
+    for (const std::size_t k : group) {
+      FreeLengths lengths(pulls_.release(), atoms_[k].samples, pull.direction);
+      if (!pulls_.release().clears(lengths, way, pulls_.lifter_room())) return;
+    }
+    std::ranges::sort(group);
+    columns.push_back({pull, std::move(group)});
+  }
+
+  [[nodiscard]] bool are_within(const std::vector<std::size_t>& group, std::size_t atom, double reach) const {
+    return std::ranges::any_of(samples_of(atoms_, group), [&](const UndercutSample& one) {
+      return std::ranges::any_of(atoms_[atom].samples, [&](const UndercutSample& other) {
+        return glm::distance(glm::dvec3(one.position), glm::dvec3(other.position)) <= reach;
+      });
+    });
   }
 
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this

@@ -30,8 +30,9 @@ struct Revolution {
 
 /// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel.
-enum class RejectReason : std::uint8_t { no_room, no_way_out };
+/// travel. Hits part, hits body: what it moves does, deeper than twice the lateral tolerance. No body: no
+/// facet of what it forms gets away whole. Thin pin: the core pin of a round hole would be.
+enum class RejectReason : std::uint8_t { no_room, no_way_out, hits_part, hits_body, no_body, thin_pin };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
 
@@ -56,6 +57,13 @@ struct BodyFigures {
   std::optional<BodyHit> hit = {};  // none where it is nowhere deeper than twice the lateral tolerance
 };
 
+/// That forms a round hole, in the part's unit.
+struct CorePin {
+  double diameter = 0.0, length = 0.0;
+  /// One longer than 8 diameters bends.
+  [[nodiscard]] bool is_slender() const { return length > 8.0 * diameter; }
+};
+
 /// Lengths and areas are in the part's unit.
 struct SideAction {
   ActionKind kind = ActionKind::slide;
@@ -72,13 +80,10 @@ struct SideAction {
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
-  std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
   std::string feature = {};                     // what it forms: "8 vents"
-  std::optional<BodyFigures> body = {};         // where measure_bodies() was asked, of what has one
+  std::optional<CorePin> pin = {};              // of a slide, the longest for its diameter
+  std::optional<BodyFigures> body = {};         // of what has one
 };
-
-/// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
-[[nodiscard]] bool has_room(const SideAction& action);
 
 /// Lengths are in the part's unit.
 struct RejectedAction {
@@ -88,8 +93,9 @@ struct RejectedAction {
   double travel = 0.0;
   bool core_side = true;
   RejectReason reason = RejectReason::no_room;
-  glm::dvec3 place{0.0};  // on the undercut, from where it fails
-  double room = 0.0;      // beyond the travel from there; what is needed is the lifter's
+  glm::dvec3 place{0.0};  // from where it fails, where the mold is closed
+  double room = 0.0;      // of a lifter without it, beyond the travel from there; a pin's diameter
+  BodyHit hit = {};       // of what hits
 };
 
 /// An undercut and what was found out about it.
@@ -108,14 +114,13 @@ struct UndercutReport {
 inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
-  std::vector<UndercutReport> patches;        // the largest first
-  std::vector<Speck> specks;                  // what counts as no undercut, the largest first
-  std::vector<SideAction> actions;            // the largest area first
-  std::vector<RejectedAction> rejected;       // of each undercut that nothing else releases well the shortest
-                                              // lifter that fails, also where it was taken for want of others
-  std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
-  std::vector<double> unreleased_areas;       // what of each of these is left
-  double unreleased_area = 0.0;               // of all
+  std::vector<UndercutReport> patches;   // the largest first
+  std::vector<Speck> specks;             // what counts as no undercut, the largest first
+  std::vector<SideAction> actions;       // the largest area first
+  std::vector<RejectedAction> rejected;  // what was tried for undercuts that nothing of the mold releases
+  std::vector<std::size_t> unreleased;   // patches that nothing releases, or not all of, rising
+  std::vector<double> unreleased_areas;  // what of each of these is left
+  double unreleased_area = 0.0;          // of all
   std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
@@ -135,7 +140,6 @@ struct ActionTotals {
   double unreleased_area = 0.0;
   std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
   double stuck_area = 0.0;  // what is left of these
-  std::size_t crowded = 0;  // lifters without the room that they need
 };
 /// `lateral` is the lateral tolerance in the part's unit.
 [[nodiscard]] ActionTotals totals_of(const ActionPlan& plan, double lateral);

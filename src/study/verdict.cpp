@@ -1,6 +1,7 @@
 #include "study/verdict.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -169,39 +170,29 @@ class Judge {
                                     : verdict_.undercuts == 2
                                         ? "both undercuts"
                                         : fmt::format("all {} undercuts", verdict_.undercuts);
-      const std::string what =
-          fmt::format("{} ({}){}", undercuts, area(verdict_.undercut_area),
-                      actions.crowded > 0 ? ", but " + room_text(actions.crowded) : std::string());
+      const std::string what = fmt::format("{} ({})", undercuts, area(verdict_.undercut_area));
       set(VerdictState::side_actions,
           number > k_most_actions
               ? fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts),
                             what)
               : fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
     }
-    if (actions.stuck > 0 && actions.crowded > 0) add(room_text(actions.crowded) + ".");
     if (facts_.plan != nullptr) add_plan(*facts_.plan);
   }
 
   void add_plan(const ActionPlan& plan) {
-    std::size_t meeting = 0, hitting = 0;
-    double deepest = 0.0;
+    std::size_t meeting = 0, slender = 0;
     for (const SideAction& action : plan.actions) {
       meeting += action.meets.empty() ? 0 : 1;
-      if (!action.body || !action.body->hit) continue;
-      ++hitting;
-      deepest = std::max(deepest, action.body->hit->depth);
+      slender += action.pin && action.pin->is_slender() ? 1 : 0;
     }
+    if (slender > 0)
+      add(fmt::format("Core pins of {} are longer than 8 diameters.", plural(slender, "slide")));
     if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
-    if (hitting > 0)
-      add(fmt::format(
-          "{} not clear of the part or of each other, by up to {} {}.",
-          hitting == 1 ? "The body of 1 action is" : fmt::format("The bodies of {} actions are", hitting),
-          rounded(deepest), length_unit(facts_.model.part)));
-  }
-
-  [[nodiscard]] static std::string room_text(std::size_t lifters) {
-    return lifters == 1 ? "1 lifter has less room than it needs"
-                        : fmt::format("{} lifters have less room than they need", lifters);
+    std::set<std::size_t> rejected;
+    for (const RejectedAction& each : plan.rejected) rejected.insert(each.patch);
+    if (!rejected.empty())
+      add(fmt::format("What was tried for {} cannot be built.", plural(rejected.size(), "undercut")));
   }
 
   void add_specks() {

@@ -25,7 +25,6 @@ DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
   for (const SideAction& action : plan.actions) {
     found.travel = std::max(found.travel, action.travel);
     found.formed_area += action.area;
-    if (!has_room(action)) found.without_room += action.area;
   }
   // By kinds, so that the same set has the same weight in whatever order it is found.
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)

@@ -32,7 +32,6 @@ struct MoldCost {
   double weight = 0.0;                               // of side actions
   double formed = 0.0;                               // by them, share of the part's surface
   std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
-  double without_room = 0.0;                         // of formed, by lifters that lack the room to move
 
   [[nodiscard]] double of(MoldCriterion criterion) const {
     return values[static_cast<std::size_t>(criterion)];
@@ -47,7 +46,7 @@ inline constexpr double k_effort_of_formed = 5.0;
 inline constexpr double k_on_its_side = 0.25, k_effort_on_its_side = 40.0;
 /// Of surface without draft, as a share: half of it weighs as much as a slide.
 inline constexpr double k_effort_of_draft = 2.0;
-/// The weight of side actions, with what they form, the room that they lack, the draft that is missing, the
+/// The weight of side actions, with what they form, the draft that is missing, the
 /// climb of the line, which is never more than a slide, and more than any one action where something is left
 /// unreleased: few slides are no gain where the part lies on its side in the mold. Set the other figures
 /// before.

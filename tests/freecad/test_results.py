@@ -56,7 +56,6 @@ class ResultsTest(DocumentCase):
         self.recompute()
         self.assertEqual([row[0] for row in actions.action_table(found)], ["lifter", "lifter"])
         self.assertEqual(actions.troubles(found), ([], []))
-        self.assertEqual(actions.hits(found), [])
 
     def test_actions(self):
         found = results.actions_of(self.regions)

@@ -17,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include "actions/action_body.hpp"
-#include "actions/body_figures.hpp"
 #include "support/shared_parts.hpp"
 
 namespace moldlight {
@@ -172,8 +171,7 @@ Played play(const PartModel& model, const Query& query) {
   constexpr std::size_t k_points = 60;
   constexpr double k_thread_play = 0.04;  // of the pitch: threads of facets leave their helix by so much
   const Classification result = classify_exact(model, query, Progress(), true);
-  ActionPlan plan = find_actions(model, result, {}, Progress());
-  measure_bodies(model, result, Progress(), plan);
+  const ActionPlan plan = find_actions(model, result, {}, Progress());
   const ExactQuery exact = exact_query(model, query);
   std::vector<Undercut> surfaces(plan.actions.size());
   for (std::uint32_t piece = 0; piece < result.split->pieces.size(); ++piece) {

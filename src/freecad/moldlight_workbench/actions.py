@@ -104,14 +104,9 @@ def action_table(obj):
 
 
 def troubles(obj):
-    """Rows of the table from 1: pairs of actions whose ways cross, and lifters that lack room."""
-    found = report(obj).get("actions", ())
-    meet = [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
-    return meet, [row for row, action in enumerate(found, 1) if not action["has_room"]]
-
-
-def hits(obj):
-    """Rows of the table from 1 whose bodies are not clear, with "part" or the row that each reaches into, and how deep in
-    mm."""
-    found = [(row, action["clear"]) for row, action in enumerate(report(obj).get("actions", ()), 1)]
-    return [(row, clear["hits"], clear["depth"]) for row, clear in found if isinstance(clear, dict)]
+    """Rows of the table from 1: pairs of actions whose ways cross; what was tried and cannot be built: undercut, kind and
+    reason."""
+    found = report(obj)
+    meet = [(row, other) for row, action in enumerate(found.get("actions", ()), 1) for other in action["meets"]
+            if other > row]
+    return meet, [(tried["patch"], tried["kind"], tried["reason"]) for tried in found.get("rejected", ())]

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_files.hpp"
-#include "actions/body_figures.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/health.hpp"
 #include "support/random.hpp"
@@ -68,12 +67,8 @@ void expect_apart(const Planned& planned, const SideAction& action, const Triang
   EXPECT_GE(inside, 40) << "too thin to be tested";
 }
 
-Planned measured(Planned planned) {
-  measure_bodies(*planned.model, planned.result, Progress(), planned.plan);
-  return planned;
-}
 std::shared_ptr<const TriangleMesh> body_of(const Planned& planned) {
-  const auto body = measured(planned).plan.actions.front().body;
+  const auto& body = planned.plan.actions.front().body;
   return body ? body->solid : nullptr;
 }
 
@@ -111,7 +106,7 @@ TEST(ActionBody, UnderAHookMovesOutFromUnderIt) {
 
 TEST(BodyFigures, OfAPinAreItsVolumeItsSectionAndThatItIsClear) {
   const Hole hole{.through = false};
-  const Planned planned = measured(plan_of(laid(block_with_hole(hole), 33.0)));
+  const Planned planned = plan_of(laid(block_with_hole(hole), 33.0));
   const auto& body = planned.plan.actions.front().body;
   ASSERT_TRUE(body);
   EXPECT_EQ(body->volume, signed_volume(*body->solid));
@@ -125,7 +120,9 @@ TEST(BodyFigures, OfAPinAreItsVolumeItsSectionAndThatItIsClear) {
 TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
   Planned planned = plan_of(laid(block_with_hole({.through = false}), 0.0));
   planned.plan.actions.front().direction *= -1.0;
-  planned = measured(planned);
+  BodyPlayer(*planned.model, *planned.result.split, exact_query(*planned.model, planned.result.query()),
+             Progress())
+      .measure(planned.plan);
   const auto& body = planned.plan.actions.front().body;
   ASSERT_TRUE(body);
   ASSERT_TRUE(body->hit);
@@ -144,13 +141,13 @@ TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
 TEST(ActionBody, OfEachActionIsAFileAndFormerOnesGo) {
   const test::ScratchFolder folder;
   const ActionSettings settings;
-  const Planned two = measured(plan_of(block_with_pockets(60.0)));
+  const Planned two = plan_of(block_with_pockets(60.0));
   const auto written =
       write_action_bodies(folder.file("bodies"), "block", {*two.model, two.result, settings, two.plan});
   ASSERT_EQ(written.size(), 2U);
   EXPECT_EQ(written[1], folder.file("bodies/block_slide_2.stl"));
   EXPECT_TRUE(std::filesystem::exists(folder.file("bodies/block_slide_2.stl")));
-  const Planned one = measured(plan_of(block_with_pockets(40.0)));
+  const Planned one = plan_of(block_with_pockets(40.0));
   EXPECT_EQ(write_action_bodies(folder.file("bodies"), "block", {*one.model, one.result, settings, one.plan})
                 .size(),
             1U);
