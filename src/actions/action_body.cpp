@@ -14,6 +14,7 @@
 
 #include "actions/lifter_stem.hpp"
 #include "mesh/health.hpp"
+#include "mesh/nearest_in_triangle.hpp"
 #include "mesh/open_surface.hpp"
 #include "mesh/polygon_triangulation.hpp"
 #include "mold/surface_samples.hpp"
@@ -31,6 +32,7 @@ constexpr double k_flat = 0.02;
 /// Walls that stand along the pull lean outward by this, radians, so that they do not fold into lines; far
 /// within any draft that is asked for.
 constexpr double k_lean = 5e-4;
+constexpr std::size_t k_most_triangles = 8'000;  // of the surface, when it is divided
 constexpr std::uint64_t k_cap_work = 2'000'000;
 
 }  // namespace
@@ -61,6 +63,38 @@ class ActionBody::Maker {
     if (!action_.about) leave_out_blocked();
   }
 
+  /// Without the triangles from which points of the body come; null where they are more than may stay
+  /// blocked, or none.
+  [[nodiscard]] std::shared_ptr<const Maker> trimmed(std::span<const glm::dvec3> points) const {
+    if (action_.about) return nullptr;
+    auto copy = std::make_shared<Maker>(*this);
+    const auto flat = [&](const glm::dvec3& at) {
+      return at - glm::dot(at, action_.direction) * action_.direction;
+    };
+    const double near = 2.0 * lateral_ * model_.frame.diagonal;
+    for (;;) {
+      Triangles kept;
+      double all = 0.0, lost = 0.0;
+      for (const auto& corners : copy->triangles_) {
+        std::array<glm::dvec3, 3> seen{};
+        for (std::size_t k = 0; k < 3; ++k) seen[k] = flat(copy->vertices_[corners[k]]);
+        const bool goes = std::ranges::any_of(points, [&](const glm::dvec3& point) {
+          return glm::distance(nearest_in_triangle(flat(point), seen), flat(point)) <= near;
+        });
+        const double area = glm::length(copy->area_of(corners));
+        all += area;
+        lost += goes ? area : 0.0;
+        if (!goes) kept.push_back(corners);
+      }
+      if (lost == 0.0 || kept.empty()) return nullptr;
+      if (lost <= k_blocked_share * all) {
+        copy->triangles_ = std::move(kept);
+        return copy;
+      }
+      if (!copy->divide(k_most_triangles)) return nullptr;
+    }
+  }
+
   [[nodiscard]] std::optional<TriangleMesh> make(double share) const {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
     OpenSurface surface = surface_of(triangles_);
@@ -68,16 +102,17 @@ class ActionBody::Maker {
     if (action_.kind == ActionKind::unscrew) {
       // Facets of a thread leave their helix by so much.
       constexpr double k_play = 0.04;
-      move_off(surface,
-               std::min((1.0 / share - 1.0) * lateral_ * diagonal, k_play * std::abs(action_.about->pitch)));
-      return solid_between(surface, toward_axis(surface));
+      const double play =
+          std::min((1.0 / share - 1.0) * lateral_ * diagonal, k_play * std::abs(action_.about->pitch));
+      const std::vector<glm::dvec3> image = toward_axis(surface);
+      for (std::size_t k = 0; k < image.size(); ++k) {
+        glm::dvec3& point = surface.mesh.vertices[k];
+        const double way = glm::distance(point, image[k]);
+        if (way > play) point = glm::mix(point, image[k], play / way);
+      }
+      return solid_between(surface, image);
     }
     const bool leaves = is_slide(action_.kind);
-    if (leaves) {
-      // Walls that lean against its way by less than tau do not hold it, but it keeps off them.
-      const auto [least, greatest] = reach_of(surface.mesh.vertices);
-      move_off(surface, std::min((1.0 / share - 1.0) * lateral_ * diagonal, sine_ * (greatest - least)));
-    }
     const double thickness = share * k_thickness * diagonal;
     double length = thickness;
     if (leaves) {
@@ -91,6 +126,9 @@ class ActionBody::Maker {
       auto closed = triangles_;
       closed.insert(closed.end(), caps.begin(), caps.end());
       if (!caps.empty()) surface = surface_of(closed);
+      // Walls that lean against its way by less than tau do not hold it, but it keeps off them.
+      const auto [least, greatest] = reach_of(surface.mesh.vertices);
+      move_off(surface, std::min((1.0 / share - 1.0) * lateral_ * diagonal, sine_ * (greatest - least)));
     }
     const glm::dvec3 normal = mean_normal(surface.mesh);
     const glm::dvec3 way = length * (action_.direction + k_lean * normal);
@@ -128,10 +166,9 @@ class ActionBody::Maker {
 
   /// Triangles are divided until each leaves whole, or has little of the surface; then those that do not go.
   void leave_out_blocked() {
-    constexpr std::size_t k_most = 8'000;
     constexpr double k_little = 0.01;
     Triangles free;
-    for (bool fine = false; !fine; fine = fine || !divide(k_most)) {
+    for (bool fine = false; !fine; fine = fine || !divide(k_most_triangles)) {
       free.clear();
       fine = true;
       double all = 0.0;
@@ -364,6 +401,13 @@ class ActionBody::Maker {
 
 ActionBody::ActionBody(const Context& context, const ActionPlan& plan, std::size_t action)
     : maker_(std::make_shared<const Maker>(context, plan, action)) {}
+
+bool ActionBody::trim(std::span<const glm::dvec3> points) {
+  auto trimmed = maker_->trimmed(points);
+  if (!trimmed) return false;
+  maker_ = std::move(trimmed);
+  return true;
+}
 
 std::optional<TriangleMesh> ActionBody::shaped(double thickness) const { return maker_->make(thickness); }
 

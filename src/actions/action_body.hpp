@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include <glm/mat4x4.hpp>
 
@@ -30,6 +31,9 @@ class ActionBody {
   /// walls that lean against its way by less than tau, and a thread's core off the thread, the more, the less
   /// the share is. Nothing for what is stripped off, which has no body.
   [[nodiscard]] std::optional<TriangleMesh> shaped(double thickness) const;
+  /// From now on without the surface from which these points of the body come; false, and nothing changes,
+  /// where that is more than may stay blocked.
+  bool trim(std::span<const glm::dvec3> points);
 
  private:
   class Maker;

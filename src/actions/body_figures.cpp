@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +31,8 @@ struct Solid {
   std::vector<glm::dvec3> few, points;  // of its surface
   BodyHit hit = {};                     // of the part: by all, or by the few where these are too deep
   double in_part = 0.0;                 // how deep that is, beyond the tolerance
+  /// Of others, by all, where they are taken off later or not: of the same ones in another plan it is known.
+  std::map<std::pair<const Solid*, bool>, BodyHit> others = {};
 };
 /// Of an action of a plan.
 struct Placed {
@@ -141,11 +144,25 @@ class Player {
     if (model_.health.closed && model_.health.volume > 0.0) play_against(body, points, nullptr, hit);
     return hit;
   }
+  /// Those that are too deep in the part.
+  [[nodiscard]] std::vector<glm::dvec3> all_in_part(const Placed& body,
+                                                    std::span<const glm::dvec3> points) const {
+    std::vector<glm::dvec3> deep;
+    for (const glm::dvec3& point : points) {
+      if (beyond(in_part(body, std::span(&point, 1)).depth) > 0.0) deep.push_back(point);
+    }
+    return deep;
+  }
   /// Likewise in the part, of which it is known, and in others; none where that is within the tolerance.
   [[nodiscard]] std::optional<BodyHit> deepest(const Placed& body, std::span<const Placed> others) const {
     BodyHit hit = body.solid->hit;
     for (const Placed& other : others) {
-      if (other.action != body.action) play_against(body, body.solid->points, &other, hit);
+      if (other.action == body.action) continue;
+      const auto [known, is_new] = body.solid->others.try_emplace({other.solid, other.action < body.action});
+      if (is_new) play_against(body, body.solid->points, &other, known->second);
+      if (known->second.depth <= hit.depth) continue;
+      hit = known->second;
+      hit.action = other.action;
     }
     return beyond(hit.depth) > 0.0 ? std::optional(hit) : std::nullopt;
   }
@@ -267,6 +284,24 @@ struct BodyPlayer::Shapes {
   std::deque<Solid> solids = {};  // each half as thick as the one before
   bool done = false;              // there is no thinner one
 
+  /// What enters the part goes, as far as little of the surface comes to that.
+  void trim(const Player& player, std::size_t action, const BodyPlay& play, const Progress& progress) {
+    if (solids.empty() || solids.front().in_part == 0.0) return;
+    constexpr int k_most = 4;
+    constexpr double k_hopeless = 0.1;  // of its points
+    const auto deep = [&](std::span<const glm::dvec3> points) {
+      return player.all_in_part({action, &solids.front()}, points);
+    };
+    const std::vector<glm::dvec3>& few = solids.front().few;
+    if (static_cast<double>(deep(few).size()) > k_hopeless * static_cast<double>(few.size())) return;
+    for (int k = 0; k < k_most && !solids.empty() && solids.front().in_part > 0.0; ++k) {
+      if (!shaper.trim(deep(solids.front().points))) return;
+      solids.clear();
+      done = false;
+      thinner(player, action, play, progress);
+    }
+  }
+
   /// The next one; null where there is none.
   Solid* thinner(const Player& player, std::size_t action, const BodyPlay& play, const Progress& progress) {
     constexpr std::size_t k_most = 5;
@@ -309,6 +344,10 @@ void BodyPlayer::measure(ActionPlan& plan) {
   }
   tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
     std::deque<Solid>& solids = shapes[k]->solids;
+    if (solids.empty()) {
+      shapes[k]->thinner(player, k, play_, progress_);
+      shapes[k]->trim(player, k, play_, progress_);
+    }
     while ((solids.empty() || solids.back().in_part > 0.0) &&
            shapes[k]->thinner(player, k, play_, progress_) != nullptr) {
     }

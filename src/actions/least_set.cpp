@@ -42,7 +42,7 @@ class LeastSet {
       : context_(context), atoms_(atoms), ask_(ask), progress_(progress) {}
 
   ActionPlan run(std::vector<Column> columns) {
-    constexpr int k_most_others = 6;  // rounds in which others are looked for
+    constexpr int k_most_others = 3;  // rounds in which others are looked for
     add(std::move(columns));
     for (int round = 0;; ++round) {
       Draft draft = cheapest();
