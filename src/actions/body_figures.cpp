@@ -23,10 +23,8 @@
 
 namespace moldlight {
 
-namespace {
-
 /// In the part's unit and place, as all lengths here.
-struct Solid {
+struct BodyPlayer::Solid {
   std::shared_ptr<const PartModel> model;
   std::vector<glm::dvec3> few, points;  // of its surface
   BodyHit hit = {};                     // of the part: by all, or by the few where these are too deep
@@ -34,6 +32,10 @@ struct Solid {
   /// Of others, by all, where they are taken off later or not: of the same ones in another plan it is known.
   std::map<std::pair<const Solid*, bool>, BodyHit> others = {};
 };
+namespace {
+
+using Solid = BodyPlayer::Solid;
+
 /// Of an action of a plan.
 struct Placed {
   std::size_t action = 0;
@@ -158,27 +160,54 @@ class Player {
     BodyHit hit = body.solid->hit;
     for (const Placed& other : others) {
       if (other.action == body.action) continue;
-      const auto [known, is_new] = body.solid->others.try_emplace({other.solid, other.action < body.action});
-      if (is_new) play_against(body, body.solid->points, &other, known->second);
-      if (known->second.depth <= hit.depth) continue;
-      hit = known->second;
+      const BodyHit& its = hit_in(body, other);
+      if (its.depth <= hit.depth) continue;
+      hit = its;
       hit.action = other.action;
     }
     return beyond(hit.depth) > 0.0 ? std::optional(hit) : std::nullopt;
   }
-  /// How deep a body and others are in each other, by a few points.
+  /// How deep a body and others are in each other; by a few points, and where these are clear by all.
   [[nodiscard]] double depth_of_all(const Placed& body, std::span<const Placed> others) const {
     BodyHit hit;
     for (const Placed& other : others) {
       play_against(body, body.solid->few, &other, hit);
       play_against(other, other.solid->few, &body, hit);
     }
+    for (const Placed& other : others) {
+      if (beyond(hit.depth) > 0.0) break;
+      hit.depth = std::max({hit.depth, hit_in(body, other).depth, hit_in(other, body).depth});
+    }
     return beyond(hit.depth);
+  }
+  /// Points of a body that are too deep in others, and of others that are too deep in it.
+  [[nodiscard]] std::vector<glm::dvec3> shared_with(const Placed& body,
+                                                    std::span<const Placed> others) const {
+    std::vector<glm::dvec3> deep;
+    const auto take = [&](const Placed& one, const Placed& other) {
+      for (const glm::dvec3& point : one.solid->points) {
+        BodyHit hit;
+        play_against(one, std::span(&point, 1), &other, hit);
+        if (beyond(hit.depth) > 0.0) deep.push_back(point);
+      }
+    };
+    for (const Placed& other : others) {
+      take(body, other);
+      take(other, body);
+    }
+    return deep;
   }
   /// 0 within the tolerance.
   [[nodiscard]] double beyond(double depth) const { return depth > allowed_ ? depth : 0.0; }
 
  private:
+  /// By all points of a body in another one; found once.
+  [[nodiscard]] const BodyHit& hit_in(const Placed& body, const Placed& other) const {
+    const auto [known, is_new] = body.solid->others.try_emplace({other.solid, other.action < body.action});
+    if (is_new) play_against(body, body.solid->points, &other, known->second);
+    return known->second;
+  }
+
   /// Of a body in another one, or in the part where that is null.
   void play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
                     BodyHit& hit) const {
@@ -254,6 +283,23 @@ std::vector<glm::dvec3> points_of(const PartModel& body, std::size_t count) {
   return points;
 }
 
+constexpr int k_most_trims = 4;
+
+/// `mesh` is the body of an action.
+Solid solid_of(TriangleMesh mesh, const Player& player, std::size_t action, const BodyPlay& play,
+               const Progress& progress) {
+  constexpr std::size_t k_coarser = 30;  // as long as its shape is looked for
+  Part part;
+  part.mesh = std::move(mesh);
+  Solid solid{prepare_part(std::move(part), Progress(&progress)), {}, {}};
+  solid.few = points_of(*solid.model, 1 + play.points / k_coarser);
+  solid.points = points_of(*solid.model, play.points);
+  solid.hit = player.in_part({action, &solid}, solid.few);
+  if (player.beyond(solid.hit.depth) == 0.0) solid.hit = player.in_part({action, &solid}, solid.points);
+  solid.in_part = player.beyond(solid.hit.depth);
+  return solid;
+}
+
 /// Of what an action forms, and how it moves.
 std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
   constexpr std::size_t k_motion = 7;
@@ -287,14 +333,13 @@ struct BodyPlayer::Shapes {
   /// What enters the part goes, as far as little of the surface comes to that.
   void trim(const Player& player, std::size_t action, const BodyPlay& play, const Progress& progress) {
     if (solids.empty() || solids.front().in_part == 0.0) return;
-    constexpr int k_most = 4;
     constexpr double k_hopeless = 0.1;  // of its points
     const auto deep = [&](std::span<const glm::dvec3> points) {
       return player.all_in_part({action, &solids.front()}, points);
     };
     const std::vector<glm::dvec3>& few = solids.front().few;
     if (static_cast<double>(deep(few).size()) > k_hopeless * static_cast<double>(few.size())) return;
-    for (int k = 0; k < k_most && !solids.empty() && solids.front().in_part > 0.0; ++k) {
+    for (int k = 0; k < k_most_trims && !solids.empty() && solids.front().in_part > 0.0; ++k) {
       if (!shaper.trim(deep(solids.front().points))) return;
       solids.clear();
       done = false;
@@ -305,23 +350,15 @@ struct BodyPlayer::Shapes {
   /// The next one; null where there is none.
   Solid* thinner(const Player& player, std::size_t action, const BodyPlay& play, const Progress& progress) {
     constexpr std::size_t k_most = 5;
-    constexpr std::size_t k_coarser = 30;  // as long as its shape is looked for
     if (done) return nullptr;
     auto mesh = shaper.shaped(std::exp2(-static_cast<double>(solids.size())));
     done = !mesh || solids.size() + 1 == k_most;
     if (!mesh) return nullptr;
-    Part part;
-    part.mesh = std::move(*mesh);
-    Solid solid{prepare_part(std::move(part), Progress(&progress)), {}, {}};
+    Solid solid = solid_of(std::move(*mesh), player, action, play, progress);
     if (!solids.empty() && solids.back().model->health.volume == solid.model->health.volume) {
       done = true;
       return nullptr;
     }
-    solid.few = points_of(*solid.model, 1 + play.points / k_coarser);
-    solid.points = points_of(*solid.model, play.points);
-    solid.hit = player.in_part({action, &solid}, solid.few);
-    if (player.beyond(solid.hit.depth) == 0.0) solid.hit = player.in_part({action, &solid}, solid.points);
-    solid.in_part = player.beyond(solid.hit.depth);
     return &solids.emplace_back(std::move(solid));
   }
 };
@@ -368,7 +405,23 @@ void BodyPlayer::measure(ActionPlan& plan) {
       least = depth;
       best = thin;
     }
-    if (best) bodies.push_back({k, &solids[*best]});
+    if (!best) continue;
+    bodies.push_back({k, &solids[*best]});
+    if (least == 0.0 || solids[*best].in_part > 0.0) continue;
+    // What it has in common with them goes, as far as little of the surface comes to that.
+    const std::span<const Placed> others(bodies.data(), bodies.size() - 1);
+    ActionBody trimmed = shapes[k]->shaper;
+    for (int tries = 0; tries < k_most_trims && least > 0.0; ++tries) {
+      if (!trimmed.trim(player.shared_with(bodies.back(), others))) break;
+      auto mesh = trimmed.shaped(std::exp2(-static_cast<double>(*best)));
+      if (!mesh) break;
+      apart_.push_back(std::make_unique<Solid>(solid_of(std::move(*mesh), player, k, play_, progress_)));
+      const Placed apart{k, apart_.back().get()};
+      const double depth = player.depth_of_all(apart, others);
+      if (apart.solid->in_part > 0.0 || depth >= least) break;
+      bodies.back() = apart;
+      least = depth;
+    }
   }
   std::vector<std::optional<BodyHit>> hits(bodies.size());
   tbb::parallel_for(std::size_t{0}, bodies.size(),

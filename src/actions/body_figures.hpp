@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "actions/side_action.hpp"
@@ -28,6 +29,8 @@ class BodyPlayer {
   /// leave sideways are as thick as the part and those that move before them allow. Throws Cancelled.
   void measure(ActionPlan& plan);
 
+  struct Solid;  // of a body
+
  private:
   struct Shapes;
   const PartModel& model_;
@@ -36,6 +39,7 @@ class BodyPlayer {
   const Progress& progress_;
   BodyPlay play_;
   std::map<std::vector<double>, Shapes> known_;  // by what an action forms and how it moves
+  std::vector<std::unique_ptr<Solid>> apart_;    // cut so that they are clear of others
 };
 
 }  // namespace moldlight

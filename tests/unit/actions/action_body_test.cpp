@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_files.hpp"
+#include "actions/body_figures.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/health.hpp"
 #include "support/random.hpp"
