@@ -180,6 +180,18 @@ class Player {
     }
     return beyond(hit.depth);
   }
+  /// How many of a few points are too deep in the part or in others.
+  [[nodiscard]] double share_of_few(const Placed& body, std::span<const Placed> others) const {
+    const std::vector<glm::dvec3>& few = body.solid->few;
+    const auto deep = std::ranges::count_if(few, [&](const glm::dvec3& point) {
+      BodyHit hit = in_part(body, std::span(&point, 1));
+      for (const Placed& other : others) {
+        if (other.action != body.action) play_against(body, std::span(&point, 1), &other, hit);
+      }
+      return beyond(hit.depth) > 0.0;
+    });
+    return static_cast<double>(deep) / static_cast<double>(few.size());
+  }
   /// Points of a body that are too deep in others, and of others that are too deep in it.
   [[nodiscard]] std::vector<glm::dvec3> shared_with(const Placed& body,
                                                     std::span<const Placed> others) const {
@@ -197,6 +209,8 @@ class Player {
     }
     return deep;
   }
+  /// Deeper than slivers of a body's surface are.
+  [[nodiscard]] bool is_deep(double depth) const { return depth > 5.0 * allowed_; }
   /// 0 within the tolerance.
   [[nodiscard]] double beyond(double depth) const { return depth > allowed_ ? depth : 0.0; }
 
@@ -284,6 +298,7 @@ std::vector<glm::dvec3> points_of(const PartModel& body, std::size_t count) {
 }
 
 constexpr int k_most_trims = 4;
+constexpr double k_slivers = 0.02;  // of a body's points
 
 /// `mesh` is the body of an action.
 Solid solid_of(TriangleMesh mesh, const Player& player, std::size_t action, const BodyPlay& play,
@@ -424,8 +439,12 @@ void BodyPlayer::measure(ActionPlan& plan) {
     }
   }
   std::vector<std::optional<BodyHit>> hits(bodies.size());
-  tbb::parallel_for(std::size_t{0}, bodies.size(),
-                    [&](std::size_t k) { hits[k] = player.deepest(bodies[k], bodies); });
+  grave_.assign(plan.actions.size(), 0);
+  tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t k) {
+    hits[k] = player.deepest(bodies[k], bodies);
+    if (hits[k] && (player.is_deep(hits[k]->depth) || player.share_of_few(bodies[k], bodies) > k_slivers))
+      grave_[bodies[k].action] = 1;
+  });
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const std::shared_ptr<const PartModel>& model = bodies[k].solid->model;
     SideAction& action = plan.actions[bodies[k].action];

@@ -28,6 +28,9 @@ class BodyPlayer {
   /// Fills in `body` of every action of a plan that has one; the plan has its patches. Bodies that need not
   /// leave sideways are as thick as the part and those that move before them allow. Throws Cancelled.
   void measure(ActionPlan& plan);
+  /// Whether a body of the plan measured last hits by more than slivers: by a fiftieth of its points, or
+  /// deeper than ten lateral tolerances.
+  [[nodiscard]] bool is_grave(std::size_t action) const { return grave_[action] != 0; }
 
   struct Solid;  // of a body
 
@@ -40,6 +43,7 @@ class BodyPlayer {
   BodyPlay play_;
   std::map<std::vector<double>, Shapes> known_;  // by what an action forms and how it moves
   std::vector<std::unique_ptr<Solid>> apart_;    // cut so that they are clear of others
+  std::vector<char> grave_;                      // by action
 };
 
 }  // namespace moldlight

@@ -181,14 +181,24 @@ class Judge {
   }
 
   void add_plan(const ActionPlan& plan) {
-    std::size_t meeting = 0, slender = 0;
+    std::size_t meeting = 0, slender = 0, hitting = 0;
+    double deepest = 0.0;
     for (const SideAction& action : plan.actions) {
+      if (action.body && action.body->hit) {
+        ++hitting;
+        deepest = std::max(deepest, action.body->hit->depth);
+      }
       meeting += action.meets.empty() ? 0 : 1;
       slender += action.pin && action.pin->is_slender() ? 1 : 0;
     }
     if (slender > 0)
       add(fmt::format("Core pins of {} are longer than 8 diameters.", plural(slender, "slide")));
     if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
+    if (hitting > 0)
+      add(fmt::format(
+          "{} not quite clear of the part or of each other, by up to {} {}.",
+          hitting == 1 ? "The body of 1 action is" : fmt::format("The bodies of {} actions are", hitting),
+          rounded(deepest), length_unit(facts_.model.part)));
     std::set<std::size_t> rejected;
     for (const RejectedAction& each : plan.rejected) rejected.insert(each.patch);
     if (!rejected.empty())

@@ -38,20 +38,22 @@ TriangleMesh angle_with_pockets(double a, double b) {
   return solid.mesh();
 }
 
-/// Pinned to slides, nothing else is left to choose.
-TEST(Meetings, AreOfSlidesWhoseWaysCross) {
+/// Pinned to slides, nothing else is left to choose: one of two that cross cannot be built.
+TEST(Meetings, OfSlidesWhoseWaysCrossLeaveOne) {
   ActionSettings settings;
   for (const UndercutReport& patch : plan_of(angle_with_pockets(10, 10)).plan.patches)
     settings.pins.push_back({patch.point, patch.undercut.area, ActionKind::slide});
   const Planned planned = plan_of(angle_with_pockets(10, 10), settings);
-  ASSERT_EQ(actions_text(planned.plan), "2 slides");
-  ASSERT_EQ(planned.plan.actions[0].meets, std::vector<std::size_t>{1});
-  ASSERT_EQ(planned.plan.actions[1].meets, std::vector<std::size_t>{0});
-  EXPECT_TRUE(planned.plan.optimal);
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  EXPECT_EQ(planned.plan.unreleased.size(), 1U);
+  ASSERT_EQ(planned.plan.rejected.size(), 1U);
+  const RejectedAction& rejected = planned.plan.rejected[0];
+  EXPECT_EQ(rejected.patch, planned.plan.unreleased[0]);
+  EXPECT_EQ(rejected.kind, ActionKind::slide);
+  EXPECT_EQ(rejected.reason, RejectReason::hits_body);
   const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
-  EXPECT_EQ(actions_json(report)["actions"][0]["meets"], nlohmann::ordered_json::array({2}));
-  EXPECT_EQ(meetings_text(planned.plan),
-            "Slides would meet, since their ways cross, and nothing that was tried avoids it: rows 1 and 2.");
+  EXPECT_EQ(actions_json(report)["rejected"][0]["depth"], rejected.hit.depth);
+  EXPECT_EQ(actions_json(report)["rejected"][0]["reason"], "its body hits another action's");
 }
 
 /// A lifter within the angle does without the way of a slide.
@@ -156,9 +158,16 @@ TriangleMesh box_with_pockets(const glm::dvec2& inside, const std::vector<WallPo
   return solid.mesh();
 }
 
+/// Lifters are as thin as others allow.
+ActionSettings without_stems() {
+  ActionSettings settings;
+  settings.lifter_section_mm = 0.0;
+  return settings;
+}
+
 /// How many pairs of its two lifters meet; each needs 4 of travel and the usual 3 of room.
 std::size_t lifters_that_meet(const TriangleMesh& mesh) {
-  const Planned planned = plan_of(mesh);
+  const Planned planned = plan_of(mesh, without_stems());
   EXPECT_EQ(actions_text(planned.plan), "2 lifters");
   std::size_t number = 0;
   for (const SideAction& action : planned.plan.actions) {
@@ -224,7 +233,7 @@ TEST(Meetings, AreNoneOfLiftersOfDifferentHalves) {
 
 TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {
   for (const bool near : {false, true}) {
-    const Planned planned = plan_of(grooved_trough(near ? 12.0 : 16.0));
+    const Planned planned = plan_of(grooved_trough(near ? 12.0 : 16.0), without_stems());
     ASSERT_EQ(actions_text(planned.plan), "2 lifters");
     std::size_t along = 0;
     for (const SideAction& action : planned.plan.actions) {
@@ -237,8 +246,8 @@ TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {
 }
 
 TEST(Meetings, OfLiftersAreToldAsSuch) {
-  const ActionSettings settings;
-  const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
+  const auto mesh = box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}});
+  const Planned planned = plan_of(mesh, without_stems());
   EXPECT_EQ(
       meetings_text(planned.plan),
       "Lifters would meet, since their ways cross, and nothing that was tried avoids it: rows 1 and 2.");

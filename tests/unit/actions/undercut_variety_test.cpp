@@ -34,6 +34,8 @@ Planned plan_in(const Setting& setting, const TriangleMesh& mesh) {
   settings.clearance_mm = 0.0;
   settings.least_travel_mm *= setting.scale;
   settings.lifter_room_mm *= setting.scale;
+  settings.lifter_section_mm *= setting.scale;
+  settings.pin_diameter_mm *= setting.scale;
   settings.bundle_across_mm *= setting.scale;
   settings.bundle_along_mm *= setting.scale;
   TriangleMesh put = test::scaled(test::translated(mesh, setting.offset), setting.scale);
@@ -88,19 +90,19 @@ TEST(Variety, OfSideHolesInFilesFarOffIsASlideNearTheAxis) {
 TEST(Variety, OfTSlotsIsALifterForEachWing) {
   test::Random random(73);
   for (int k = 0; k < 16; ++k) {
-    const double overhang = random.between(1.0, 6.0), half = overhang + random.between(1.0, 4.0);
+    const double overhang = random.between(1.0, 6.0), half = overhang + random.between(5.0, 8.0);
     const double floor = random.between(2.0, 6.0), ceiling = floor + random.between(2.0, 7.0);
-    const Loop2 profile = {{20 - half, 20},
-                           {20 - half, ceiling},
-                           {20 - half - overhang, ceiling},
-                           {20 - half - overhang, floor},
-                           {20 + half + overhang, floor},
-                           {20 + half + overhang, ceiling},
-                           {20 + half, ceiling},
-                           {20 + half, 20}};
+    const Loop2 profile = {{30 - half, 20},
+                           {30 - half, ceiling},
+                           {30 - half - overhang, ceiling},
+                           {30 - half - overhang, floor},
+                           {30 + half + overhang, floor},
+                           {30 + half + overhang, ceiling},
+                           {30 + half, ceiling},
+                           {30 + half, 20}};
     const Setting setting = random_setting(random);
     const Planned planned =
-        plan_in(setting, block_with_cavity(profile, {40, 20}, random.between(10.0, 60.0)));
+        plan_in(setting, block_with_cavity(profile, {60, 20}, random.between(10.0, 60.0)));
     ASSERT_EQ(actions_text(planned.plan), "2 lifters") << k << " " << overhang << " " << half;
     for (const SideAction& action : planned.plan.actions) {
       EXPECT_NEAR(std::abs(action.direction.x), 1.0, 1e-6) << k;
