@@ -16,7 +16,7 @@ constexpr double k_quarter = 0.5 * std::numbers::pi;
 constexpr double k_upright_sine = 0.02;  // of a wall's lean at most
 constexpr double k_same_turn = 3e-4;     // radians, between walls that face one way
 constexpr double k_least_share = 0.1;    // of all upright walls: fewer say nothing
-constexpr std::size_t k_most_turns = 3;
+constexpr std::size_t k_most_aligned = 3;
 
 /// Where walls face, by a quarter of a turn: a wall says as much of where it stands along.
 struct Facing {
@@ -65,7 +65,7 @@ std::vector<Facing> facings(const PartModel& model, const PartAxes& axes) {
   }
   std::erase_if(found, [&](const Facing& facing) { return facing.area < k_least_share * total; });
   std::ranges::stable_sort(found, std::greater(), &Facing::area);
-  if (found.size() > k_most_turns) found.resize(k_most_turns);
+  if (found.size() > k_most_aligned) found.resize(k_most_aligned);
   return found;
 }
 
