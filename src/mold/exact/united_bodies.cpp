@@ -1,5 +1,6 @@
 #include "mold/exact/united_bodies.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
