@@ -1,6 +1,7 @@
 // Slides as solids of the mold: with halves, part and inserts they fill the block, and they move out.
 #include "parting/mold_pieces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include "support/boxes.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
+#include "support/shared_parts.hpp"
 
 namespace moldlight {
 namespace {
@@ -75,6 +77,18 @@ TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
   EXPECT_EQ(made.find("no shut-off, planar parting surface, flat edge"), 0U) << made;
   EXPECT_NE(made.find(", 1 slide; block of "), std::string::npos) << made;
   EXPECT_EQ(json["transform"][3], (nlohmann::ordered_json{0.0, 0.0, 0.0, 1.0}));
+}
+
+TEST(MoldPieces, ASlideWithThePartInItsWayIsNone) {
+  Questions questions;
+  questions.with_actions = true;
+  const std::string clip = (test::asset_folder() / "parts" / "cable_clip.stl").string();
+  Study study(load_part(clip, {.unit = "mm"}, Progress()), questions);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  EXPECT_TRUE(pieces.of_slides.empty());
+  EXPECT_TRUE(std::ranges::any_of(pieces.unmade, [](const UnmadeAction& unmade) {
+    return unmade.why.starts_with("the part stands in its way");
+  }));
 }
 
 TEST(MoldPieces, ThinnestIsTheLeastWayBetweenOppositeFaces) {
