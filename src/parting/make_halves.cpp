@@ -348,17 +348,21 @@ class Trial {
     }
     for (std::size_t k = 0; k < 2; ++k) {
       MoldBody& half = k == 0 ? halves_.core : halves_.cavity;
-      // What is mended must not become needles.
-      const TriangleMesh before = written.bodies[k].mesh;
-      const std::size_t crossed_before = crossed_facets(before, progress).size();
-      uncross_written(halves_, k, progress);
+      TriangleMesh& mesh = written.bodies[k].mesh;
       const double thinnest = k_needle * frame_.diagonal * halves_.scale;
-      if (find_needles(written.bodies[k].mesh, thinnest).count > find_needles(before, thinnest).count)
-        written.bodies[k].mesh = before;
-      const TriangleMesh& mesh = written.bodies[k].mesh;
-      const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+      std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+      if (!crossed.empty()) {
+        TriangleMesh before = mesh;
+        std::vector<FacetIndex> left = uncross_written(halves_, k, crossed, progress);
+        // What is mended must not become needles.
+        if (find_needles(mesh, thinnest).count > find_needles(before, thinnest).count) {
+          mesh = std::move(before);
+        } else {
+          halves_.mended_facets += crossed.size() - std::min(crossed.size(), left.size());
+          crossed = std::move(left);
+        }
+      }
       half.crossed_facets = crossed.size();
-      halves_.mended_facets += crossed_before - std::min(crossed_before, crossed.size());
       if (!crossed.empty())
         half.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
       const Needles needles = find_needles(mesh, thinnest);

@@ -171,11 +171,13 @@ WrittenMold written_mold(const MoldHalves& halves) {
   return mold;
 }
 
-void uncross_written(MoldHalves& halves, std::size_t half, const Progress& progress) {
+std::vector<FacetIndex> uncross_written(MoldHalves& halves, std::size_t half, std::vector<FacetIndex> crossed,
+                                        const Progress& progress) {
   WrittenBody& body = halves.written.bodies[half];
   const glm::dvec3 up = halves.written.part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
-  uncross(body.mesh, {.tolerance = k_rounding_steps * rounding_step(body.mesh), .pull = half == 0 ? up : -up},
-          progress);
+  return uncross(body.mesh,
+                 {.tolerance = k_rounding_steps * rounding_step(body.mesh), .pull = half == 0 ? up : -up},
+                 std::move(crossed), progress);
 }
 
 void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold) {

@@ -12,7 +12,9 @@ namespace moldlight {
 
 /// Moves what crosses by rounding in the written core (0) or cavity (1) apart, where that can be done. Throws
 /// Cancelled.
-void uncross_written(MoldHalves& halves, std::size_t half, const Progress& progress);
+[[nodiscard]] std::vector<FacetIndex> uncross_written(MoldHalves& halves, std::size_t half,
+                                                      std::vector<FacetIndex> crossed,
+                                                      const Progress& progress);
 
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,

@@ -262,7 +262,8 @@ EncounterBudget encounter_budget(std::size_t facets, double effort) {
   };
   return {.pairs = of(k_always_pairs, k_pairs_a_facet),
           .crossings = of(k_always_crossings, k_crossings_a_facet),
-          .coplanar = false};
+          .coplanar = false,
+          .in_front = true};
 }
 
 FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::dvec3> positions,
@@ -326,14 +327,17 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
   const auto add_pair = [&](FacetIndex facet, FacetIndex other, Lists& found) {
     if (++found.uncounted_pairs >= k_counted_at_once) count_work(found);
     if (normals[other] == glm::dvec3(0.0) || too_much()) return;
+    if (!budget.in_front && !budget.coplanar && shared_corners(mesh.facets[facet], mesh.facets[other]) >= 2)
+      return;
     const Heights here_over =
         heights_over(corners_of(facet), positions[mesh.facets[other][0]], normals[other]);
     const Heights there_over =
         heights_over(corners_of(other), positions[mesh.facets[facet][0]], normals[facet]);
-    if (there_over.in_front) add_in_front(facet, other, found);
-    if (here_over.in_front) add_in_front(other, facet, found);
+    if (budget.in_front && there_over.in_front) add_in_front(facet, other, found);
+    if (budget.in_front && here_over.in_front) add_in_front(other, facet, found);
     if (tree.overlap(facet, other)) add_crossings(facet, other, here_over, there_over, found.crossings);
   };
+  const double distance = budget.in_front ? k_most_in_front : 0.0;
   tbb::enumerable_thread_specific<Lists> found;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
@@ -342,7 +346,7 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
         for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled() && !too_much(); ++k) {
           const FacetIndex facet = tree.order()[k];
           if (normals[facet] == glm::dvec3(0.0)) continue;
-          tree.for_each_near(facet, k_most_in_front, [&](FacetIndex other) { add_pair(facet, other, mine); });
+          tree.for_each_near(facet, distance, [&](FacetIndex other) { add_pair(facet, other, mine); });
         }
         count_work(mine);
       });
@@ -355,7 +359,7 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
   for (const Lists& some : found) counted += some.uncounted;
   FacetEncounters encounters{.crossings = by_facet(found, &Lists::crossings, mesh.facets.size(), progress),
                              .in_front = {}};
-  if (counted <= most_in_front)
+  if (budget.in_front && counted <= most_in_front)
     encounters.in_front = by_facet(found, &Lists::in_front, mesh.facets.size(), progress);
   return encounters;
 }

@@ -37,8 +37,8 @@ struct FacetEncounters {
   /// False where facets meet so many others that to look at each pair, or to note down each crossing, would
   /// take time and memory out of proportion.
   bool complete = true;
-  /// Others that reach over a facet's plane, on its outer side, near it; nothing where those are so many that
-  /// noting them down takes more memory than it saves time.
+  /// Others that reach over a facet's plane, on its outer side, near it; nothing where they are not asked
+  /// for, or so many that noting them down takes more memory than it saves time.
   std::optional<FacetLists<FacetIndex>> in_front;
 };
 
@@ -50,9 +50,10 @@ inline constexpr double k_least_in_front = 1.0 / 8192.0, k_most_in_front = 1.001
 struct EncounterBudget {
   std::size_t pairs = 0, crossings = 0;
   bool coplanar = false;  // facets in one plane cross, too: where sides of one run inside the other
+  bool in_front = true;   // else crossings alone are looked for
 };
-inline constexpr EncounterBudget k_any_encounters{
-    .pairs = ~std::size_t{0}, .crossings = ~std::size_t{0}, .coplanar = false};
+inline constexpr EncounterBudget k_any_crossings{
+    .pairs = ~std::size_t{0}, .crossings = ~std::size_t{0}, .coplanar = false, .in_front = false};
 [[nodiscard]] EncounterBudget encounter_budget(std::size_t facets, double effort = 1.0);
 
 /// Pairs of facets by a tree of boxes. `positions` in the unit frame, `normals` of the facets. Of facets with

@@ -49,7 +49,7 @@ std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress&
   for (const glm::dvec3& vertex : mesh.vertices)
     positions.push_back((vertex - frame.center) / frame.diagonal);
   const FacetEncounters met =
-      facet_encounters(mesh, positions, facet_geometry(mesh).normals, {}, k_any_encounters, progress);
+      facet_encounters(mesh, positions, facet_geometry(mesh).normals, {}, k_any_crossings, progress);
   std::vector<FacetIndex> crossed;
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (!met.crossings.of(facet).empty()) crossed.push_back(facet);

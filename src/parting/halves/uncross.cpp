@@ -91,7 +91,7 @@ class Uncrosser {
       const double size = glm::length(normal);
       normals.push_back(size > 0.0 ? normal / size : glm::dvec3(0.0));
     }
-    return facet_encounters(some, positions_, normals, {}, k_any_encounters, Progress())
+    return facet_encounters(some, positions_, normals, {}, k_any_crossings, Progress())
         .crossings.items.size();
   }
 
@@ -162,9 +162,9 @@ class Uncrosser {
 
 }  // namespace
 
-std::size_t uncross(TriangleMesh& mesh, const TidyQuery& query, const Progress& progress) {
-  std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
-  if (crossed.empty() || crossed.size() > k_most_crossed) return crossed.size();
+std::vector<FacetIndex> uncross(TriangleMesh& mesh, const TidyQuery& query, std::vector<FacetIndex> crossed,
+                                const Progress& progress) {
+  if (crossed.empty() || crossed.size() > k_most_crossed) return crossed;
   Uncrosser uncrosser(mesh, query);
   for (int round = 0; round < k_most_uncross_rounds && !crossed.empty(); ++round) {
     uncrosser.mend(crossed, progress);
@@ -173,7 +173,7 @@ std::size_t uncross(TriangleMesh& mesh, const TidyQuery& query, const Progress& 
     crossed = std::move(left);
     if (!better) break;
   }
-  return crossed.size();
+  return crossed;
 }
 
 }  // namespace moldlight
