@@ -71,6 +71,12 @@ double FigureStyle::least(FigureKind kind) const {
   return kind == FigureKind::volume ? least_volume_ : 0.0;
 }
 
+bool FigureStyle::is_shown(const FoundFigure& figure, bool details) const {
+  if (figure.title.empty() || !figure.value || (figure.shown == FigureShown::details) != details)
+    return false;
+  return figure.shown == FigureShown::always || std::abs(*figure.value) > least(figure.kind);
+}
+
 std::string FigureStyle::text(const FoundFigure& figure) const {
   return figure.value ? text(figure.kind, *figure.value) : "-";
 }

@@ -32,6 +32,9 @@ enum class FigureKind : std::uint8_t {
   actions
 };
 
+/// Where people see a figure: those of `details` stand apart, for who checks the others.
+enum class FigureShown : std::uint8_t { always, unless_nothing, details };
+
 template <typename Of>
 struct FigureRow {
   std::string_view key;    // in JSON, "a/b" for b of a; empty: for people alone
@@ -39,6 +42,7 @@ struct FigureRow {
   FigureKind kind = FigureKind::number;
   std::optional<double> (*find)(const Of& of) = nullptr;  // none where it is not known
   std::string_view help = {};                             // what the title does not say
+  FigureShown shown = FigureShown::always;
 };
 
 /// A row's figure of one thing.
@@ -46,13 +50,14 @@ struct FoundFigure {
   std::string_view key, title, help;
   FigureKind kind = FigureKind::number;
   std::optional<double> value;
+  FigureShown shown = FigureShown::always;
 };
 
 template <typename Of>
 [[nodiscard]] std::vector<FoundFigure> found_figures(std::span<const FigureRow<Of>> rows, const Of& of) {
   std::vector<FoundFigure> found;
   for (const FigureRow<Of>& row : rows)
-    found.push_back({row.key, row.title, row.help, row.kind, row.find(of)});
+    found.push_back({row.key, row.title, row.help, row.kind, row.find(of), row.shown});
   return found;
 }
 
@@ -68,6 +73,8 @@ class FigureStyle {
   [[nodiscard]] std::string text(FigureKind kind, double value) const;
   /// A difference, with its sign; "0" where rounding leaves none.
   [[nodiscard]] std::string change(FigureKind kind, double value) const;
+  /// Whether people see it, among the details or not among them.
+  [[nodiscard]] bool is_shown(const FoundFigure& figure, bool details = false) const;
   /// "-" where it is not known.
   [[nodiscard]] std::string text(const FoundFigure& figure) const;
   /// "mm²"; empty for what has none, or shows it with the figure.

@@ -1,6 +1,7 @@
 #include "parting/mold_report.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -215,15 +216,23 @@ void add_piece_remarks(const ActionPlan& plan, const MoldPieces& pieces, std::ve
   };
   for (std::size_t k = 0; k < pieces.of_inserts.size(); ++k) {
     const MoldBody& body = pieces.halves.inserts[k];
-    for (const std::size_t number : pieces.of_inserts[k].actions) {
-      remarks.push_back(body.blanks.empty()
-                            ? fmt::format("{} goes with a {}{}.", body.name, named(number),
-                                          pieces.of_inserts[k].unreleased > 0 ? ", but not all of it" : "")
-                            : fmt::format("{} is the {}.", body.name, named(number)));
-    }
+    const InsertActions& of_insert = pieces.of_inserts[k];
+    std::string movers;
+    for (const std::size_t number : of_insert.actions)
+      movers += (movers.empty() ? "" : " and ") + std::string("the ") + named(number);
+    if (movers.empty()) continue;
+    remarks.push_back(body.blanks.empty()
+                          ? fmt::format("{} is formed by {}{}.", body.name, movers,
+                                        of_insert.unreleased > 0 ? "; nothing releases the rest of it" : "")
+                          : fmt::format("{} is {}.", body.name, movers));
   }
-  for (const UnmadeAction& unmade : pieces.unmade)
-    remarks.push_back(fmt::format("The {} is no solid of its own: {}.", named(unmade.action), unmade.why));
+  std::map<std::string, std::size_t> unmade;  // by what is said of them
+  for (const UnmadeAction& one : pieces.unmade)
+    ++unmade[fmt::format("{} along {} stays an insert: {}", facts(plan.actions[one.action].kind).singular,
+                         direction_words(plan.actions[one.action].direction), one.why)];
+  for (const auto& [text, number] : unmade)
+    remarks.push_back(number == 1 ? fmt::format("The {}.", text)
+                                  : fmt::format("{} times: the {}.", number, text));
 }
 
 }  // namespace
@@ -331,16 +340,18 @@ std::vector<std::string> halves_remarks(const MoldReport& report) {
   for (const std::string& line : missed_lines(model, halves)) remarks.push_back(line + ".");
   if (report.pieces != nullptr) remarks.push_back(sentence_of(made_text(report)));
   if (report.pieces != nullptr) add_piece_remarks(*report.plan, *report.pieces, remarks);
-  const auto count = [](std::size_t many, std::string_view one, std::string_view more) {
-    return fmt::format("{} {}", many, many == 1 ? one : more);
-  };
   for (const std::string& fault : half_faults(model, halves)) remarks.push_back(sentence_of(fault));
-  if (const std::size_t needles = halves.core.needles + halves.cavity.needles; needles > 0)
-    remarks.push_back(
-        fmt::format("{} thinner than {} {}, the longest {}.", count(needles, "facet is", "facets are"),
-                    error_text(1e-7 * model.frame.diagonal), length_unit(model.part),
-                    near(*(halves.core.needle_at ? halves.core.needle_at : halves.cavity.needle_at))));
   return remarks;
+}
+
+std::string needles_text(const PartModel& model, const MoldHalves& halves) {
+  const std::size_t needles = halves.core.needles + halves.cavity.needles;
+  if (needles == 0) return {};
+  return fmt::format(
+      "{} thinner than {} {}, the longest near {}.",
+      needles == 1 ? "1 facet of the halves is" : fmt::format("{} facets of the halves are", needles),
+      error_text(1e-7 * model.frame.diagonal), length_unit(model.part),
+      FigureStyle(model).point(*(halves.core.needle_at ? halves.core.needle_at : halves.cavity.needle_at)));
 }
 
 std::string difference_text(const EulerCheck& e) {

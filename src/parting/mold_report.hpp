@@ -53,6 +53,8 @@ struct MoldReport {
 [[nodiscard]] std::vector<std::string> halves_remarks(const MoldReport& report);
 
 /// What accounts for loops that are fewer or more than the part's handles ask for; empty where they are as
+/// How many facets of the halves are too thin for a milling machine's file, and where; empty where none is.
+[[nodiscard]] std::string needles_text(const PartModel& model, const MoldHalves& halves);
 /// many.
 [[nodiscard]] std::string difference_text(const EulerCheck& euler);
 

@@ -27,7 +27,11 @@ TEST_F(Mold, TellsThePartingLineInATable) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("\nParting line: planar at z = "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("length mm"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("\nEuler characteristics     add up, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nDetails\nEuler characteristics "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  add up, core "), std::string::npos) << run.out;
+  // What is nothing stands in no row.
+  EXPECT_EQ(run.out.find("\nReverse draft"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("\nInserts"), std::string::npos) << run.out;
 }
 
 TEST_F(Mold, TellsThePartingLineInJson) {

@@ -40,13 +40,12 @@ const std::vector<ListColumn>& mold_columns() {
   return k_columns;
 }
 
-/// "Core half 123 mm³ · Cavity half 120 mm³"; what is 0 is left out.
+/// "Core half 123 mm³ · Cavity half 120 mm³".
 std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
                          bool of_surfaces) {
   std::string line;
   for (const FoundFigure& figure : figures) {
-    if (figure.title.empty() || figure.value.value_or(0.0) == 0.0) continue;
-    if (figure.key.starts_with("surface") != of_surfaces) continue;
+    if (!style.is_shown(figure) || figure.key.starts_with("surface") != of_surfaces) continue;
     const std::string unit = style.unit(figure.kind);
     line += fmt::format("{}{} {}{}{}", line.empty() ? "" : " · ", figure.title, grouped(style.text(figure)),
                         unit.empty() ? "" : " ", unit);

@@ -1,5 +1,6 @@
 // The report of a mold: its parting line and its halves.
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -56,7 +57,13 @@ Section line_section(const MoldReport& found) {
   }
   if (line.loops.size() > k_most_loops) table.rest = fmt::format("… {} in all.", line.loops.size());
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
-  const EulerCheck& euler = line.euler;
+  return section;
+}
+
+/// Topology of the line and what rounding leaves: for who checks the rest.
+Section details_section(const MoldReport& found) {
+  Section section{"Details", {}};
+  const EulerCheck& euler = found.line.euler;
   FigureGrid checks;
   checks.figures = {
       {"Euler characteristics",
@@ -69,7 +76,14 @@ Section line_section(const MoldReport& found) {
        number(fmt::format("{}", euler.loops), "/euler/loops", static_cast<double>(euler.loops)),
        {},
        fmt::format("genus {} asks for {}{}", euler.genus, euler.expected_loops, difference_text(euler))}};
+  if (found.halves.made()) {
+    FigureGrid of_halves =
+        grid_of(FigureStyle(found.model), found_figures(halves_figures(), found.halves), "", true);
+    std::ranges::move(of_halves.figures, std::back_inserter(checks.figures));
+  }
   section.blocks.emplace_back(std::move(checks));
+  if (const std::string needles = needles_text(found.model, found.halves); !needles.empty())
+    section.blocks.emplace_back(Text{needles});
   return section;
 }
 
@@ -179,6 +193,7 @@ Report mold_report(const ReportContext& context, Study& study) {
   if (found.plan != nullptr && !found.plan->actions.empty())
     report.sections.push_back(insert_actions_section(found));
   report.sections.push_back(part_section(context, mold_warnings(study, context.progress)));
+  report.sections.push_back(details_section(found));
   report.sections.push_back(repeat_section(context, mold_json(found)["settings"]));
   return report;
 }

@@ -104,10 +104,11 @@ Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& pla
   return number(text, fmt::format("{}/{}", *place, figure.key), *figure.value);
 }
 
-FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures, const Place& place) {
+FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures, const Place& place,
+                   bool details) {
   FigureGrid grid;
   for (const FoundFigure& figure : figures) {
-    if (figure.title.empty() || !figure.value) continue;
+    if (!style.is_shown(figure, details)) continue;
     grid.figures.push_back({std::string(figure.title), cell(style, figure, place), style.unit(figure.kind),
                             std::string(figure.help)});
   }

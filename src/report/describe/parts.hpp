@@ -17,9 +17,9 @@ namespace moldlight::report {
 using Place = std::optional<std::string>;
 /// A row's figure, which the JSON report has under `place` and its key.
 [[nodiscard]] Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& place);
-/// Those that have a title.
+/// Those that people see, among the details or not among them.
 [[nodiscard]] FigureGrid grid_of(const FigureStyle& style, const std::vector<FoundFigure>& figures,
-                                 const Place& place);
+                                 const Place& place, bool details = false);
 /// A column for each that has a title, and a row's cells.
 template <typename Of>
 void add_columns(const FigureStyle& style, std::span<const FigureRow<Of>> rows, Table& table) {
