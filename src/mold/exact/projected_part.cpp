@@ -387,9 +387,11 @@ bool ProjectedPart::surely_hidden(const ContourEdge& edge, Sense sense, FacetInd
 void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visible& visible) const {
   const ContourEdge& edge = contour_[number];
   const ContourExtent& extent = contour_extents_[number];
+  // Facets are as crowded as edges are.
+  const bool all_seen = extent.pierces || !edges_proportionate_;
   const std::array<bool, 2> asked = {
-      extent.for_below != 0 && (extent.pierces || !surely_hidden(edge, 1, search.hidden_by[0])),
-      extent.for_above != 0 && (extent.pierces || !surely_hidden(edge, -1, search.hidden_by[1]))};
+      extent.for_below != 0 && (all_seen || !surely_hidden(edge, 1, search.hidden_by[0])),
+      extent.for_above != 0 && (all_seen || !surely_hidden(edge, -1, search.hidden_by[1]))};
   const std::array<std::uint8_t, 2> facings = {blockers(1, false), blockers(-1, false)};
   const glm::dvec3 end = edge.start + edge.along;
   std::array<std::vector<double>, 2> cuts;
@@ -415,14 +417,13 @@ void ProjectedPart::find_visible(std::uint32_t number, EdgeSearch& search, Visib
     if (over && height >= -k_plane_margin) cuts[0].push_back(at);
     if (under && height <= k_plane_margin) cuts[1].push_back(at);
   };
-  if (!extent.pierces && edges_proportionate_ && (asked[0] || asked[1]))
-    contour_grid_.for_each_item(footprint, add_cut);
+  if (!all_seen && (asked[0] || asked[1])) contour_grid_.for_each_item(footprint, add_cut);
   const double shortest = k_clip_slack * edge.per_length;
   for (const std::size_t side : {0U, 1U}) {
     std::vector<double>& places = cuts[side];
     visible[side].clear();
     if (!asked[side]) continue;
-    if (extent.pierces || !edges_proportionate_ || places.size() > k_most_cuts) {
+    if (all_seen || places.size() > k_most_cuts) {
       visible[side].push_back({0.0, 1.0});
       continue;
     }
