@@ -15,7 +15,7 @@
 #include <tbb/parallel_for.h>
 
 #include "actions/action_body.hpp"
-#include "mesh/nearest_in_triangle.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "mold/surface_samples.hpp"
 
 namespace moldlight {

@@ -1,12 +1,66 @@
 #include "base/shown_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
-#include "base/utf8.hpp"
-
 namespace moldlight {
+
+namespace {
+
+constexpr char32_t k_replacement = 0xFFFD;
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  const unsigned char second = byte(1);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool beyond = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return overlong || beyond ? 0 : length;
+}
+
+std::u32string letters_of(std::string_view utf8) {
+  std::u32string letters;
+  while (!utf8.empty()) {
+    const std::size_t length = utf8_length(utf8);
+    char32_t letter = static_cast<unsigned char>(utf8[0]) & (length < 2 ? 0x7FU : 0x7FU >> length);
+    for (std::size_t i = 1; i < length; ++i)
+      letter = letter << 6 | (static_cast<unsigned char>(utf8[i]) & 0x3FU);
+    letters += length == 0 ? k_replacement : letter;
+    utf8.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return letters;
+}
+
+std::string utf8_of(std::u32string_view letters) {
+  std::string text;
+  for (const char32_t letter : letters) {
+    const auto byte = [&](char32_t bits) { text += static_cast<char>(static_cast<unsigned char>(bits)); };
+    if (letter < 0x80) {
+      byte(letter);
+      continue;
+    }
+    const int more = letter < 0x800 ? 1 : letter < 0x10000 ? 2 : 3;
+    byte((0xFF00U >> (more + 1) & 0xFFU) | letter >> 6 * more);
+    for (int k = more - 1; k >= 0; --k) byte(0x80U | (letter >> 6 * k & 0x3FU));
+  }
+  return text;
+}
+
+std::string lower_letters(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
 
 bool is_command_letter(char32_t letter) {
   const auto within = [&](char32_t first, char32_t last) { return letter >= first && letter <= last; };

@@ -4,7 +4,6 @@
 
 #include "base/error.hpp"
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
 
 namespace moldlight::batch {
 

@@ -6,7 +6,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
@@ -63,12 +62,6 @@ std::string Manifest::parts_folder() const {
   return fs::path(parts).is_absolute() ? parts : (fs::path(folder) / parts).lexically_normal().string();
 }
 
-const Work& Manifest::work() const {
-  const Work* work = work_named(command);
-  CHECK(work != nullptr);
-  return *work;
-}
-
 bool is_batch(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return fs::is_regular_file(manifest_path(path), ignored);
@@ -115,8 +108,6 @@ Manifest read_manifest(const std::string& given) {
   } catch (const Json::exception&) {
     throw FileError(path, "", "is damaged, or not the plan of a batch; plan again");
   }
-  if (work_named(manifest.command) == nullptr)
-    throw FileError(path, "", "names work that this version does not know; plan again");
   // Out of the folder nothing is read.
   if (fs::path(manifest.rows_file).has_parent_path())
     throw FileError(path, "", "is damaged, or not the plan of a batch; plan again");

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/csv.hpp"
-#include "batch/work.hpp"
-#include "io/digest.hpp"
+#include "classify/json.hpp"
+#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 
@@ -50,7 +50,6 @@ struct Manifest {
   std::size_t rows = 0;
 
   [[nodiscard]] std::string parts_folder() const;
-  [[nodiscard]] const Work& work() const;
 };
 
 /// Throws FileError for a folder that is no batch, and for one that is damaged or of a schema that is not

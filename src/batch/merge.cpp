@@ -28,6 +28,7 @@ std::string csv_text(const Json& value) {
   return value.is_null() ? "" : value.dump();
 }
 
+/// A line a row.
 class CsvSink : public MergeSink {
  public:
   explicit CsvSink(const std::string& path) : file_(path) {
@@ -61,6 +62,7 @@ constexpr std::string_view k_content = R"(<h1>moldlight batch</h1><p id="about">
 <p><button id="more">Show more</button></p>
 <script type="application/json" id="batch">)";
 
+/// A page that sorts and filters, with the pictures where they lie.
 class HtmlSink : public MergeSink {
  public:
   HtmlSink(const std::string& path, const Manifest& manifest) : file_(path) {
@@ -139,18 +141,12 @@ const std::vector<ResultColumn>& result_columns() {
   return k_columns;
 }
 
-std::unique_ptr<MergeSink> csv_sink(const std::string& path) { return std::make_unique<CsvSink>(path); }
-
-std::unique_ptr<MergeSink> html_sink(const std::string& path, const Manifest& manifest) {
-  return std::make_unique<HtmlSink>(path, manifest);
-}
-
 ReadingCounts merge(const Manifest& manifest, const MergeFiles& files, const Progress& progress,
                     MergeSink* first) {
   std::vector<std::unique_ptr<MergeSink>> sinks;
-  if (!files.csv.empty()) sinks.push_back(csv_sink(files.csv));
+  if (!files.csv.empty()) sinks.push_back(std::make_unique<CsvSink>(files.csv));
   if (!files.sqlite.empty()) sinks.push_back(sqlite_sink(files.sqlite, manifest));
-  if (!files.html.empty()) sinks.push_back(html_sink(files.html, manifest));
+  if (!files.html.empty()) sinks.push_back(std::make_unique<HtmlSink>(files.html, manifest));
   const ReadingCounts counts = for_each_result(manifest, progress, [&](const PartResult& result) {
     if (first != nullptr) first->add(result);
     for (const auto& sink : sinks) sink->add(result);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/part_result.hpp"
+#include "classify/json.hpp"
 
 namespace moldlight::batch {
 
@@ -34,15 +35,11 @@ class MergeSink {
   virtual void finish() = 0;
 };
 
-/// A line a row.
-[[nodiscard]] std::unique_ptr<MergeSink> csv_sink(const std::string& path);
 /// Text is as shown_text() has it; where a path is not so, `path_bytes` has it as it is.
 /// Tables `batch` and `parts`, `previous` with the parts of the last merge of another plan into this file,
 /// and the views worst, changed, more_than_two_actions and failed. Throws FileError for a file that is there
 /// and no such database.
 [[nodiscard]] std::unique_ptr<MergeSink> sqlite_sink(const std::string& path, const Manifest& manifest);
-/// A page that sorts and filters, with the pictures where they lie.
-[[nodiscard]] std::unique_ptr<MergeSink> html_sink(const std::string& path, const Manifest& manifest);
 
 /// `first` takes the rows, too, if it is given, and finishes before any file is put in place. Throws
 /// FileError, Cancelled, what `first` throws; files that were wanted are then as they were.

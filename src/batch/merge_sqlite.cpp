@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/shown_text.hpp"
 #include "batch/merge.hpp"
+#include "classify/json.hpp"
 #include "io/atomic_file.hpp"
 
 namespace moldlight::batch {

@@ -16,6 +16,29 @@ namespace moldlight::batch {
 
 namespace {
 
+/// Where reports have a figure: the first of these places that a report has; of an array its size counts.
+struct FigurePlaces {
+  std::string_view name;
+  std::array<std::string_view, 3> places;
+};
+constexpr std::array<FigurePlaces, k_figure_count> k_figures = {
+    {{"area", {"/part/area"}},
+     {"undercut_area", {"/areas/undercut", "/candidates/0/areas/undercut", "/verdict/undercut_area"}},
+     {"projected_area", {"/projected_area", "/candidates/0/projected_area"}},
+     {"undercuts", {"/candidates/0/patches", "/verdict/undercuts"}},
+     {"side_actions", {"/actions"}},
+     {"unreleased_area", {"/unreleased/area"}}}};
+/// And the direction that a picture is drawn along.
+constexpr std::array<std::string_view, 2> k_directions = {"/direction", "/candidates/0/direction"};
+
+constexpr std::array<std::string_view, 2> k_without_effect = {"jobs", "time_limit_s"};
+
+/// Null where the report has nothing there.
+const Json* find(const Json& report, std::string_view pointer) {
+  const Json::json_pointer place{std::string(pointer)};
+  return report.contains(place) ? &report.at(place) : nullptr;
+}
+
 constexpr std::size_t k_rows_at_a_time = 512;
 
 template <typename T>
@@ -32,9 +55,10 @@ std::optional<T> member(const Json& object, const char* name) {
   return found->get<T>();
 }
 
-void take_report(const Json& report, const Work& work, PartResult& result) {
-  for (std::size_t k = 0; k < k_figure_count; ++k) result.figures[k] = number_at(report, work.figures[k]);
-  result.direction = direction_in(report, work);
+void take_report(const Json& report, PartResult& result) {
+  for (std::size_t k = 0; k < k_figure_count; ++k)
+    result.figures[k] = figure_in(report, static_cast<Figure>(k));
+  result.direction = direction_in(report);
   if (const auto verdict = report.find("verdict"); verdict != report.end() && verdict->is_object()) {
     result.verdict = member<std::string>(*verdict, "state").value_or("");
     result.sentence = member<std::string>(*verdict, "sentence").value_or("");
@@ -47,7 +71,7 @@ void take_report(const Json& report, const Work& work, PartResult& result) {
 }
 
 /// Sets everything but what the row itself says. Returns why its file is no result, and then sets it aside.
-std::string read_result(const ResultStore& store, const Work& work, PartResult& result) {
+std::string read_result(const ResultStore& store, PartResult& result) {
   if (result.state == ResultState::missing) return "";
   std::optional<Json> stored;
   try {
@@ -65,13 +89,37 @@ std::string read_result(const ResultStore& store, const Work& work, PartResult& 
   result.elapsed_s = member<double>(*stored, "elapsed_s");
   result.tries = member<int>(*stored, "tries");
   const auto report = stored->find("report");
-  if (report != stored->end() && report->is_object()) take_report(*report, work, result);
+  if (report != stored->end() && report->is_object()) take_report(*report, result);
   return "";
 }
 
 constexpr std::size_t k_reasons_in_text = 10;
 
 }  // namespace
+
+std::string_view figure_name(Figure figure) { return k_figures[static_cast<std::size_t>(figure)].name; }
+
+std::span<const std::string_view> settings_without_effect() { return k_without_effect; }
+
+std::optional<double> figure_in(const Json& report, Figure figure) {
+  for (const std::string_view place : k_figures[static_cast<std::size_t>(figure)].places) {
+    const Json* value = place.empty() ? nullptr : find(report, place);
+    if (value == nullptr) continue;
+    if (value->is_number()) return value->get<double>();
+    return value->is_array() ? std::optional(static_cast<double>(value->size())) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::array<double, 3>> direction_in(const Json& report) {
+  for (const std::string_view place : k_directions) {
+    const Json* value = find(report, place);
+    if (value == nullptr || !value->is_array() || value->size() != 3) continue;
+    if (!std::ranges::all_of(*value, [](const Json& one) { return one.is_number(); })) continue;
+    return value->get<std::array<double, 3>>();
+  }
+  return std::nullopt;
+}
 
 std::optional<double> PartResult::undercut_share() const {
   const auto whole = figure(Figure::area), undercut = figure(Figure::undercut_area);
@@ -115,7 +163,7 @@ ReadingCounts for_each_result(const Manifest& manifest, const Progress& progress
     }
     std::vector<std::string> refused(results.size());
     tbb::parallel_for(std::size_t{0}, results.size(),
-                      [&](std::size_t k) { refused[k] = read_result(store, manifest.work(), results[k]); });
+                      [&](std::size_t k) { refused[k] = read_result(store, results[k]); });
     std::erase(refused, "");
     counts.refused.insert(counts.refused.end(), refused.begin(), refused.end());
     for (const PartResult& result : results) {

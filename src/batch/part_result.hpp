@@ -3,18 +3,43 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "batch/manifest.hpp"
 #include "batch/store.hpp"
+#include "classify/json.hpp"
 #include "classify/option.hpp"
 
 namespace moldlight::batch {
+
+/// Figures of a part that tables of results have, whatever the work; a work that does not show one leaves it
+/// empty.
+enum class Figure : std::uint8_t {
+  area,
+  undercut_area,
+  projected_area,
+  undercuts,     // how many
+  side_actions,  // how many
+  unreleased_area
+};
+inline constexpr std::size_t k_figure_count = 6;
+[[nodiscard]] std::string_view figure_name(Figure figure);
+
+/// Settings of reports that change nothing in them but how long they take: no part of a result's key.
+[[nodiscard]] std::span<const std::string_view> settings_without_effect();
+
+/// A figure of a report; nothing where it has none.
+[[nodiscard]] std::optional<double> figure_in(const Json& report, Figure figure);
+/// The direction that a picture is drawn along; nothing where it has none.
+[[nodiscard]] std::optional<std::array<double, 3>> direction_in(const Json& report);
 
 struct PartResult {
   std::size_t row = 0;

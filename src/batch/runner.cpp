@@ -17,6 +17,7 @@
 #include "base/threads.hpp"
 #include "batch/part_work.hpp"
 #include "batch/store.hpp"
+#include "classify/json.hpp"
 
 namespace moldlight::batch {
 

@@ -13,7 +13,6 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/descriptor.hpp"
 #include "io/file_contents.hpp"
 
 namespace moldlight::batch {

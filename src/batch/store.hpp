@@ -8,8 +8,9 @@
 #include <string>
 #include <unordered_map>
 
-#include "batch/work.hpp"
-#include "io/digest.hpp"
+#include "base/progress.hpp"
+#include "classify/json.hpp"
+#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 

@@ -1,20 +1,23 @@
 #include "classify/classify_report.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "base/check.hpp"
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
+#include "io/atomic_file.hpp"
+#include "io/csv_tables.hpp"
+#include "io/mesh_writer.hpp"
 
 namespace moldlight {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json settings_json(const Classification& result) {
   Json settings = options_json(method_options(), result.settings);
@@ -60,9 +63,21 @@ Json comparison_json(const MapComparison& comparison) {
           {"shares", shares}};
 }
 
+void write_split(const OutputPaths& paths, const Part& part, const SplitMesh& split, Palette palette) {
+  const TriangleMesh mesh = piece_mesh(split);
+  std::vector<Region> regions;
+  regions.reserve(split.pieces.size());
+  for (const SplitPiece& piece : split.pieces) regions.push_back(piece.region);
+  const ColouredMesh coloured{.mesh = mesh, .regions = regions, .palette = palette, .unit = part.unit};
+  if (!paths.mesh.empty()) write_coloured_mesh(paths.mesh, coloured);
+  if (!paths.split_folder.empty())
+    write_region_stls(paths.split_folder, std::filesystem::path(part.file).stem().string(), coloured);
+  if (!paths.borders.empty()) write_borders(paths.borders, split);
+}
+
 }  // namespace
 
-nlohmann::ordered_json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
+Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
 Json bounds_json(const Bounds& bounds) {
   return {{"min", point_json(bounds.min)}, {"max", point_json(bounds.max)}};
@@ -145,6 +160,21 @@ std::string json_text(const Json& json) {
     rest.remove_prefix(bytes.size());
   }
   return shown;
+}
+
+void write_outputs(const OutputPaths& paths, const PartModel& model, const Classification& result,
+                   Palette palette) {
+  if (paths.need_split()) {
+    CHECK(result.split != nullptr);
+    write_split(paths, model.part, *result.split, palette);
+  }
+  if (!paths.facets.empty()) {
+    write_facet_csv(paths.facets, {.areas = model.geometry.areas,
+                                   .fractions = result.facet_fractions,
+                                   .numbers = model.part.file_facets});
+  }
+  if (!paths.faces.empty()) write_face_csv(paths.faces, face_areas(model, result));
+  if (!paths.json.empty()) write_file(paths.json, json_text(classify_json(model, result)));
 }
 
 }  // namespace moldlight

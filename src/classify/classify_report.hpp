@@ -1,29 +1,28 @@
-// The report on a classification: a table for people, JSON for programs.
+// The report on a classification for programs: JSON, tables and coloured meshes, the same from the command
+// line and from the window.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "classify/classification.hpp"
+#include "classify/json.hpp"
 #include "classify/part_model.hpp"
 #include "mold/measure.hpp"
 
 namespace moldlight {
 
 /// [x, y, z].
-[[nodiscard]] nlohmann::ordered_json point_json(const glm::dvec3& point);
+[[nodiscard]] Json point_json(const glm::dvec3& point);
 /// {"min": [x, y, z], "max": [x, y, z]}.
-[[nodiscard]] nlohmann::ordered_json bounds_json(const Bounds& bounds);
+[[nodiscard]] Json bounds_json(const Bounds& bounds);
 
 /// What every report says of the part; the warnings are the caller's, as a run may add to the part's own.
-[[nodiscard]] nlohmann::ordered_json part_json(const PartModel& model,
-                                               const std::vector<std::string>& warnings);
+[[nodiscard]] Json part_json(const PartModel& model, const std::vector<std::string>& warnings);
 
 /// Schema `moldlight.classify/2`. Lengths and areas are in the part's unit, fractions in [0, 1], times in
 /// milliseconds. For a STEP part `faces` lists the CAD faces, but not for a direction of a sweep.
-[[nodiscard]] nlohmann::ordered_json classify_json(const PartModel& model, const Classification& result);
+[[nodiscard]] Json classify_json(const PartModel& model, const Classification& result);
 
 /// Region areas of each CAD face or polygon of the file; empty where each facet is its own, and for
 /// a direction of a sweep.
@@ -31,6 +30,23 @@ namespace moldlight {
 
 /// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes
 /// of file names that are no UTF-8 are replaced, and what a terminal would obey is escaped.
-[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
+[[nodiscard]] std::string json_text(const Json& json);
+
+/// Each is written if its path is not empty.
+struct OutputPaths {
+  std::string json;    // schema moldlight.classify/2
+  std::string facets;  // CSV
+  std::string faces;   // CSV, one row a CAD face or polygon of the file
+  std::string mesh;    // .ply, .obj or .stl, coloured by region
+  std::string split_folder;
+  std::string borders;  // .obj or .csv, the lines between regions
+
+  /// Whether a file is made of the split mesh, which the classification must have then.
+  [[nodiscard]] bool need_split() const { return !(mesh + split_folder + borders).empty(); }
+};
+
+/// Throws FileError for the first that cannot be written. `palette`: of the mesh.
+void write_outputs(const OutputPaths& paths, const PartModel& model, const Classification& result,
+                   Palette palette = Palette::paper);
 
 }  // namespace moldlight

@@ -14,8 +14,7 @@ namespace {
 constexpr double k_least_shown_share = 1e-6;
 }  // namespace
 
-void put_figures(const std::vector<FoundFigure>& figures, nlohmann::ordered_json& json) {
-  using Json = nlohmann::ordered_json;
+void put_figures(const std::vector<FoundFigure>& figures, Json& json) {
   for (const FoundFigure& figure : figures) {
     if (figure.key.empty()) continue;
     Json& place = json[Json::json_pointer("/" + std::string(figure.key))];
@@ -23,6 +22,8 @@ void put_figures(const std::vector<FoundFigure>& figures, nlohmann::ordered_json
     if (!figure.value || !std::isfinite(*figure.value)) continue;
     if (figure.kind == FigureKind::count)
       place = static_cast<std::int64_t>(std::llround(*figure.value));
+    else if (figure.kind == FigureKind::flag)
+      place = *figure.value != 0.0;
     else
       place = *figure.value;
   }
@@ -55,6 +56,7 @@ std::string FigureStyle::text(FigureKind kind, double value) const {
     case FigureKind::number:
     case FigureKind::force:
     case FigureKind::actions:
+    case FigureKind::flag:
       break;
   }
   return rounded(value, least(kind));

@@ -3,20 +3,21 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "classify/json.hpp"
 #include "classify/part_model.hpp"
 
 namespace moldlight {
 
 /// What a figure is a number of: this decides its unit and its digits. Error: how far an area may be off.
 /// Gap: what rounding leaves of a whole. Share: in [0, 1]. Actions: weights of side actions, shown in words.
+/// Flag: yes or no, for JSON.
 enum class FigureKind : std::uint8_t {
   area,
   error,
@@ -29,7 +30,8 @@ enum class FigureKind : std::uint8_t {
   number,
   force,
   angle,
-  actions
+  actions,
+  flag
 };
 
 /// Where people see a figure: those of `details` stand apart, for who checks the others.
@@ -44,6 +46,15 @@ struct FigureRow {
   std::string_view help = {};                             // what the title does not say
   FigureShown shown = FigureShown::always;
 };
+
+/// How a row finds a figure that is a member, or a member of a member.
+template <auto k_member, auto... k_inner, typename Of>
+[[nodiscard]] std::optional<double> member(const Of& of) {
+  if constexpr (sizeof...(k_inner) > 0)
+    return member<k_inner...>(std::invoke(k_member, of));
+  else
+    return static_cast<double>(std::invoke(k_member, of));
+}
 
 /// A row's figure of one thing.
 struct FoundFigure {
@@ -62,7 +73,7 @@ template <typename Of>
 }
 
 /// Sets what has a key, with all digits; null what is not known.
-void put_figures(const std::vector<FoundFigure>& figures, nlohmann::ordered_json& json);
+void put_figures(const std::vector<FoundFigure>& figures, Json& json);
 
 /// Digits and units for people: four digits, none below what rounding leaves of the part's own measures.
 class FigureStyle {

@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/job.hpp"
-#include "base/median.hpp"
+#include "base/numbers.hpp"
 #include "base/stopwatch.hpp"
 #include "classify/classifier.hpp"
-#include "classify/figure_pace.hpp"
 #include "classify/picture_maps.hpp"
 #include "gl/objects.hpp"
 #include "mold/exact/exact_regions.hpp"

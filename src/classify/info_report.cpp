@@ -16,8 +16,6 @@ namespace moldlight {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t k_json_places = 1000;
 constexpr std::size_t k_text_places = 10;
 

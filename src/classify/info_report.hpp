@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "classify/json.hpp"
 #include "classify/part_model.hpp"
-#include "mesh/defect_edges.hpp"
+#include "mesh/health.hpp"
 
 namespace moldlight {
 
@@ -20,7 +19,7 @@ struct DefectPlaces {
 [[nodiscard]] DefectPlaces defect_places(const PartModel& model);
 
 /// Schema `moldlight.info/1`. Lists of places stop after 1000 entries; the counts beside them do not.
-[[nodiscard]] nlohmann::ordered_json info_json(const PartModel& model, const DefectPlaces& places);
+[[nodiscard]] Json info_json(const PartModel& model, const DefectPlaces& places);
 
 /// Lists the ten longest chains of a kind.
 [[nodiscard]] std::string info_text(const PartModel& model, const DefectPlaces& places);

@@ -2,9 +2,12 @@
 // settings JSON and the window.
 #pragma once
 
+#include <span>
+
 #include "classify/option.hpp"
 #include "classify/settings.hpp"
 #include "io/read_options.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight {
 
@@ -18,5 +21,7 @@ void validate(const MethodSettings& settings);
 
 /// The same for a part of this diagonal, in model units: lengths that are greater make no sense.
 void validate(const MethodSettings& settings, double diagonal);
+
+[[nodiscard]] std::span<const Option<LookSettings>> look_options();
 
 }  // namespace moldlight

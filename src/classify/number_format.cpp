@@ -95,6 +95,10 @@ std::string powered_unit(const Part& part, int power) {
   return length_unit(part) + (power == 2 ? "²" : "³");
 }
 
+std::string tiny_text(std::size_t count) {
+  return count == 0 ? std::string() : fmt::format("{} tiny, ignored", count);
+}
+
 std::string part_name(const Part& part) {
   return clean_name(std::filesystem::path(part.file).filename().string());
 }

@@ -54,6 +54,9 @@ class FigureColumn {
 /// "mm²", "mm³": the length's unit to the power 2 or 3.
 [[nodiscard]] std::string powered_unit(const Part& part, int power);
 
+/// "7 tiny, ignored": the one row of what is below a tolerance; empty for none.
+[[nodiscard]] std::string tiny_text(std::size_t count);
+
 /// The part's file name without its folders, fit for one line of text.
 [[nodiscard]] std::string part_name(const Part& part);
 

@@ -7,13 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "classify/option_table.hpp"
+#include "classify/json.hpp"
+#include "classify/option.hpp"
 
 namespace moldlight {
 
 namespace detail {
-
-using Json = nlohmann::ordered_json;
 
 inline Json value_json(const glm::dvec3& d) { return {d.x, d.y, d.z}; }
 inline Json value_json(const std::vector<glm::dvec3>& directions) {
@@ -50,8 +49,8 @@ inline std::string key_text(const std::string& key) {
 
 /// A JSON object with every option under its key; null for an unset one.
 template <typename S>
-[[nodiscard]] nlohmann::ordered_json options_json(std::span<const Option<S>> options, const S& settings) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+[[nodiscard]] Json options_json(std::span<const Option<S>> options, const S& settings) {
+  Json json = Json::object();
   for (const Option<S>& option : options) {
     json[std::string(option.key)] =
         std::visit([&](const auto& kind) { return detail::value_json(kind.value(settings)); }, option.kind);
@@ -61,7 +60,7 @@ template <typename S>
 
 /// Sets every option that the object holds; keys that no option has are refused. Throws UsageError.
 template <typename S>
-void set_options(std::span<const Option<S>> options, S& settings, const nlohmann::ordered_json& json) {
+void set_options(std::span<const Option<S>> options, S& settings, const Json& json) {
   if (!json.is_object()) throw UsageError("settings: not a JSON object");
   for (const auto& item : json.items()) {
     const auto option =

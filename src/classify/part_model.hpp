@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/edges.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "mesh/part.hpp"

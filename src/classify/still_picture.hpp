@@ -15,7 +15,7 @@
 #include "base/image.hpp"
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
-#include "classify/look_options.hpp"
+#include "classify/method_options.hpp"
 #include "classify/option.hpp"
 #include "classify/picture_maps.hpp"
 #include "gl/context.hpp"

@@ -6,12 +6,13 @@
 
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/option_json.hpp"
-#include "cli/study_command.hpp"
+#include "cli/report_flags.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::cli {
 
@@ -33,10 +34,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   Baseline baseline(flags.baseline, flags.command);
   // Before long work, which would be for nothing where there is none.
   const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
-  auto [model, questions] = asked_part(flags, console, progress);
-  questions.with_actions = true;
-  questions.actions = flags.settings;
-  Study study(model, questions);
+  Study study = asked_study(flags, {.with_actions = true, .actions = flags.settings}, console, progress);
   const Classification& result = study.find<SplitRegions>(progress).result;
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionsReport found = actions_report(study, progress);
@@ -45,13 +43,14 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   if (!flags.mesh.empty()) write_action_mesh(flags.mesh, found, flags.still.look.palette);
   std::vector<std::string> bodies(found.plan.actions.size());
   if (!flags.bodies.empty())
-    bodies =
-        write_action_bodies(flags.bodies, std::filesystem::path(model->part.file).stem().string(), found);
+    bodies = write_action_bodies(flags.bodies, std::filesystem::path(found.model.part.file).stem().string(),
+                                 found);
   if (!flags.image.empty()) {
     const auto pulled = pulled_bodies(found);
-    write_png(flags.image, StillPainter(*context, model).draw(result, flags.still, progress, pulled));
+    write_png(flags.image,
+              StillPainter(*context, study.shared_model()).draw(result, flags.still, progress, pulled));
   }
-  const auto add_files = [&](nlohmann::ordered_json& json) {
+  const auto add_files = [&](Json& json) {
     for (std::size_t k = 0; k < bodies.size(); ++k)
       if (!bodies[k].empty()) json["actions"][k]["body"]["file"] = bodies[k];
   };
@@ -59,13 +58,11 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
                     console, progress);
 }
 
-nlohmann::ordered_json settings(const ActionsFlags& flags) {
-  nlohmann::ordered_json json = study_settings(flags);
+Json settings(const ActionsFlags& flags) {
+  Json json = study_settings(flags);
   json.update(options_json(action_options(), flags.settings));
   return json;
 }
-
-}  // namespace
 
 void add_actions_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
@@ -81,10 +78,14 @@ void add_actions_command(CLI::App& program, Request& request) {
                  "action is a material"});
   add_file_flag(*command, flags->bodies,
                 {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
-  CLI::Option* image = add_report_flags(*command, *flags, request,
-                                        "Write a picture of the part with its side actions pulled out");
+  CLI::Option* image = add_study_outputs(*command, *flags, request,
+                                         "Write a picture of the part with its side actions pulled out");
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }
+
+const RegisteredCommand k_actions_command({30, "actions", add_actions_command, 3});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -14,7 +14,6 @@
 #include "batch/merge.hpp"
 #include "batch/part_result.hpp"
 #include "batch/runner.hpp"
-#include "cli/batch_baseline.hpp"
 #include "cli/batch_work.hpp"
 #include "cli/console.hpp"
 #include "cli/flags.hpp"
@@ -173,6 +172,7 @@ void check_version(const Manifest& manifest) {
 
 int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
   const Manifest manifest = read_manifest(flags.folder);
+  static_cast<void>(work_row(manifest.command));
   check_version(manifest);
   Run run(manifest, flags.settings, flags.shard, flags.parts.empty() ? manifest.parts_folder() : flags.parts);
   const RunCounts& counts = run.counts();
@@ -366,8 +366,6 @@ void add_merge(CLI::App& batch, Request& request) {
   set_work(*command, request, flags, run_merge);
 }
 
-}  // namespace
-
 void add_batch_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand("batch", "Work on many parts, on one machine or on many");
   command->require_subcommand(1);
@@ -376,5 +374,9 @@ void add_batch_command(CLI::App& program, Request& request) {
   add_status(*command, request);
   add_merge(*command, request);
 }
+
+const RegisteredCommand k_batch_command({80, "batch", add_batch_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

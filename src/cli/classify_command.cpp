@@ -4,16 +4,16 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classifier.hpp"
+#include "classify/classify_report.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
-#include "classify/write_outputs.hpp"
-#include "cli/study_command.hpp"
+#include "cli/report_flags.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
-#include "parting/draft/draft_picture.hpp"
-#include "parting/draft/draft_report.hpp"
-#include "study/study_reports.hpp"
+#include "parting/draft/draft_check.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::cli {
 
@@ -56,14 +56,14 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
   if (flags.looks_at_maps() || flags.drawn()) context = create_context(flags.query.method.backend);
-  auto [model, questions] = asked_part(flags, console, progress);
-  const double required_deg = questions.required_draft_deg = flags.draft_settings.required_deg;
+  const double required_deg = flags.draft_settings.required_deg;
+  Study study = asked_study(flags, {.required_draft_deg = required_deg}, console, progress);
+  const auto& model = study.shared_model();
   const bool with_split =
       required_deg > 0.0 || flags.drawn() || flags.files.need_split() || flags.compare_maps;
-  Study study(model, questions);
   if (flags.looks_at_maps()) {
     Classifier classifier(*context, model);
-    Classification by_maps = classifier.classify(questions.query, progress, with_split);
+    Classification by_maps = classifier.classify(study.questions().query, progress, with_split);
     if (flags.compare_maps) classifier.compare_maps(by_maps, progress);
     study.keep(std::make_shared<const Classification>(std::move(by_maps)));
   }
@@ -85,14 +85,12 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
                     progress);
 }
 
-nlohmann::ordered_json settings(const ClassifyFlags& flags) {
-  nlohmann::ordered_json json = study_settings(flags);
+Json settings(const ClassifyFlags& flags) {
+  Json json = study_settings(flags);
   json["compare_maps"] = flags.compare_maps;
   json.update(options_json(draft_options(), flags.draft_settings));
   return json;
 }
-
-}  // namespace
 
 void add_classify_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
@@ -126,10 +124,14 @@ void add_classify_command(CLI::App& program, Request& request) {
                  "Write a table of the walls with too little draft: angle and line of the turn, and the "
                  "thickness that it costs"})
       ->needs(required);
-  CLI::Option* image = add_report_flags(
+  CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part in the colours of its regions, with a legend");
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }
+
+const RegisteredCommand k_classify_command({20, "classify", add_classify_command, 1});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -60,6 +61,16 @@ void check_folder(const std::string& folder) {
 
 }  // namespace
 
+std::vector<CommandRow>& commands() {
+  static std::vector<CommandRow> rows;
+  return rows;
+}
+
+RegisteredCommand::RegisteredCommand(const CommandRow& row) {
+  std::vector<CommandRow>& rows = commands();
+  rows.insert(std::ranges::upper_bound(rows, row.place, {}, &CommandRow::place), row);
+}
+
 void check_outputs(const Outputs& outputs) {
   const auto& [inputs, files, folder] = outputs;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -86,8 +97,7 @@ void check_outputs(const Outputs& outputs) {
   if (!folder.path.empty()) check_folder(folder.path);
 }
 
-void put_report(Console& console, const std::string& json_path,
-                const std::function<nlohmann::ordered_json()>& json,
+void put_report(Console& console, const std::string& json_path, const std::function<Json()>& json,
                 const std::function<std::string()>& text) {
   if (json_path == "-") return console.result(json_text(json()));
   if (!json_path.empty()) write_file(json_path, json_text(json()));

@@ -1,7 +1,6 @@
-// Common parts of the subcommands. Each has one file and one function add_<name>_command, listed here.
+// Common parts of the subcommands, and the list in which each registers itself.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,10 +8,10 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json_fwd.hpp>
 
-#include "base/exit_code.hpp"
+#include "base/error.hpp"
 #include "base/progress.hpp"
+#include "classify/json.hpp"
 #include "cli/console.hpp"
 
 namespace moldlight::cli {
@@ -21,31 +20,29 @@ namespace moldlight::cli {
 struct Request {
   std::function<int(Console&, const Progress&)> body;  // the command's work; returns the exit code
   /// Every setting that the result depends on with its value, of a command that can be the work of a batch.
-  std::function<nlohmann::ordered_json()> settings;
+  std::function<Json()> settings;
   std::vector<std::string> words;  // the command line, from the command's name on
   bool quiet = false, verbose = false;
 };
 
-void add_info_command(CLI::App& program, Request& request);
-void add_classify_command(CLI::App& program, Request& request);
-void add_actions_command(CLI::App& program, Request& request);
-void add_mold_command(CLI::App& program, Request& request);
-void add_sweep_command(CLI::App& program, Request& request);
-void add_compare_command(CLI::App& program, Request& request);
-void add_view_command(CLI::App& program, Request& request);
-void add_doctor_command(CLI::App& program, Request& request);
-void add_manual_command(CLI::App& program, Request& request);
-void add_batch_command(CLI::App& program, Request& request);
-inline constexpr std::array k_add_commands = {
-    add_info_command,    add_classify_command, add_actions_command, add_mold_command,   add_sweep_command,
-    add_compare_command, add_view_command,     add_batch_command,   add_doctor_command, add_manual_command};
+/// A subcommand. Each stands in one file, <name>_command.cpp, and registers itself there.
+struct CommandRow {
+  int place = 0;  // in the help, rising
+  std::string_view name;
+  void (*add)(CLI::App& program, Request& request) = nullptr;
+  int work_place = 0;  // among those that can be the work of a batch; 0: it cannot
+};
+/// In their places.
+[[nodiscard]] std::vector<CommandRow>& commands();
+struct RegisteredCommand {
+  explicit RegisteredCommand(const CommandRow& row);
+};
 
 /// Where the command line asks for `command`, its work is `run` with these flags; `settings` gives what
 /// Request::settings does, of a command that can be the work of a batch.
 template <typename Flags>
 void set_work(CLI::App& command, Request& request, const std::shared_ptr<Flags>& flags,
-              int (*run)(const Flags&, Console&, const Progress&),
-              nlohmann::ordered_json (*settings)(const Flags&) = nullptr) {
+              int (*run)(const Flags&, Console&, const Progress&), Json (*settings)(const Flags&) = nullptr) {
   command.callback([=, &request] {
     request.body = [=](Console& console, const Progress& progress) { return run(*flags, console, progress); };
     if (settings != nullptr) request.settings = [=] { return settings(*flags); };
@@ -71,8 +68,7 @@ struct Outputs {
 void check_outputs(const Outputs& outputs);
 
 /// Writes the report as --json asks for it: to stdout in place of the text, or to a file beside it.
-void put_report(Console& console, const std::string& json_path,
-                const std::function<nlohmann::ordered_json()>& json,
+void put_report(Console& console, const std::string& json_path, const std::function<Json()>& json,
                 const std::function<std::string()>& text);
 
 }  // namespace moldlight::cli

@@ -10,7 +10,7 @@
 #include "cli/report_flags.hpp"
 #include "compare/compare_figures.hpp"
 #include "compare/compare_picture.hpp"
-#include "compare/compare_report.hpp"
+#include "compare/comparison.hpp"
 #include "io/png.hpp"
 #include "sweep/sweep.hpp"
 
@@ -45,9 +45,8 @@ ComparedQuery compared_query(const CompareFlags& flags, const Comparison& compar
   const auto &a = comparison.a.model, &b = comparison.b.model;
   ComparedQuery query{flags.direction, flags.direction, flags.method};
   if (flags.choice == DirectionChoice::given) return query;
-  query.former = query.fresh = best_direction(a, flags.method, progress).direction;
-  if (flags.choice == DirectionChoice::each)
-    query.fresh = best_direction(b, flags.method, progress).direction;
+  query.a = query.b = best_direction(a, flags.method, progress).direction;
+  if (flags.choice == DirectionChoice::each) query.b = best_direction(b, flags.method, progress).direction;
   return query;
 }
 
@@ -86,15 +85,13 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
   return failed.empty() ? 0 : k_criterion_failed;
 }
 
-}  // namespace
-
 void add_compare_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
       "compare", "Compare two revisions of a part: surface, regions, undercuts and side actions");
   const auto flags = std::make_shared<CompareFlags>();
   command->add_option("A", flags->a.part, "Part file: the old revision")->required();
   command->add_option("B", flags->b, "Part file: the new revision")->required();
-  add_report_flags(*command, flags->a, request);
+  add_reading_flags(*command, flags->a, request);
   add_text_flag(*command,
                 {"-d,--direction", "X,Y,Z|AXIS|best|each",
                  "Parting direction +d of both: three numbers of any length, an axis such as z or -y, best "
@@ -118,5 +115,9 @@ void add_compare_command(CLI::App& program, Request& request) {
   add_method_flags(*command, flags->method);
   set_work(*command, request, flags, run);
 }
+
+const RegisteredCommand k_compare_command({60, "compare", add_compare_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

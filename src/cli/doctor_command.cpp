@@ -58,11 +58,13 @@ int run(const DoctorFlags&, Console& console, const Progress& progress) {
   return draws ? 0 : k_failure;
 }
 
-}  // namespace
-
 void add_doctor_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand("doctor", "Check drivers, fonts and helper programs");
   set_work(*command, request, std::make_shared<DoctorFlags>(), run);
 }
+
+const RegisteredCommand k_doctor_command({90, "doctor", add_doctor_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

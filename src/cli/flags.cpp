@@ -60,10 +60,10 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request) {
       .add_option("PART", flags.part,
                   fmt::format("Part file: {}, recognised by its content", part_format_names(" or ")))
       ->required();
-  add_report_flags(command, flags, request);
+  add_reading_flags(command, flags, request);
 }
 
-void add_report_flags(CLI::App& command, PartFlags& flags, Request& request) {
+void add_reading_flags(CLI::App& command, PartFlags& flags, Request& request) {
   add_file_flag(command, flags.json,
                 {"--json", "FILE|-", "Write the report as JSON. - writes to stdout in place of the table"});
   add_option_flags(command, reading_options(), flags.reading);
@@ -93,10 +93,10 @@ BestDirection found_direction(const std::shared_ptr<const PartModel>& model, con
   return best;
 }
 
-nlohmann::ordered_json query_json(const Query& query, bool best_direction) {
+Json query_json(const Query& query, bool best_direction) {
   const glm::dvec3& d = query.direction.unit();
-  nlohmann::ordered_json json = options_json(method_options(), query.method);
-  json["direction"] = best_direction ? nlohmann::ordered_json("best") : nlohmann::ordered_json{d.x, d.y, d.z};
+  Json json = options_json(method_options(), query.method);
+  json["direction"] = best_direction ? Json("best") : Json{d.x, d.y, d.z};
   return json;
 }
 

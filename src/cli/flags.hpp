@@ -10,8 +10,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
 #include "compare/criteria.hpp"
@@ -47,7 +48,7 @@ struct PartFlags {
   [[nodiscard]] std::string json_file() const { return json == "-" ? std::string() : json; }
 };
 /// Adds --json, --quiet, --verbose and how the part is read.
-void add_report_flags(CLI::App& command, PartFlags& flags, Request& request);
+void add_reading_flags(CLI::App& command, PartFlags& flags, Request& request);
 /// The same and PART.
 void add_part_flags(CLI::App& command, PartFlags& flags, Request& request);
 
@@ -143,7 +144,7 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, st
                                             const Progress& progress);
 
 /// Direction and method as Request::settings gives them.
-[[nodiscard]] nlohmann::ordered_json query_json(const Query& query, bool best_direction);
+[[nodiscard]] Json query_json(const Query& query, bool best_direction);
 
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.

@@ -22,8 +22,6 @@ int run(const PartFlags& flags, Console& console, const Progress& progress) {
   return 0;
 }
 
-}  // namespace
-
 void add_info_command(CLI::App& program, Request& request) {
   CLI::App* command =
       program.add_subcommand("info", "Check a part's mesh and report its faults with their places");
@@ -31,5 +29,9 @@ void add_info_command(CLI::App& program, Request& request) {
   add_part_flags(*command, *flags, request);
   set_work(*command, request, flags, run);
 }
+
+const RegisteredCommand k_info_command({10, "info", add_info_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -97,7 +97,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
   program.formatter(std::make_shared<HelpFormatter>());
   program.set_version_flag("--version", "moldlight " MOLDLIGHT_VERSION, "Print the version and exit");
   program.require_subcommand(1);
-  for (const auto add : k_add_commands) add(program, request);
+  for (const CommandRow& command : commands()) command.add(program, request);
   arrange_help(program);
   insert_default_command(program, arguments);
   request.words = arguments;

@@ -242,8 +242,6 @@ int run(const ManualFlags& flags, Console& console, const Progress&) {
   return 0;
 }
 
-}  // namespace
-
 void add_manual_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
       "manual", "Print the manual page, a shell completion, or flags and keys in Markdown");
@@ -254,5 +252,9 @@ void add_manual_command(CLI::App& program, Request& request) {
       ->check(CLI::IsMember({"man", "bash", "zsh", "flags", "keys"}));
   set_work(*command, request, flags, run);
 }
+
+const RegisteredCommand k_manual_command({100, "manual", add_manual_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -4,12 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/option_json.hpp"
-#include "cli/study_command.hpp"
+#include "cli/report_flags.hpp"
 #include "io/png.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::cli {
 
@@ -33,23 +34,22 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   Baseline baseline(flags.baseline, flags.command);
   // Before long work, which would be for nothing where there is none.
   const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
-  auto [model, questions] = asked_part(flags, console, progress);
-  for (const std::string& warning : model->warnings) console.warning(warning);
-  questions.with_actions = flags.with_actions;
-  questions.mold = flags.settings;
-  Study study(model, questions);
+  Study study =
+      asked_study(flags, {.with_actions = flags.with_actions, .mold = flags.settings}, console, progress);
+  const PartModel& model = study.model();
+  for (const std::string& warning : model.warnings) console.warning(warning);
   const auto& [assignment, line] = study.find<MoldLine>(progress);
   for (const std::string& warning : assignment.warnings) console.warning(warning);
   progress.report("writing", 0.0);
-  for (const std::string& path : flags.lines) write_lines(path, lines_to_write(*model, assignment, line));
+  for (const std::string& path : flags.lines) write_lines(path, lines_to_write(model, assignment, line));
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
     WrittenMold written = mold_halves(study, progress).written;
-    write_mold(flags.folder, flags.as_3mf, model->part.unit, written);
+    write_mold(flags.folder, flags.as_3mf, model.part.unit, written);
     keep_written(study, std::move(written), progress);
   }
   if (!flags.image.empty()) {
-    const MoldScene scene{*model, assignment, line, mold_halves(study, progress)};
+    const MoldScene scene{model, assignment, line, mold_halves(study, progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
   const int code =
@@ -59,14 +59,12 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   return k_criterion_failed;
 }
 
-nlohmann::ordered_json settings(const MoldFlags& flags) {
-  nlohmann::ordered_json json = study_settings(flags);
+Json settings(const MoldFlags& flags) {
+  Json json = study_settings(flags);
   json.update(options_json(mold_options(), flags.settings));
   json["actions"] = flags.with_actions;
   return json;
 }
-
-}  // namespace
 
 void add_mold_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
@@ -91,7 +89,7 @@ void add_mold_command(CLI::App& program, Request& request) {
   command->add_flag(
       "--actions", flags->with_actions,
       "Find the side actions, make solids of the slides, and list the inserts that move with other actions");
-  CLI::Option* image = add_report_flags(
+  CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part with its parting line and the opened halves");
   for (const std::string_view key : {"view", "theme"})
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
@@ -99,5 +97,9 @@ void add_mold_command(CLI::App& program, Request& request) {
   add_method_flags(*command, flags->query.method);
   set_work(*command, request, flags, run, settings);
 }
+
+const RegisteredCommand k_mold_command({40, "mold", add_mold_command, 4});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -1,21 +1,26 @@
 #include "cli/report_flags.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "base/shown_text.hpp"
+#include "classify/option_json.hpp"
 #include "cli/console.hpp"
 #include "compare/compare_figures.hpp"
 #include "io/file_contents.hpp"
-#include "report/html_writer.hpp"
+#include "report/writers.hpp"
 
 namespace moldlight::cli {
 
 namespace {
 
-nlohmann::ordered_json read_report(const std::string& file) {
+Json read_report(const std::string& file) {
   const FileContents contents(file, Progress());
-  auto json = nlohmann::ordered_json::parse(contents.bytes(), nullptr, false);
+  auto json = Json::parse(contents.bytes(), nullptr, false);
   if (json.is_discarded()) throw FileError(file, "", "is not JSON, as --json writes it");
   return json;
 }
@@ -55,6 +60,7 @@ void write_reports(const ReportFlags& flags, const report::Report& report) {
 }
 
 void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {
+  if (report_figure_names(name).empty()) return;
   add_file_flag(
       command, flags.file,
       {"--baseline", "FILE.json", "Compare the figures with an earlier --json report of this command"});
@@ -66,12 +72,12 @@ Baseline::Baseline(const BaselineFlags& flags, std::string command)
   if (!flags.file.empty()) before_ = read_report(flags.file);
 }
 
-void Baseline::compare(const std::function<nlohmann::ordered_json()>& report) {
+void Baseline::compare(const std::function<Json()>& report) {
   if (flags_.file.empty() && flags_.fail_on.empty()) return;
   for (const Criterion& criterion : flags_.fail_on)
     if (criterion.of_change && flags_.file.empty())
       throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
-  const nlohmann::ordered_json now = report();
+  const Json now = report();
   figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
   failed_ = met_criteria(flags_.fail_on, figures_);
 }
@@ -81,22 +87,21 @@ std::string Baseline::table() const {
   return fmt::format("\nagainst {}:\n{}", one_line(flags_.file), figure_changes_table(figures_));
 }
 
-void Baseline::add_to(nlohmann::ordered_json& report) const {
+void Baseline::add_to(Json& report) const {
   if (flags_.file.empty()) return;
-  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+  Json figures = Json::object();
   for (const ComparedFigure& figure : figures_)
     figures[std::string(figure.name)] = {
         {"was", figure.before}, {"is", figure.after}, {"error", figure.error}};
   report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed_}};
 }
 
-void Baseline::put_report(Console& console, const std::string& json_path,
-                          const std::function<nlohmann::ordered_json()>& json,
+void Baseline::put_report(Console& console, const std::string& json_path, const std::function<Json()>& json,
                           const std::function<std::string()>& text) const {
   cli::put_report(
       console, json_path,
       [&] {
-        nlohmann::ordered_json report = json();
+        Json report = json();
         add_to(report);
         return report;
       },
@@ -106,6 +111,67 @@ void Baseline::put_report(Console& console, const std::string& json_path,
 int Baseline::exit_code(Console& console) const {
   for (const std::string& sentence : failed_) console.failure(sentence);
   return failed_.empty() ? 0 : k_criterion_failed;
+}
+
+void add_study_flags(CLI::App& command, StudyFlags& flags, Request& request) {
+  flags.command = command.get_name();
+  add_part_flags(command, flags.part, request);
+  add_direction_flag(command, {flags.query.direction, flags.best_direction}, "required")->required();
+}
+
+CLI::Option* add_study_outputs(CLI::App& command, StudyFlags& flags, const Request& request,
+                               const std::string& image_help) {
+  add_baseline_flags(command, flags.baseline, flags.command);
+  add_report_flags(command, flags.report, request);
+  CLI::Option* image = add_file_flag(command, flags.image, {"--image", "FILE.png", image_help});
+  add_size_flag(command, flags.still.size, "Width and height of the picture in pixels")->needs(image);
+  return image;
+}
+
+void check_outputs(const StudyFlags& flags, const std::vector<NamedPath>& files, const NamedPath& folder) {
+  std::vector<NamedPath> written = {{"--json", flags.part.json_file()}};
+  std::ranges::copy(files, std::back_inserter(written));
+  written.push_back({"--image", flags.image});
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
+                 .files = written,
+                 .folder = folder});
+}
+
+Study asked_study(const StudyFlags& flags, Questions questions, Console& console, const Progress& progress) {
+  const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  validate(flags.query.method, model->frame.diagonal);
+  questions.query = flags.query;
+  if (flags.best_direction) {
+    questions.best = found_direction(model, flags.query.method, console, progress);
+    questions.query.direction = questions.best->direction;
+  }
+  return Study(model, std::move(questions));
+}
+
+int put_report(const StudyFlags& flags, Study& study, const StudyReport& report, const gl::Context* context,
+               Baseline& baseline, Console& console, const Progress& progress) {
+  const auto json = [&] {
+    Json found = report.json(study, progress);
+    if (report.add) report.add(found);
+    return found;
+  };
+  baseline.compare(json);
+  if (flags.report.any()) {
+    const auto for_report =
+        report_context(flags.report, *context, study.shared_model(), flags.still.look.palette, progress);
+    write_reports(flags.report, report.people(for_report, study));
+  }
+  baseline.put_report(console, flags.part.json, json, [&] {
+    return to_text(report.people({study.shared_model(), progress}, study), {.colour = console.colour()});
+  });
+  return baseline.exit_code(console);
+}
+
+Json study_settings(const StudyFlags& flags) {
+  Json json = query_json(flags.query, flags.best_direction);
+  json.update(options_json(reading_options(), flags.part.reading));
+  return json;
 }
 
 }  // namespace moldlight::cli

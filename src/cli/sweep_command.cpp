@@ -11,16 +11,16 @@
 
 #include "base/error.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/console.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
-#include "io/direction_list.hpp"
-#include "study/study_reports.hpp"
+#include "io/csv_tables.hpp"
+#include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
-#include "sweep/sweep.hpp"
 #include "sweep/sweep_pictures.hpp"
 #include "sweep/sweep_stages.hpp"
 
@@ -180,15 +180,16 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   console.set_progress_text([&meter](std::string_view stage, double fraction, int columns) {
     return meter.text(stage, fraction, columns);
   });
-  const SweepResult result = run_sweep(model, settings, progress,
-                                       {.evaluated = [&meter](const EvaluatedDirection&) { meter.count(); }});
+  Study study(model, {.sweep = settings,
+                      .sweep_shows = {.evaluated = [&meter](const EvaluatedDirection&) { meter.count(); }}});
+  const SweepResult& result = study.find<SweepResult>(progress);
   console.set_progress_text({});
   warn(*model, result, progress, console);
   if (!flags.csv.empty()) write_direction_csv(flags.csv, result);
-  const auto json_report = [&] { return sweep_json_with_verdicts(*model, result); };
+  const auto json_report = [&] { return sweep_json(study, progress); };
   if (!progress.cancelled()) baseline.compare(json_report);
   baseline.put_report(console, flags.part.json, json_report, [&] {
-    return to_text(report::sweep_report({model, progress}, result), {.wide = flags.wide});
+    return to_text(report::sweep_report({model, progress}, study), {.wide = flags.wide});
   });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
@@ -199,7 +200,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   if (flags.report.any() && !progress.cancelled()) {
     console.progress("writing the report", 1.0);
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::sweep_report(for_report, result));
+    write_reports(flags.report, report::sweep_report(for_report, study));
   }
   if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
@@ -208,16 +209,14 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   return 0;
 }
 
-nlohmann::ordered_json settings(const SweepFlags& flags) {
-  nlohmann::ordered_json json = options_json(method_options(), flags.sweep.method);
+Json settings(const SweepFlags& flags) {
+  Json json = options_json(method_options(), flags.sweep.method);
   json.update(options_json(sweep_options(), flags.sweep));
   json.update(options_json(reading_options(), flags.part.reading));
   if (flags.limit) json["fail_if_undercut"] = {flags.limit->value, flags.limit->per_cent ? "%" : "area"};
   if (flags.must_be_proved) json["fail_unless_proved"] = true;
   return json;
 }
-
-}  // namespace
 
 void add_sweep_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand("sweep", "Find the best parting directions");
@@ -256,5 +255,9 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_method_flags(*command, sweep.method);
   set_work(*command, request, flags, run, settings);
 }
+
+const RegisteredCommand k_sweep_command({50, "sweep", add_sweep_command, 2});
+
+}  // namespace
 
 }  // namespace moldlight::cli

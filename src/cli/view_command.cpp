@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "classify/frame_benchmark.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "gui/script.hpp"
@@ -27,7 +28,7 @@ struct ViewFlags {
   ReadOptions reading;
   gui::PartNotes notes;
   gui::WindowSettings window;
-  nlohmann::ordered_json window_given = nlohmann::ordered_json::object();
+  Json window_given = Json::object();
   std::string screenshot, script, settings;
   glm::ivec2 size{1280, 720};
   float scale = 1.0F;
@@ -91,8 +92,6 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   return 0;
 }
 
-}  // namespace
-
 void add_view_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand("view", "Open the window");
   const auto flags = std::make_shared<ViewFlags>();
@@ -154,5 +153,9 @@ void add_view_command(CLI::App& program, Request& request) {
     };
   });
 }
+
+const RegisteredCommand k_view_command({70, "view", add_view_command});
+
+}  // namespace
 
 }  // namespace moldlight::cli

@@ -15,9 +15,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-#include "base/median.hpp"
+#include "base/numbers.hpp"
 #include "compare/convex_polygon.hpp"
-#include "mesh/nearest_in_triangle.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "mesh/symmetric_eigen.hpp"
 #include "mold/surface_samples.hpp"
 

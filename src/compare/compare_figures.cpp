@@ -2,101 +2,80 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace moldlight {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Kind = FigureKind;
+using Found = std::optional<double>;
 
-enum class Whole : std::uint8_t { none, area };
+template <std::size_t k_number>
+Found region_area(const ComparedPart& part) {
+  return part.result.areas[k_regions[k_number]];
+}
+template <std::size_t... k_numbers>
+std::vector<FigureRow<ComparedPart>> rows_of_regions(std::index_sequence<k_numbers...>) {
+  return {{region_name(k_regions[k_numbers]), facts(k_regions[k_numbers]).title, Kind::area,
+           region_area<k_numbers>}...};
+}
 
-struct PartRow {
-  std::string_view name;
-  Whole whole = Whole::none;
-  std::optional<double> (*of)(const ComparedPart&);
-};
-
-template <Region k_region>
-std::optional<double> region_area(const ComparedPart& part) {
-  return part.result.areas[k_region];
+/// Of a part whose side actions were asked for.
+template <auto k_value>
+Found of_plan(const ComparedPart& part) {
+  return part.plan ? Found(static_cast<double>(std::invoke(k_value, *part.plan))) : std::nullopt;
 }
 
 template <bool (*k_counts)(ActionKind)>
-std::optional<double> count_actions(const ComparedPart& part) {
-  if (!part.plan) return std::nullopt;
-  return static_cast<double>(std::ranges::count_if(
-      part.plan->actions, [](const SideAction& action) { return k_counts(action.kind); }));
+std::ptrdiff_t action_count(const ActionPlan& plan) {
+  return std::ranges::count_if(plan.actions, k_counts, &SideAction::kind);
 }
 
 bool any_action(ActionKind) { return true; }
 bool is_lifter(ActionKind kind) { return kind == ActionKind::lifter; }
-
-std::span<const PartRow> part_rows() {
-  static const std::array<PartRow, 14> k_rows = {{
-      {"undercut", Whole::area, region_area<Region::undercut>},
-      {"core", Whole::area, region_area<Region::core>},
-      {"cavity", Whole::area, region_area<Region::cavity>},
-      {"both", Whole::area, region_area<Region::both>},
-      {"total", Whole::area, [](const ComparedPart& p) { return std::optional(p.result.total_area); }},
-      {"near-vertical", Whole::area,
-       [](const ComparedPart& p) { return std::optional(p.result.near_vertical_area); }},
-      {"reverse-draft", Whole::area,
-       [](const ComparedPart& p) { return std::optional(p.result.reverse_draft.area); }},
-      {"volume", Whole::none,
-       [](const ComparedPart& p) {
-         return p.model->health.closed ? std::optional(p.model->health.volume) : std::nullopt;
-       }},
-      {"undercuts", Whole::none,
-       [](const ComparedPart& p) {
-         return p.plan ? std::optional(static_cast<double>(p.plan->patches.size())) : std::nullopt;
-       }},
-      {"actions", Whole::none, count_actions<any_action>},
-      {"slides", Whole::none, count_actions<is_slide>},
-      {"lifters", Whole::none, count_actions<is_lifter>},
-      {"travel", Whole::none,
-       [](const ComparedPart& p) -> std::optional<double> {
-         if (!p.plan) return std::nullopt;
-         double most = 0.0;
-         for (const SideAction& action : p.plan->actions) most = std::max(most, action.travel);
-         return most;
-       }},
-      {"unreleased", Whole::area,
-       [](const ComparedPart& p) { return p.plan ? std::optional(p.plan->unreleased_area) : std::nullopt; }},
-  }};
-  return k_rows;
+std::size_t undercut_count(const ActionPlan& plan) { return plan.patches.size(); }
+double longest_travel(const ActionPlan& plan) {
+  double most = 0.0;
+  for (const SideAction& action : plan.actions) most = std::max(most, action.travel);
+  return most;
 }
+Found volume(const ComparedPart& part) {
+  return part.model->health.closed ? Found(part.model->health.volume) : std::nullopt;
+}
+Found place_count(const SurfaceChange& surface) { return static_cast<double>(surface.places.size()); }
 
-struct ChangeRow {
-  std::string_view name;
-  Whole whole = Whole::none;
-  MeasuredArea (*of)(const SurfaceChange&);
+/// What criteria know of a part beside its regions.
+constexpr FigureRow<ComparedPart> k_plan_figures[] = {
+    {"volume", "", Kind::volume, volume},
+    {"undercuts", "", Kind::count, of_plan<undercut_count>},
+    {"actions", "", Kind::count, of_plan<action_count<any_action>>},
+    {"slides", "", Kind::count, of_plan<action_count<is_slide>>},
+    {"lifters", "", Kind::count, of_plan<action_count<is_lifter>>},
+    {"travel", "", Kind::length, of_plan<longest_travel>},
+    {"unreleased", "", Kind::area, of_plan<&ActionPlan::unreleased_area>},
 };
 
-std::span<const ChangeRow> change_rows() {
-  static const std::array<ChangeRow, 4> k_rows = {{
-      {"gone", Whole::area, [](const SurfaceChange& s) { return s.gone; }},
-      {"new", Whole::area, [](const SurfaceChange& s) { return s.fresh; }},
-      {"places", Whole::none,
-       [](const SurfaceChange& s) {
-         return MeasuredArea{static_cast<double>(s.places.size()), 0.0};
-       }},
-      {"other-region", Whole::area,
-       [](const SurfaceChange& s) {
-         MeasuredArea sum;
-         for (const ChangedRegion& region : s.regions) sum.area += region.area;
-         return sum;
-       }},
-  }};
-  return k_rows;
+constexpr FigureRow<SurfaceChange> k_change_figures[] = {
+    {"gone", "", Kind::area, member<&SurfaceChange::gone, &MeasuredArea::area>},
+    {"new", "", Kind::area, member<&SurfaceChange::added, &MeasuredArea::area>},
+    {"places", "", Kind::count, place_count},
+    {"other_region", "", Kind::area, member<&SurfaceChange::other_region>},
+};
+
+/// Of a part, in the order of their names.
+std::vector<FoundFigure> part_figures(const ComparedPart& part) {
+  std::vector<FoundFigure> figures = found_figures(region_figures(), part);
+  std::erase_if(figures, [](const FoundFigure& figure) { return figure.kind == Kind::error; });
+  std::ranges::copy(found_figures<ComparedPart>(k_plan_figures, part), std::back_inserter(figures));
+  return figures;
 }
 
 /// The commands whose reports have figures, with the schemas in which these stand where they stand now.
@@ -107,9 +86,9 @@ struct ReportKind {
 constexpr std::array<ReportKind, 4> k_report_kinds = {
     {{"classify", 2, 2}, {"sweep", 2, 3}, {"actions", 1, 2}, {"mold", 2, 2}}};
 
+/// Its number; as many as there are for a command whose report has none.
 std::size_t kind_of(std::string_view command) {
   const auto found = std::ranges::find(k_report_kinds, command, &ReportKind::command);
-  CHECK(found != k_report_kinds.end());
   return static_cast<std::size_t>(found - k_report_kinds.begin());
 }
 
@@ -118,33 +97,29 @@ std::size_t kind_of(std::string_view command) {
 struct ReportRow {
   std::string_view name;
   std::array<std::string_view, k_report_kinds.size()> paths;
-  Whole whole = Whole::none;
+  bool area = false;  // has a share of the part's, and its doubt
 };
 
 constexpr std::array<ReportRow, 24> k_report_rows = {{
     {"undercut",
      {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/assignment/action"},
-     Whole::area},
-    {"core", {"/areas/core", "/areas/core", "", "/assignment/core"}, Whole::area},
-    {"cavity", {"/areas/cavity", "/areas/cavity", "", "/assignment/cavity"}, Whole::area},
-    {"both", {"/areas/both", "/areas/both", "", ""}, Whole::area},
-    {"total", {"/part/area", "", "/part/area", "/part/area"}, Whole::area},
+     true},
+    {"core", {"/areas/core", "/areas/core", "", "/assignment/core"}, true},
+    {"cavity", {"/areas/cavity", "/areas/cavity", "", "/assignment/cavity"}, true},
+    {"both", {"/areas/both", "/areas/both", "", ""}, true},
+    {"total", {"/part/area", "", "/part/area", "/part/area"}, true},
     {"volume", {"/part/volume", "", "/part/volume", "/part/volume"}},
-    {"near-vertical", {"/areas/near_vertical", "", "", ""}, Whole::area},
+    {"near-vertical", {"/areas/near_vertical", "", "", ""}, true},
     {"projected-area", {"/projected_area", "/projected_area", "", ""}},
     {"projected-undercut", {"/projected_undercut", "/projected_undercut", "", ""}},
-    {"reverse-draft",
-     {"/draft/reverse/area", "/reverse_draft", "", "/assignment/reverse_draft"},
-     Whole::area},
+    {"reverse-draft", {"/draft/reverse/area", "/reverse_draft", "", "/assignment/reverse_draft"}, true},
     {"undercuts", {"/verdict/undercuts", "/patches", "/verdict/undercuts", "/verdict/undercuts"}},
-    {"unreleased",
-     {"", "/unreleased_area", "/verdict/unreleased_area", "/verdict/unreleased_area"},
-     Whole::area},
+    {"unreleased", {"", "/unreleased_area", "/verdict/unreleased_area", "/verdict/unreleased_area"}, true},
     {"actions", {"", "/verdict/actions", "/verdict/actions", "/verdict/actions"}},
     {"slides", {"", "/verdict/actions/slide", "/verdict/actions/slide", "/verdict/actions/slide"}},
     {"lifters", {"", "/verdict/actions/lifter", "/verdict/actions/lifter", "/verdict/actions/lifter"}},
     {"draw-depth", {"", "/draw_depth", "", ""}},
-    {"undraughted-area", {"", "/undraughted_area", "", ""}, Whole::area},
+    {"undraughted-area", {"", "/undraughted_area", "", ""}, true},
     {"parting-climb", {"", "/parting_climb", "", "/loops/0/climb"}},
     {"parting-length", {"", "/parting_length", "", "/loops/0/length"}},
     {"steel-on-steel", {"", "", "", "/surfaces/contact"}},
@@ -189,33 +164,62 @@ const Json& figures_of(std::string_view command, const Json& report, std::string
 
 }  // namespace
 
+std::span<const FigureRow<ComparedPart>> region_figures() {
+  static const std::vector<FigureRow<ComparedPart>> k_rows = [] {
+    auto rows = rows_of_regions(std::make_index_sequence<k_region_count>());
+    rows.insert(
+        rows.end(),
+        {
+            {"total", "Surface", Kind::area, member<&ComparedPart::result, &Classification::total_area>},
+            {"near_vertical", "Near-vertical", Kind::area,
+             member<&ComparedPart::result, &Classification::near_vertical_area>},
+            {"reverse_draft", "Reverse draft", Kind::area,
+             member<&ComparedPart::result, &Classification::reverse_draft, &ReverseDraft::area>},
+            {"undercut_uncertainty", "", Kind::error,
+             [](const ComparedPart& part) -> Found { return part.result.uncertainty.total(); }},
+        });
+    return rows;
+  }();
+  return k_rows;
+}
+
 std::vector<std::string_view> comparison_figure_names() {
-  std::vector<std::string_view> names;
-  for (const PartRow& row : part_rows()) names.push_back(row.name);
-  for (const ChangeRow& row : change_rows()) names.push_back(row.name);
-  return names;
+  static const std::vector<std::string> k_names = [] {
+    std::vector<std::string> names;
+    const auto add = [&](const auto& rows) {
+      for (const auto& row : rows)
+        if (row.kind != Kind::error) std::ranges::replace(names.emplace_back(row.key), '_', '-');
+    };
+    add(region_figures());
+    add(k_plan_figures);
+    add(k_change_figures);
+    return names;
+  }();
+  return {k_names.begin(), k_names.end()};
 }
 
 std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
   const ComparedPart &a = comparison.a, &b = comparison.b;
-  const auto whole = [&](Whole kind) { return kind == Whole::area ? b.result.total_area : 0.0; };
+  const double doubt = a.result.uncertainty.total() + b.result.uncertainty.total();
+  const auto whole = [&](Kind kind) { return kind == Kind::area ? b.result.total_area : 0.0; };
+  const auto was = part_figures(a), is = part_figures(b);
+  const std::vector<std::string_view> names = comparison_figure_names();
+  auto name = names.begin();
   std::vector<ComparedFigure> figures;
-  for (const PartRow& row : part_rows()) {
-    const auto before = row.of(a), after = row.of(b);
-    if (!before || !after) continue;
-    const double error =
-        row.whole == Whole::area ? a.result.uncertainty.total() + b.result.uncertainty.total() : 0.0;
-    figures.push_back({row.name, *before, *after, error, whole(row.whole)});
-  }
-  for (const ChangeRow& row : change_rows())
-    figures.push_back({row.name, 0.0, row.of(comparison.surface).area, 0.0, whole(row.whole)});
+  for (std::size_t k = 0; k < was.size(); ++k, ++name)
+    if (was[k].value && is[k].value)
+      figures.push_back(
+          {*name, *was[k].value, *is[k].value, was[k].kind == Kind::area ? doubt : 0.0, whole(was[k].kind)});
+  for (const FigureRow<SurfaceChange>& row : k_change_figures)
+    figures.push_back({*name++, 0.0, *row.find(comparison.surface), 0.0, whole(row.kind)});
   return figures;
 }
 
 std::vector<std::string_view> report_figure_names(std::string_view command) {
   std::vector<std::string_view> names;
+  const std::size_t kind = kind_of(command);
   for (const ReportRow& row : k_report_rows)
-    if (!row.paths[kind_of(command)].empty()) names.push_back(row.name);
+    if (kind < k_report_kinds.size() && !row.paths[kind].empty()) names.push_back(row.name);
   return names;
 }
 
@@ -231,8 +235,7 @@ std::vector<ComparedFigure> report_figures(std::string_view command, const Json&
     if (path.empty()) continue;
     const auto old = number_at(was, path), now = number_at(is, path);
     if (!old || !now) continue;
-    const bool area = row.whole == Whole::area;
-    figures.push_back({row.name, *old, *now, area ? doubt : 0.0, area ? whole : 0.0});
+    figures.push_back({row.name, *old, *now, row.area ? doubt : 0.0, row.area ? whole : 0.0});
   }
   return figures;
 }

@@ -1,15 +1,20 @@
 // The figures that criteria and baselines compare: one table of those of two parts, one of those in a report.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "classify/figure_table.hpp"
+#include "classify/json.hpp"
 #include "compare/comparison.hpp"
 #include "compare/criteria.hpp"
 
 namespace moldlight {
+
+/// What each part's surface measures: JSON has these below "/regions/a" and "/regions/b", and what they
+/// differ by, but for errors, below "/regions/difference".
+[[nodiscard]] std::span<const FigureRow<ComparedPart>> region_figures();
 
 /// Names of all figures of a comparison, whether or not these parts have them.
 [[nodiscard]] std::vector<std::string_view> comparison_figure_names();
@@ -20,9 +25,7 @@ namespace moldlight {
 [[nodiscard]] std::vector<std::string_view> report_figure_names(std::string_view command);
 /// Those of two reports of one command, as its --json writes them; of a sweep those of its best direction.
 /// Throws UsageError, which names `file`, where `before` is no such report.
-[[nodiscard]] std::vector<ComparedFigure> report_figures(std::string_view command,
-                                                         const nlohmann::ordered_json& before,
-                                                         const nlohmann::ordered_json& after,
-                                                         std::string_view file);
+[[nodiscard]] std::vector<ComparedFigure> report_figures(std::string_view command, const Json& before,
+                                                         const Json& after, std::string_view file);
 
 }  // namespace moldlight

@@ -2,15 +2,23 @@
 
 #include <algorithm>
 
-#include <glm/geometric.hpp>
-
 #include "classify/view_choice.hpp"
-#include "compare/lit_surface.hpp"
 #include "picture/canvas.hpp"
 
 namespace moldlight {
 
 namespace {
+
+struct LitFacts {
+  Colour colour;
+  std::string_view name;
+};
+
+const LitFacts& facts_of(Lit what) {
+  static constexpr LitFacts k_facts[] = {
+      {{200, 60, 200}, "gone"}, {{245, 150, 20}, "new"}, {{240, 220, 40}, "another region"}};
+  return k_facts[static_cast<std::size_t>(what)];
+}
 
 /// Of the diagonal: by how much lit surface stands out.
 constexpr double k_raised = 0.003;
@@ -43,17 +51,46 @@ class Plates {
 };
 
 const ComparedPart& part_of(const Comparison& comparison, Revision revision) {
-  return revision == Revision::former ? comparison.a : comparison.b;
+  return revision == Revision::a ? comparison.a : comparison.b;
 }
 
 }  // namespace
 
+Colour lit_colour(Lit what) { return facts_of(what).colour; }
+
+std::string_view lit_name(Lit what) { return facts_of(what).name; }
+
+std::vector<LitPolygon> lit_surface(const Comparison& comparison, bool of_a) {
+  const SurfaceChange& surface = comparison.surface;
+  const std::vector<LeftOver>& left = of_a ? surface.of_a.left : surface.of_b.left;
+  const std::vector<std::uint32_t>& place_of = of_a ? surface.place_of_a : surface.place_of_b;
+  std::vector<LitPolygon> lit;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    if (place_of[k] != k_no_change)
+      lit.push_back({&left[k].polygon, left[k].piece, of_a ? Lit::gone : Lit::added, place_of[k]});
+  }
+  for (std::size_t k = 0; k < surface.of_a.regions.size(); ++k) {
+    const OtherRegion& one = surface.of_a.regions[k];
+    if (surface.change_of_region[k] != k_no_change)
+      lit.push_back(
+          {&one.polygon, of_a ? one.piece : one.other, Lit::other_region, surface.change_of_region[k]});
+  }
+  return lit;
+}
+
+std::shared_ptr<const SplitMesh> marked_split(const ComparedPart& part, std::span<const LitPolygon> lit) {
+  auto split = std::make_shared<SplitMesh>(*part.result.split);
+  for (SplitPiece& piece : split->pieces) piece.region = Region::both;
+  for (const LitPolygon& one : lit) split->pieces[one.piece].region = Region::undercut;
+  return split;
+}
+
 std::vector<StillBody> lit_bodies(const Comparison& comparison, Revision revision) {
   const ComparedPart& part = part_of(comparison, revision);
   const double thickness = k_raised * part.model->frame.diagonal;
-  const std::vector<LitPolygon> lit = lit_surface(comparison, revision == Revision::former);
+  const std::vector<LitPolygon> lit = lit_surface(comparison, revision == Revision::a);
   std::vector<StillBody> bodies;
-  for (const Lit what : {Lit::gone, Lit::fresh, Lit::other_region}) {
+  for (const Lit what : {Lit::gone, Lit::added, Lit::other_region}) {
     Plates plates(thickness);
     for (const LitPolygon& one : lit) {
       if (one.what == what)
@@ -67,9 +104,9 @@ std::vector<StillBody> lit_bodies(const Comparison& comparison, Revision revisio
 }
 
 glm::dquat lit_seen_from(const Comparison& comparison) {
-  const bool former = comparison.surface.gone.area > comparison.surface.fresh.area;
-  const ComparedPart& part = former ? comparison.a : comparison.b;
-  const std::shared_ptr<const SplitMesh> marked = marked_split(part, lit_surface(comparison, former));
+  const bool of_a = comparison.surface.gone.area > comparison.surface.added.area;
+  const ComparedPart& part = of_a ? comparison.a : comparison.b;
+  const std::shared_ptr<const SplitMesh> marked = marked_split(part, lit_surface(comparison, of_a));
   return revealing_orientation(*part.model, std::span(&marked, 1), part.result.direction);
 }
 
@@ -81,12 +118,12 @@ Image comparison_picture(const gl::Context& context, const Comparison& compariso
   Canvas canvas(whole.x, whole.y);
   settings.size.x = std::max(whole.x / 2, k_least_picture_px);
   const double half = 0.5 * whole.x;
-  for (const Revision revision : {Revision::former, Revision::fresh}) {
+  for (const Revision revision : {Revision::a, Revision::b}) {
     const ComparedPart& part = part_of(comparison, revision);
     const std::vector<StillBody> bodies = lit_bodies(comparison, revision);
     const Image image = StillPainter(context, part.model).draw(part.result, settings, progress, bodies);
     canvas.picture(image,
-                   {{revision == Revision::former ? 0.0 : half, 0.0}, {half, static_cast<double>(whole.y)}});
+                   {{revision == Revision::a ? 0.0 : half, 0.0}, {half, static_cast<double>(whole.y)}});
   }
   return canvas.image();
 }

@@ -1,20 +1,19 @@
-#include "compare/compare_report.hpp"
-
+// The report of a comparison as JSON.
 #include <cmath>
 #include <iterator>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
+#include "compare/compare_figures.hpp"
+#include "compare/comparison.hpp"
 
 namespace moldlight {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -31,29 +30,12 @@ Json alignment_json(const Alignment& alignment) {
 
 Json area_json(const MeasuredArea& measured) { return {{"area", measured.area}, {"error", measured.error}}; }
 
-Json areas_json(const Classification& result) {
-  Json json;
-  for (const Region region : k_regions) json[std::string(region_name(region))] = result.areas[region];
-  json["total"] = result.total_area;
-  json["near_vertical"] = result.near_vertical_area;
-  json["reverse_draft"] = result.reverse_draft.area;
-  json["undercut_uncertainty"] = result.uncertainty.total();
-  return json;
-}
-
-Json difference_json(const Json& a, const Json& b) {
-  Json json;
-  for (const auto& [key, value] : a.items())
-    if (key != "undercut_uncertainty") json[key] = b[key].get<double>() - value.get<double>();
-  return json;
-}
-
 Json places_json(const Comparison& comparison) {
   const bool closed = comparison.surface.closed;
   Json list = Json::array();
   for (const ChangedPlace& place : comparison.surface.places) {
     list.push_back({{"gone", area_json(place.gone)},
-                    {"new", area_json(place.fresh)},
+                    {"new", area_json(place.added)},
                     {"volume", closed ? Json(place.volume.volume) : Json()},
                     {"volume_error", closed ? Json(place.volume.error) : Json()},
                     {"joined", place.joined},
@@ -75,10 +57,10 @@ Json changed_regions_json(const SurfaceChange& surface) {
   return list;
 }
 
-Json undercut_json(const UndercutReport& patch) {
-  const Undercut& undercut = patch.undercut;
+Json undercut_json(const UndercutReport& report) {
+  const Undercut& undercut = report.undercut;
   return {{"area", undercut.area},
-          {"depth", std::isfinite(patch.depth) ? Json(patch.depth) : Json()},
+          {"depth", std::isfinite(report.depth) ? Json(report.depth) : Json()},
           {"centre", vector_json(undercut.centre)},
           {"size_across", undercut.size_across},
           {"size_along", undercut.size_along}};
@@ -91,10 +73,10 @@ Json action_json(const SideAction& action) {
           {"area", action.area}};
 }
 
-/// `former` and `fresh` are what the numbers count; `id` from 1, as `moldlight actions` counts them.
+/// `a` and `b` are what the numbers count; `id` from 1, as `moldlight actions` counts them.
 template <typename T, typename ToJson>
-Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T>& former,
-                  const std::vector<T>& fresh, const ToJson& to_json) {
+Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T>& a, const std::vector<T>& b,
+                  const ToJson& to_json) {
   const auto side = [&](const std::vector<T>& all, const std::optional<std::size_t>& number) {
     if (!number) return Json();
     Json json = {{"id", *number + 1}};
@@ -103,15 +85,14 @@ Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T
   };
   Json list = Json::array();
   for (const MatchedChange& change : changes)
-    list.push_back({{"change", change_name(change.kind)},
-                    {"a", side(former, change.former)},
-                    {"b", side(fresh, change.fresh)}});
+    list.push_back(
+        {{"change", change_name(change.kind)}, {"a", side(a, change.a)}, {"b", side(b, change.b)}});
   return list;
 }
 
 }  // namespace
 
-nlohmann::ordered_json compare_json(const Comparison& comparison) {
+Json compare_json(const Comparison& comparison) {
   const auto& [a, b, settings, alignment, scale, surface, undercuts, actions, remarks] = comparison;
   Json json;
   json["schema"] = "moldlight.compare/1";
@@ -126,14 +107,17 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
   json["alignment"] = alignment ? alignment_json(*alignment) : Json();
   json["scale"] = scale ? Json{{"factor", scale->factor}, {"other_share", scale->other}} : Json();
   json["surface"] = {{"gone", area_json(surface.gone)},
-                     {"new", area_json(surface.fresh)},
+                     {"new", area_json(surface.added)},
                      {"volume_elsewhere", surface.closed ? Json(surface.volume_elsewhere) : Json()}};
   json["places"] = places_json(comparison);
-  const Json areas_a = areas_json(a.result), areas_b = areas_json(b.result);
-  json["regions"] = {{"a", areas_a},
-                     {"b", areas_b},
-                     {"difference", difference_json(areas_a, areas_b)},
-                     {"changed", changed_regions_json(surface)}};
+  std::vector<FoundFigure> differences;
+  for (const FigureRow<ComparedPart>& row : region_figures())
+    if (row.kind != FigureKind::error)
+      differences.push_back({row.key, row.title, row.help, row.kind, *row.find(b) - *row.find(a)});
+  put_figures(found_figures(region_figures(), a), json["regions"]["a"]);
+  put_figures(found_figures(region_figures(), b), json["regions"]["b"]);
+  put_figures(differences, json["regions"]["difference"]);
+  json["regions"]["changed"] = changed_regions_json(surface);
   json["undercuts"] = nullptr;
   json["actions"] = nullptr;
   if (a.plan && b.plan) {

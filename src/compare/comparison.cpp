@@ -53,7 +53,7 @@ std::string unit_remark(const PartModel& a, const PartModel& b) {
 std::string changes_text(const std::vector<MatchedChange>& changes) {
   std::vector<std::string> counts;
   for (const ChangeKind kind :
-       {ChangeKind::fresh, ChangeKind::gone, ChangeKind::grown, ChangeKind::shrunk, ChangeKind::changed}) {
+       {ChangeKind::added, ChangeKind::gone, ChangeKind::grown, ChangeKind::shrunk, ChangeKind::changed}) {
     const auto count = std::ranges::count(changes, kind, &MatchedChange::kind);
     if (count > 0) counts.push_back(fmt::format("{} {}", count, change_name(kind)));
   }
@@ -166,8 +166,8 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   MethodSettings method = query.method;
   // One lateral tolerance for both, or near-vertical surface would change with the box.
   if (method.tolerance == 0.0 && method.kernel == 0) method.tolerance = lateral_tolerance(method, diagonal);
-  comparison.a.result = classify_exact(*a, {query.former, method}, progress, true);
-  if (query.former == query.fresh && are_equal(*a, *comparison.b.model)) {
+  comparison.a.result = classify_exact(*a, {query.a, method}, progress, true);
+  if (query.a == query.b && are_equal(*a, *comparison.b.model)) {
     comparison.b.result = comparison.a.result;
     const OverlaySide side(a, comparison.a.result);
     comparison.surface = no_surface_change(side, tolerance);
@@ -178,7 +178,7 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
     compare_plans(planned, planned, comparison);
     return;
   }
-  comparison.b.result = classify_exact(*comparison.b.model, {query.fresh, method}, progress, true);
+  comparison.b.result = classify_exact(*comparison.b.model, {query.b, method}, progress, true);
   const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
   comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
   if (!comparison.surface.places.empty())
@@ -203,11 +203,9 @@ std::string comparison_verdict(const Comparison& comparison) {
   else if (!surface.places.empty())
     facts.push_back(fmt::format("{} changed, {} of surface gone and {} new",
                                 plural(surface.places.size(), "place"), area(surface.gone.area),
-                                area(surface.fresh.area)));
+                                area(surface.added.area)));
   if (!surface.regions.empty()) {
-    double other = 0.0;
-    for (const ChangedRegion& region : surface.regions) other += region.area;
-    facts.push_back(fmt::format("{} of the same surface {} of another region", area(other),
+    facts.push_back(fmt::format("{} of the same surface {} of another region", area(surface.other_region()),
                                 surface.places.empty() ? "is" : "are"));
   }
   facts.push_back(undercut_text(comparison, style));

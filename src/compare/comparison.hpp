@@ -10,6 +10,7 @@
 
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
+#include "classify/json.hpp"
 #include "classify/option.hpp"
 #include "compare/alignment.hpp"
 #include "compare/surface_change.hpp"
@@ -30,7 +31,7 @@ struct CompareSettings {
 
 /// Which parting direction each part has: the same, or of each its best.
 struct ComparedQuery {
-  Direction former, fresh;
+  Direction a, b;
   MethodSettings method;
 };
 
@@ -70,5 +71,8 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
 
 /// What changed, in a sentence or two.
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);
+
+/// Schema `moldlight.compare/1`. Lengths and areas are in A's unit.
+[[nodiscard]] Json compare_json(const Comparison& comparison);
 
 }  // namespace moldlight

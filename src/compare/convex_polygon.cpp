@@ -1,6 +1,5 @@
 #include "compare/convex_polygon.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <glm/common.hpp>

@@ -3,30 +3,50 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
+#include "base/progress.hpp"
+#include "compare/convex_polygon.hpp"
 #include "compare/overlay.hpp"
 #include "compare/place_volume.hpp"
-#include "compare/touching.hpp"
+#include "mesh/union_find.hpp"
 
 namespace moldlight {
 
+/// A polygon and how far around its rim others are one with it; one without corners touches nothing.
+struct ReachingPolygon {
+  const ConvexPolygon* polygon = nullptr;
+  double reach = 0.0;
+};
+
+/// Calls `touch` for pairs whose rims come as near to each other as `reach` says, which is asked first and is
+/// negative for pairs that do not matter, and at most the sum of theirs; in an order that depends on the
+/// polygons alone, a pair perhaps several times. `extent` is about that of all of them. Throws Cancelled.
+void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+                    const std::function<double(std::uint32_t, std::uint32_t)>& reach,
+                    const std::function<void(std::uint32_t, std::uint32_t)>& touch, const Progress& progress);
+
+/// Joins all that touch each other.
+[[nodiscard]] UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+                                              const Progress& progress);
+
 inline constexpr std::uint32_t k_no_change = ~0U;
 
-/// Left-over pieces of both parts, the former's first. It points into what it is made of.
+/// Left-over pieces of both parts, A's first. It points into what it is made of.
 class LeftOvers {
  public:
-  LeftOvers(const OverlaySide& former, const OverlaySide& fresh, const OverlayTolerance& tolerance,
-            const Overlay& of_former, const Overlay& of_fresh);
+  LeftOvers(const OverlaySide& a, const OverlaySide& b, const OverlayTolerance& tolerance,
+            const Overlay& of_a, const Overlay& of_b);
 
   [[nodiscard]] std::size_t count() const { return all_.size(); }
-  [[nodiscard]] std::size_t of_former() const { return split_; }
+  [[nodiscard]] std::size_t of_a() const { return split_; }
   [[nodiscard]] const LeftOver& operator[](std::size_t k) const { return *all_[k]; }
   [[nodiscard]] bool is_certain(std::size_t k) const { return all_[k]->explained == 0.0; }
-  [[nodiscard]] bool is_former(std::size_t k) const { return k < split_; }
-  [[nodiscard]] const OverlaySide& former() const { return former_; }
-  [[nodiscard]] const OverlaySide& fresh() const { return fresh_; }
-  [[nodiscard]] const OverlaySide& side(std::size_t k) const { return is_former(k) ? former_ : fresh_; }
+  [[nodiscard]] bool is_of_a(std::size_t k) const { return k < split_; }
+  [[nodiscard]] const OverlaySide& a() const { return a_; }
+  [[nodiscard]] const OverlaySide& b() const { return b_; }
+  [[nodiscard]] const OverlaySide& side(std::size_t k) const { return is_of_a(k) ? a_ : b_; }
   [[nodiscard]] const OverlayTolerance& tolerance() const { return tolerance_; }
 
   /// Those that are certainly left over, joined where they touch.
@@ -41,8 +61,8 @@ class LeftOvers {
   [[nodiscard]] std::vector<ReachingPolygon> polygons() const;
   void join_faces(const OverlaySide& side, std::size_t first, std::size_t last, UnionFind& sets) const;
 
-  const OverlaySide& former_;
-  const OverlaySide& fresh_;
+  const OverlaySide& a_;
+  const OverlaySide& b_;
   OverlayTolerance tolerance_;
   std::vector<const LeftOver*> all_;
   std::size_t split_;

@@ -30,13 +30,13 @@ double cone(const ConvexPolygon& polygon, const glm::dvec3& apex) {
   return sum;
 }
 
-/// Facets of the new part with their sense, of the former one reversed, without those in both: they enclose
+/// Facets of B with their sense, of A reversed, without those in both: they enclose
 /// what came less what went.
-void add_facets(const TriangleMesh& former, const TriangleMesh& fresh, std::vector<CellBit>& bits) {
+void add_facets(const TriangleMesh& a, const TriangleMesh& b, std::vector<CellBit>& bits) {
   using Point = std::array<double, 3>;
   std::map<std::array<Point, 3>, int> counts;
-  for (const bool is_fresh : {false, true}) {
-    const TriangleMesh& mesh = is_fresh ? fresh : former;
+  for (const bool is_of_b : {false, true}) {
+    const TriangleMesh& mesh = is_of_b ? b : a;
     for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
       std::array<Point, 3> corners;
       for (int k = 0; k < 3; ++k) {
@@ -44,7 +44,7 @@ void add_facets(const TriangleMesh& former, const TriangleMesh& fresh, std::vect
         corners[static_cast<std::size_t>(k)] = {at.x, at.y, at.z};
       }
       std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-      counts[corners] += is_fresh ? 1 : -1;
+      counts[corners] += is_of_b ? 1 : -1;
     }
   }
   for (const auto& [corners, count] : counts) {
@@ -246,11 +246,11 @@ class Division {
 
 }  // namespace
 
-DividedVolume divided_volume(const TriangleMesh& former, const TriangleMesh& fresh,
-                             const VolumeQuestion& question, const Progress& progress) {
+DividedVolume divided_volume(const TriangleMesh& a, const TriangleMesh& b, const VolumeQuestion& question,
+                             const Progress& progress) {
   Division division(question, progress);
   Cell whole{question.bits};
-  add_facets(former, fresh, whole.bits);
+  add_facets(a, b, whole.bits);
   division.divide(std::move(whole));
   return division.result();
 }

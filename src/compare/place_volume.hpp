@@ -1,5 +1,5 @@
 // Volumes of changed places: planes between the places cut space into cells, and of each cell is found by how
-// much more of it the new bodies fill than the former ones. Together that is what the bodies differ by.
+// much more of it B's bodies fill than A's. Together that is what the bodies differ by.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct CellBit {
   Kind kind = Kind::changed;  // of a part, closing a cut, new or gone surface, a point (one corner)
   ConvexPolygon polygon;
   std::uint32_t label = 0;  // of what changed: the number of its place
-  double doubt = 0.0;       // what facets cut off round surface there, of the former part positive
+  double doubt = 0.0;       // what facets cut off round surface there, of A positive
 };
 
 struct VolumeQuestion {
@@ -43,7 +43,7 @@ struct DividedVolume {
 };
 
 /// Both meshes must be closed. The same to the bit for any number of threads. Throws Cancelled.
-[[nodiscard]] DividedVolume divided_volume(const TriangleMesh& former, const TriangleMesh& fresh,
+[[nodiscard]] DividedVolume divided_volume(const TriangleMesh& a, const TriangleMesh& b,
                                            const VolumeQuestion& question, const Progress& progress);
 
 }  // namespace moldlight

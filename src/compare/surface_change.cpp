@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "compare/touching.hpp"
-#include "mesh/nearest_in_triangle.hpp"
+#include "compare/left_overs.hpp"
+#include "mesh/facet_geometry.hpp"
 
 namespace moldlight {
 
@@ -71,7 +71,7 @@ void measure_places(const LeftOvers& left, std::vector<std::uint32_t>& place_of,
     if (place_of[k] == k_no_change) continue;
     const LeftOver& one = left[k];
     ChangedPlace& place = places[place_of[k]];
-    MeasuredArea& measured = left.is_former(k) ? place.gone : place.fresh;
+    MeasuredArea& measured = left.is_of_a(k) ? place.gone : place.added;
     if (!left.is_certain(k)) measured.error += one.area;
     if (!left.is_certain(k) && !left.is_rim(k)) {
       place_of[k] = k_no_change;
@@ -84,9 +84,9 @@ void measure_places(const LeftOvers& left, std::vector<std::uint32_t>& place_of,
   for (std::size_t k = 0; k < places.size(); ++k) places[k].centre = moments[k].centre(places[k].bounds);
 }
 
-void find_places(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change,
+void find_places(const OverlaySide& a, const OverlaySide& b, double speck, SurfaceChange& change,
                  const Progress& progress) {
-  const LeftOvers left(former, fresh, change.tolerance, change.of_former, change.of_fresh);
+  const LeftOvers left(a, b, change.tolerance, change.of_a, change.of_b);
   UnionFind joined = left.joined(progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < left.count(); ++k)
@@ -99,7 +99,7 @@ void find_places(const OverlaySide& former, const OverlaySide& fresh, double spe
       place_of[k] = number.try_emplace(root, static_cast<std::uint32_t>(number.size())).first->second;
   }
   left.add_explained(place_of, progress);
-  change.closed = former.model().health.closed && fresh.model().health.closed;
+  change.closed = a.model().health.closed && b.model().health.closed;
   change.places.resize(number.size());
   if (change.closed) {
     const PlaceVolumes volumes =
@@ -112,47 +112,47 @@ void find_places(const OverlaySide& former, const OverlaySide& fresh, double spe
   }
   measure_places(left, place_of, change.places);
   const auto order =
-      largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.fresh.area; });
+      largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area; });
   reorder(change.places, order);
-  std::erase_if(change.places, [](const ChangedPlace& p) { return p.gone.area + p.fresh.area <= 0.0; });
+  std::erase_if(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area <= 0.0; });
   renumber(place_of, ranks(order));
-  const auto middle = place_of.begin() + static_cast<std::ptrdiff_t>(left.of_former());
-  change.place_of_former.assign(place_of.begin(), middle);
-  change.place_of_fresh.assign(middle, place_of.end());
+  const auto middle = place_of.begin() + static_cast<std::ptrdiff_t>(left.of_a());
+  change.place_of_a.assign(place_of.begin(), middle);
+  change.place_of_b.assign(middle, place_of.end());
   for (const ChangedPlace& place : change.places) {
     change.gone.area += place.gone.area;
     change.gone.error += place.gone.error;
-    change.fresh.area += place.fresh.area;
-    change.fresh.error += place.fresh.error;
+    change.added.area += place.added.area;
+    change.added.error += place.added.error;
   }
 }
 
 /// Decides which changes of region are none: those that tolerance and tessellation explain.
 class RegionChanges {
  public:
-  RegionChanges(const OverlaySide& former, const OverlaySide& fresh, const SurfaceChange& change)
-      : former_(former), fresh_(fresh), change_(change) {}
+  RegionChanges(const OverlaySide& a, const OverlaySide& b, const SurfaceChange& change)
+      : a_(a), b_(b), change_(change) {}
 
   [[nodiscard]] ChangedRegion noted(const OtherRegion& one) const {
-    return {.from = former_.region(one.piece), .to = fresh_.region(one.other)};
+    return {.from = a_.region(one.piece), .to = b_.region(one.other)};
   }
 
   /// No surface of the new part nearby has the region that was there.
   [[nodiscard]] bool is_certain(const OtherRegion& one) const {
-    const double draft = draft_deg(former_, one.piece), draft_now = draft_deg(fresh_, one.other);
-    if (former_.direction() == fresh_.direction() && draft != draft_now &&
+    const double draft = draft_deg(a_, one.piece), draft_now = draft_deg(b_, one.other);
+    if (a_.direction() == b_.direction() && draft != draft_now &&
         std::abs(draft - draft_now) < k_same_draft_deg && class_may_differ(draft, draft_now))
       return false;
-    const FacetIndex here = former_.facet(one.piece), there = fresh_.facet(one.other);
-    const double steps = former_.chords().step[here] + fresh_.chords().step[there];
+    const FacetIndex here = a_.facet(one.piece), there = b_.facet(one.other);
+    const double steps = a_.chords().step[here] + b_.chords().step[there];
     const double reach = 2.0 * change_.tolerance.apart + 2.0 * change_.chords + steps;
-    const Region was = former_.region(one.piece);
+    const Region was = a_.region(one.piece);
     const glm::dvec3 centre = polygon_centre(one.polygon);
     bool found = false;
-    visit_pieces(fresh_, centre, reach, [&](PieceIndex piece) {
-      if (found || fresh_.region(piece) != was) return;
-      if (glm::dot(fresh_.normal(piece), former_.normal(one.piece)) < k_least_same_facing) return;
-      found = glm::distance(nearest_in_triangle(centre, fresh_.corners(piece)), centre) <= reach;
+    visit_pieces(b_, centre, reach, [&](PieceIndex piece) {
+      if (found || b_.region(piece) != was) return;
+      if (glm::dot(b_.normal(piece), a_.normal(one.piece)) < k_least_same_facing) return;
+      found = glm::distance(nearest_in_triangle(centre, b_.corners(piece)), centre) <= reach;
     });
     return !found;
   }
@@ -162,22 +162,22 @@ class RegionChanges {
     return glm::degrees(std::asin(std::clamp(glm::dot(side.normal(piece), side.direction()), -1.0, 1.0)));
   }
   [[nodiscard]] bool class_may_differ(double a, double b) const {
-    return (std::abs(a) < former_.tau_deg()) != (std::abs(b) < fresh_.tau_deg());
+    return (std::abs(a) < a_.tau_deg()) != (std::abs(b) < b_.tau_deg());
   }
 
-  const OverlaySide& former_;
-  const OverlaySide& fresh_;
+  const OverlaySide& a_;
+  const OverlaySide& b_;
   const SurfaceChange& change_;
 };
 
 /// Adds the changes from one region to another.
-void add_regions(const OverlaySide& former, const RegionChanges& changes,
+void add_regions(const OverlaySide& a, const RegionChanges& changes,
                  const std::vector<std::uint32_t>& numbers, double speck, SurfaceChange& change,
                  const Progress& progress) {
-  const std::vector<OtherRegion>& found = change.of_former.regions;
+  const std::vector<OtherRegion>& found = change.of_a.regions;
   std::vector<ReachingPolygon> polygons;
   for (const std::uint32_t k : numbers) polygons.push_back({&found[k].polygon, 0.5 * change.tolerance.apart});
-  UnionFind joined = joined_where_touching(polygons, former.model().frame.diagonal, progress);
+  UnionFind joined = joined_where_touching(polygons, a.model().frame.diagonal, progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < numbers.size(); ++k)
     if (changes.is_certain(found[numbers[k]])) certain[joined.find(k)] += found[numbers[k]].area;
@@ -202,19 +202,19 @@ void add_regions(const OverlaySide& former, const RegionChanges& changes,
   }
 }
 
-void find_regions(const OverlaySide& former, const OverlaySide& fresh, double speck, SurfaceChange& change,
+void find_regions(const OverlaySide& a, const OverlaySide& b, double speck, SurfaceChange& change,
                   const Progress& progress) {
-  const std::vector<OtherRegion>& found = change.of_former.regions;
+  const std::vector<OtherRegion>& found = change.of_a.regions;
   change.change_of_region.assign(found.size(), k_no_change);
-  const RegionChanges changes(former, fresh, change);
+  const RegionChanges changes(a, b, change);
   std::array<std::array<std::vector<std::uint32_t>, k_region_count>, k_region_count> numbers;
   for (std::uint32_t k = 0; k < found.size(); ++k) {
-    const auto from = static_cast<std::size_t>(former.region(found[k].piece));
-    numbers[from][static_cast<std::size_t>(fresh.region(found[k].other))].push_back(k);
+    const auto from = static_cast<std::size_t>(a.region(found[k].piece));
+    numbers[from][static_cast<std::size_t>(b.region(found[k].other))].push_back(k);
   }
   for (const auto& from : numbers)
     for (const std::vector<std::uint32_t>& some : from)
-      add_regions(former, changes, some, speck, change, progress);
+      add_regions(a, changes, some, speck, change, progress);
   const auto order = largest_first(change.regions, [](const ChangedRegion& r) { return r.area; });
   reorder(change.regions, order);
   renumber(change.change_of_region, ranks(order));
@@ -228,23 +228,23 @@ SurfaceChange no_surface_change(const OverlaySide& side, const OverlayTolerance&
   change.closed = side.model().health.closed;
   change.chords = 2.0 * side.chords().greatest;
   for (PieceIndex piece = 0; piece < side.count(); ++piece)
-    change.of_former.shares.push_back({piece, piece, side.area(piece)});
-  change.of_fresh.shares = change.of_former.shares;
+    change.of_a.shares.push_back({piece, piece, side.area(piece)});
+  change.of_b.shares = change.of_a.shares;
   return change;
 }
 
-SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& fresh,
+SurfaceChange find_surface_change(const OverlaySide& a, const OverlaySide& b,
                                   const OverlayTolerance& tolerance, const Progress& progress) {
   SurfaceChange change;
   change.tolerance = tolerance;
-  change.chords = former.chords().greatest + fresh.chords().greatest;
-  change.of_former = lay_on(former, fresh, tolerance, progress);
-  change.of_fresh = lay_on(fresh, former, tolerance, progress);
+  change.chords = a.chords().greatest + b.chords().greatest;
+  change.of_a = lay_on(a, b, tolerance, progress);
+  change.of_b = lay_on(b, a, tolerance, progress);
   progress.report("finding what changed", 0.0);
   // Surface farther than the tolerance is more than a corner of a needle.
   const double speck = tolerance.apart * tolerance.apart;
-  find_places(former, fresh, speck, change, progress);
-  find_regions(former, fresh, speck, change, progress);
+  find_places(a, b, speck, change, progress);
+  find_regions(a, b, speck, change, progress);
   return change;
 }
 

@@ -1,7 +1,6 @@
 // Surface of two parts that is new or gone, and surface of both that is of another region: by place.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +17,7 @@ struct MeasuredArea {
 /// Surface of either part that hangs together and is farther from the other part than the tolerance
 /// somewhere. Lengths are in the part's unit.
 struct ChangedPlace {
-  MeasuredArea gone, fresh;  // of the former part alone, of the new one alone
+  MeasuredArea gone, added;  // of A alone, of B alone
   MeasuredVolume volume;     // that came, negative: that went; where both parts are closed
   bool joined = false;       // of places that do not enclose what came or went each by itself
   glm::dvec3 centre{0.0};    // of the area
@@ -36,23 +35,29 @@ struct ChangedRegion {
 struct SurfaceChange {
   OverlayTolerance tolerance;
   double chords = 0.0;  // the most that the tessellations are taken to be off, both together
-  MeasuredArea gone, fresh;
+  MeasuredArea gone, added;
   bool closed = false;                 // both parts are, so that volumes are known
   double volume_elsewhere = 0.0;       // that came off all places: tolerance or tessellation explain it
   std::vector<ChangedPlace> places;    // the largest first
   std::vector<ChangedRegion> regions;  // the largest first; of less than a speck left out
-  Overlay of_former, of_fresh;         // of the former part on the new one, and the reverse
-  /// Place of each of their left-over pieces, and region change of each of of_former.regions; or k_no_change:
+  Overlay of_a, of_b;                  // of A on B, and the reverse
+  /// Place of each of their left-over pieces, and region change of each of of_a.regions; or k_no_change:
   /// what the tolerance or the tessellation explains.
-  std::vector<std::uint32_t> place_of_former, place_of_fresh, change_of_region;
+  std::vector<std::uint32_t> place_of_a, place_of_b, change_of_region;
 
   [[nodiscard]] bool any() const { return !places.empty() || !regions.empty(); }
+  /// Area of all that changes its region.
+  [[nodiscard]] double other_region() const {
+    double sum = 0.0;
+    for (const ChangedRegion& region : regions) sum += region.area;
+    return sum;
+  }
 };
 
 /// Of a part and its equal: each piece lies on itself.
 [[nodiscard]] SurfaceChange no_surface_change(const OverlaySide& side, const OverlayTolerance& tolerance);
 /// `apart` is the tolerance in the part's unit, > 0. Throws Cancelled.
-[[nodiscard]] SurfaceChange find_surface_change(const OverlaySide& former, const OverlaySide& fresh,
+[[nodiscard]] SurfaceChange find_surface_change(const OverlaySide& a, const OverlaySide& b,
                                                 const OverlayTolerance& tolerance, const Progress& progress);
 
 }  // namespace moldlight

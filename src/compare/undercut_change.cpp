@@ -12,31 +12,32 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::uint32_t k_no_patch = ~0U;
+constexpr std::uint32_t k_no_undercut = ~0U;
 constexpr double k_same_direction_deg = 2.0, k_same_travel = 0.01;
 
 /// Number of the undercut that each piece is part of.
-std::vector<std::uint32_t> patch_of_piece(const PlannedSide& side) {
-  std::vector<std::uint32_t> patch_of(side.side.count(), k_no_patch);
-  for (std::uint32_t patch = 0; patch < side.plan.patches.size(); ++patch)
-    for (const std::uint32_t piece : side.plan.patches[patch].undercut.pieces) patch_of[piece] = patch;
-  return patch_of;
+std::vector<std::uint32_t> undercut_of_piece(const PlannedSide& side) {
+  std::vector<std::uint32_t> undercut_of(side.side.count(), k_no_undercut);
+  for (std::uint32_t undercut = 0; undercut < side.plan.patches.size(); ++undercut)
+    for (const std::uint32_t piece : side.plan.patches[undercut].undercut.pieces)
+      undercut_of[piece] = undercut;
+  return undercut_of;
 }
 
 /// How well one of each fits the other.
 struct Match {
-  std::size_t former = 0, fresh = 0;
+  std::size_t a = 0, b = 0;
   double score = 0.0;
 };
 
 /// The best fit first, each once; adds what is matched.
-void match_best(std::vector<Match> fits, std::vector<std::optional<std::size_t>>& of_former,
+void match_best(std::vector<Match> fits, std::vector<std::optional<std::size_t>>& of_a,
                 std::vector<bool>& taken) {
   std::ranges::stable_sort(fits, std::greater(), &Match::score);
   for (const Match& fit : fits) {
-    if (of_former[fit.former] || taken[fit.fresh]) continue;
-    of_former[fit.former] = fit.fresh;
-    taken[fit.fresh] = true;
+    if (of_a[fit.a] || taken[fit.b]) continue;
+    of_a[fit.a] = fit.b;
+    taken[fit.b] = true;
   }
 }
 
@@ -44,64 +45,61 @@ double size_of(const Undercut& undercut) { return std::hypot(undercut.size_acros
 
 /// Undercuts on which surface or regions changed.
 struct Touched {
-  std::vector<bool> former, fresh;
+  std::vector<bool> a, b;
 };
 
-Touched touched_patches(const PlannedSide& former, const PlannedSide& fresh, const SurfaceChange& surface) {
-  const auto of_former = patch_of_piece(former), of_fresh = patch_of_piece(fresh);
-  Touched touched{std::vector<bool>(former.plan.patches.size(), false),
-                  std::vector<bool>(fresh.plan.patches.size(), false)};
-  const auto touch = [](std::vector<bool>& patches, std::uint32_t patch) {
-    if (patch != k_no_patch) patches[patch] = true;
+Touched touched_undercuts(const PlannedSide& a, const PlannedSide& b, const SurfaceChange& surface) {
+  const auto of_a = undercut_of_piece(a), of_b = undercut_of_piece(b);
+  Touched touched{std::vector<bool>(a.plan.patches.size(), false),
+                  std::vector<bool>(b.plan.patches.size(), false)};
+  const auto touch = [](std::vector<bool>& undercuts, std::uint32_t undercut) {
+    if (undercut != k_no_undercut) undercuts[undercut] = true;
   };
-  for (std::size_t k = 0; k < surface.of_former.left.size(); ++k)
-    if (surface.place_of_former[k] != k_no_change)
-      touch(touched.former, of_former[surface.of_former.left[k].piece]);
-  for (std::size_t k = 0; k < surface.of_fresh.left.size(); ++k)
-    if (surface.place_of_fresh[k] != k_no_change)
-      touch(touched.fresh, of_fresh[surface.of_fresh.left[k].piece]);
-  for (std::size_t k = 0; k < surface.of_former.regions.size(); ++k) {
+  for (std::size_t k = 0; k < surface.of_a.left.size(); ++k)
+    if (surface.place_of_a[k] != k_no_change) touch(touched.a, of_a[surface.of_a.left[k].piece]);
+  for (std::size_t k = 0; k < surface.of_b.left.size(); ++k)
+    if (surface.place_of_b[k] != k_no_change) touch(touched.b, of_b[surface.of_b.left[k].piece]);
+  for (std::size_t k = 0; k < surface.of_a.regions.size(); ++k) {
     if (surface.change_of_region[k] == k_no_change) continue;
-    touch(touched.former, of_former[surface.of_former.regions[k].piece]);
-    touch(touched.fresh, of_fresh[surface.of_former.regions[k].other]);
+    touch(touched.a, of_a[surface.of_a.regions[k].piece]);
+    touch(touched.b, of_b[surface.of_a.regions[k].other]);
   }
   return touched;
 }
 
-std::vector<Match> shared_surface(const PlannedSide& former, const PlannedSide& fresh,
-                                  const SurfaceChange& surface) {
-  const auto of_former = patch_of_piece(former), of_fresh = patch_of_piece(fresh);
+std::vector<Match> shared_surface(const PlannedSide& a, const PlannedSide& b, const SurfaceChange& surface) {
+  const auto of_a = undercut_of_piece(a), of_b = undercut_of_piece(b);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
-  for (const PieceShare& share : surface.of_former.shares) {
-    const std::uint32_t a = of_former[share.piece], b = of_fresh[share.other];
-    if (a != k_no_patch && b != k_no_patch) areas[{a, b}] += share.area;
+  for (const PieceShare& share : surface.of_a.shares) {
+    const std::uint32_t i = of_a[share.piece], j = of_b[share.other];
+    if (i != k_no_undercut && j != k_no_undercut) areas[{i, j}] += share.area;
   }
   std::vector<Match> fits;
   for (const auto& [pair, area] : areas) fits.push_back({pair.first, pair.second, area});
   return fits;
 }
 
-std::vector<Match> near_centres(const PlannedSide& former, const PlannedSide& fresh) {
+std::vector<Match> near_centres(const PlannedSide& a, const PlannedSide& b) {
   std::vector<Match> fits;
-  for (std::size_t a = 0; a < former.plan.patches.size(); ++a) {
-    for (std::size_t b = 0; b < fresh.plan.patches.size(); ++b) {
-      const Undercut &one = former.plan.patches[a].undercut, &other = fresh.plan.patches[b].undercut;
+  for (std::size_t i = 0; i < a.plan.patches.size(); ++i) {
+    for (std::size_t j = 0; j < b.plan.patches.size(); ++j) {
+      const Undercut &one = a.plan.patches[i].undercut, &other = b.plan.patches[j].undercut;
       const double apart = glm::distance(one.centre, other.centre);
-      if (apart <= 0.5 * std::min(size_of(one), size_of(other))) fits.push_back({a, b, -apart});
+      if (apart <= 0.5 * std::min(size_of(one), size_of(other))) fits.push_back({i, j, -apart});
     }
   }
   return fits;
 }
 
-/// The matched ones of the former part, then what of the new part is taken by none.
+/// The matched ones of A, then what of B is taken by none.
 template <typename Kind>
-std::vector<MatchedChange> changes_of(const std::vector<std::optional<std::size_t>>& of_former,
+std::vector<MatchedChange> changes_of(const std::vector<std::optional<std::size_t>>& of_a,
                                       const std::vector<bool>& taken, const Kind& kind) {
   std::vector<MatchedChange> changes;
-  for (std::size_t a = 0; a < of_former.size(); ++a)
-    changes.push_back({of_former[a] ? kind(a, *of_former[a]) : ChangeKind::gone, a, of_former[a]});
-  for (std::size_t b = 0; b < taken.size(); ++b)
-    if (!taken[b]) changes.push_back({ChangeKind::fresh, std::nullopt, b});
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    changes.push_back({of_a[i] ? kind(i, *of_a[i]) : ChangeKind::gone, i, of_a[i]});
+  for (std::size_t j = 0; j < taken.size(); ++j)
+    if (!taken[j]) changes.push_back({ChangeKind::added, std::nullopt, j});
   return changes;
 }
 
@@ -112,16 +110,16 @@ std::string_view change_name(ChangeKind kind) {
   return k_names[static_cast<std::size_t>(kind)];
 }
 
-std::vector<MatchedChange> match_undercuts(const PlannedSide& former, const PlannedSide& fresh,
+std::vector<MatchedChange> match_undercuts(const PlannedSide& a, const PlannedSide& b,
                                            const SurfaceChange& surface) {
-  std::vector<std::optional<std::size_t>> of_former(former.plan.patches.size());
-  std::vector<bool> taken(fresh.plan.patches.size(), false);
-  match_best(shared_surface(former, fresh, surface), of_former, taken);
-  match_best(near_centres(former, fresh), of_former, taken);
-  const Touched touched = touched_patches(former, fresh, surface);
-  return changes_of(of_former, taken, [&](std::size_t a, std::size_t b) {
-    if (!touched.former[a] && !touched.fresh[b]) return ChangeKind::same;
-    const Undercut &one = former.plan.patches[a].undercut, &other = fresh.plan.patches[b].undercut;
+  std::vector<std::optional<std::size_t>> of_a(a.plan.patches.size());
+  std::vector<bool> taken(b.plan.patches.size(), false);
+  match_best(shared_surface(a, b, surface), of_a, taken);
+  match_best(near_centres(a, b), of_a, taken);
+  const Touched touched = touched_undercuts(a, b, surface);
+  return changes_of(of_a, taken, [&](std::size_t i, std::size_t j) {
+    if (!touched.a[i] && !touched.b[j]) return ChangeKind::same;
+    const Undercut &one = a.plan.patches[i].undercut, &other = b.plan.patches[j].undercut;
     // A rim as wide as the tolerance around it.
     const double rim = 2.0 * surface.tolerance.apart * (one.size_across + one.size_along);
     if (std::abs(other.area - one.area) <= rim) return ChangeKind::same;
@@ -129,33 +127,33 @@ std::vector<MatchedChange> match_undercuts(const PlannedSide& former, const Plan
   });
 }
 
-std::vector<MatchedChange> match_actions(const PlannedSide& former, const PlannedSide& fresh,
+std::vector<MatchedChange> match_actions(const PlannedSide& a, const PlannedSide& b,
                                          const std::vector<MatchedChange>& undercuts,
                                          const SurfaceChange& surface) {
-  std::vector<std::optional<std::size_t>> now(former.plan.patches.size());
+  std::vector<std::optional<std::size_t>> now(a.plan.patches.size());
   for (const MatchedChange& undercut : undercuts)
-    if (undercut.former) now[*undercut.former] = undercut.fresh;
-  const auto& actions_a = former.plan.actions;
-  const auto& actions_b = fresh.plan.actions;
+    if (undercut.a) now[*undercut.a] = undercut.b;
+  const auto& actions_a = a.plan.actions;
+  const auto& actions_b = b.plan.actions;
   std::vector<Match> fits;
-  for (std::size_t a = 0; a < actions_a.size(); ++a) {
-    for (std::size_t b = 0; b < actions_b.size(); ++b) {
+  for (std::size_t i = 0; i < actions_a.size(); ++i) {
+    for (std::size_t j = 0; j < actions_b.size(); ++j) {
       double shared = 0.0;
-      for (const std::size_t patch : actions_a[a].patches)
-        if (now[patch] && std::ranges::count(actions_b[b].patches, *now[patch]) > 0)
-          shared += former.plan.patches[patch].undercut.area;
+      for (const std::size_t undercut : actions_a[i].patches)
+        if (now[undercut] && std::ranges::count(actions_b[j].patches, *now[undercut]) > 0)
+          shared += a.plan.patches[undercut].undercut.area;
       if (shared <= 0.0) continue;
       // Of several actions of one undercut those alike belong together.
-      const double alike = glm::dot(actions_a[a].direction, actions_b[b].direction) +
-                           (actions_a[a].kind == actions_b[b].kind ? 3.0 : 0.0);
-      fits.push_back({a, b, shared * (5.0 + alike)});
+      const double alike = glm::dot(actions_a[i].direction, actions_b[j].direction) +
+                           (actions_a[i].kind == actions_b[j].kind ? 3.0 : 0.0);
+      fits.push_back({i, j, shared * (5.0 + alike)});
     }
   }
-  std::vector<std::optional<std::size_t>> of_former(actions_a.size());
+  std::vector<std::optional<std::size_t>> of_a(actions_a.size());
   std::vector<bool> taken(actions_b.size(), false);
-  match_best(std::move(fits), of_former, taken);
-  return changes_of(of_former, taken, [&](std::size_t a, std::size_t b) {
-    const SideAction &one = actions_a[a], &other = actions_b[b];
+  match_best(std::move(fits), of_a, taken);
+  return changes_of(of_a, taken, [&](std::size_t i, std::size_t j) {
+    const SideAction &one = actions_a[i], &other = actions_b[j];
     const double angle_deg =
         glm::degrees(std::acos(std::clamp(glm::dot(one.direction, other.direction), -1.0, 1.0)));
     const double allowed =

@@ -11,14 +11,14 @@
 namespace moldlight {
 
 /// Changed: of a side action, another kind, direction or travel.
-enum class ChangeKind : std::uint8_t { same, fresh, gone, grown, shrunk, changed };
+enum class ChangeKind : std::uint8_t { same, added, gone, grown, shrunk, changed };
 [[nodiscard]] std::string_view change_name(ChangeKind kind);
 
-/// One of the former part and one of the new part, numbers among the patches or actions of their plans; none
+/// One of A and one of B, numbers among the undercuts or actions of their plans; none
 /// where it is new or gone.
 struct MatchedChange {
   ChangeKind kind = ChangeKind::same;
-  std::optional<std::size_t> former, fresh;
+  std::optional<std::size_t> a, b;
 };
 
 /// A side of the comparison with its plan.
@@ -29,13 +29,13 @@ struct PlannedSide {
 
 /// Undercuts with the most surface in common are one; then those whose centres are within half their size.
 /// Grown and shrunk are reported only where surface or regions changed on them, beyond the tolerance. All of
-/// the former part's, in its order, then what is new.
-[[nodiscard]] std::vector<MatchedChange> match_undercuts(const PlannedSide& former, const PlannedSide& fresh,
+/// A's, in its order, then what is new.
+[[nodiscard]] std::vector<MatchedChange> match_undercuts(const PlannedSide& a, const PlannedSide& b,
                                                          const SurfaceChange& surface);
 
 /// Actions that release the same undercuts are one; the same if their kind is, directions are within 2
 /// degrees, and travels within the tolerance and what the tessellations may be off, or 1 %.
-[[nodiscard]] std::vector<MatchedChange> match_actions(const PlannedSide& former, const PlannedSide& fresh,
+[[nodiscard]] std::vector<MatchedChange> match_actions(const PlannedSide& a, const PlannedSide& b,
                                                        const std::vector<MatchedChange>& undercuts,
                                                        const SurfaceChange& surface);
 

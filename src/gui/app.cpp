@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
 #include "gui/store/files.hpp"
 #include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "classify/write_outputs.hpp"
+#include "classify/classify_report.hpp"
 #include "gui/app_state.hpp"
 #include "gui/input.hpp"
 
@@ -23,7 +23,7 @@ struct MoldPaths {
 };
 
 /// Everything that the window can be asked to do beside changing a value. What each touches stands in
-/// part_commands.cpp, mold_commands.cpp and app_revisions.cpp.
+/// part_commands.cpp and app_revisions.cpp.
 struct Commands {
   App& app;
 

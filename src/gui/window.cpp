@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -14,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
 #include "gl/headless_backends.hpp"

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/progress.hpp"
+#include "classify/json.hpp"
 #include "gui/store/part_notes.hpp"
 #include "io/read_options.hpp"
 
@@ -18,7 +19,7 @@ struct WindowOptions {
   ReadOptions reading;
   std::optional<PartNotes> notes;  // settings given on the command line
   /// Keys of window_options() given there, with their values: they hold this time, and are not remembered.
-  nlohmann::ordered_json window = nlohmann::ordered_json::object();
+  Json window = Json::object();
 };
 
 /// Runs until the window is closed, or `progress` cancelled: then it saves what is to be remembered and

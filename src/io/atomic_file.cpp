@@ -18,7 +18,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "io/digest.hpp"
+#include "io/file_contents.hpp"
 
 namespace moldlight {
 

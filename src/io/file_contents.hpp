@@ -1,16 +1,56 @@
 // A whole file in memory, and whether there is memory for what is made of it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "base/progress.hpp"
 
 namespace moldlight {
+
+/// Owns what ::open() and the like return: movable, none (-1) when default-constructed or moved from.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  /// Negative where there is none.
+  [[nodiscard]] int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_ = -1;
+};
+
+/// Both ends of a pipe, which programs that are started do not have; none for the reason in errno.
+struct Pipe {
+  Pipe() {
+    std::array<int, 2> ends = {-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    reading = Descriptor(ends[0]);
+    writing = Descriptor(ends[1]);
+  }
+  Descriptor reading, writing;
+};
 
 /// The first bytes of a file, and how many it has in all.
 struct FileBeginning {
@@ -42,5 +82,29 @@ class FileContents {
 /// Throws FileError for `path` where `bytes`, about to be taken, are not there: a system that lends
 /// more than it has would end the program later, without a word. Cheap for small amounts.
 void check_memory(const std::string& path, std::uint64_t bytes);
+
+using Digest = std::array<std::uint8_t, 32>;
+
+struct DigestHash {
+  [[nodiscard]] std::size_t operator()(const Digest& digest) const {
+    std::size_t value;
+    std::memcpy(&value, digest.data(), sizeof(value));
+    return value;
+  }
+};
+
+[[nodiscard]] Digest digest_of(std::string_view bytes);
+
+struct FileDigest {
+  Digest digest{};
+  int error = 0;  // errno where the file cannot be read; 0: it was
+};
+/// Of a regular file's content; throws Cancelled.
+[[nodiscard]] FileDigest digest_of_file(const std::string& path, const Progress& progress);
+
+/// 64 hexadecimal digits in lower case.
+[[nodiscard]] std::string hex_of(const Digest& digest);
+/// Nothing for what is no such text.
+[[nodiscard]] std::optional<Digest> digest_from(std::string_view hex);
 
 }  // namespace moldlight

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/read_context.hpp"
+#include "base/progress.hpp"
+#include "io/read_options.hpp"
+#include "io/readers.hpp"
 #include "mesh/part.hpp"
 
 namespace moldlight {
@@ -37,5 +39,10 @@ struct PartFormat {
 
 /// The name's extension in lower case without the dot; empty where there is none.
 [[nodiscard]] std::string lower_extension(const std::string& path);
+
+/// Reads a part file of any known format; equal vertices are welded, no facet is dropped or reordered unless
+/// the options choose a body or ask for a full repair (Part::file_facets has them then). Throws FileError
+/// that names the place for a file that is unreadable, damaged or holds no facets, Cancelled when asked to.
+[[nodiscard]] Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress);
 
 }  // namespace moldlight

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_context.hpp"
+#include "io/readers.hpp"
 
 namespace moldlight {
 

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "io/read_context.hpp"
+#include "io/readers.hpp"
 #include "mesh/part.hpp"
 
 namespace moldlight {

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 
 #include "base/error.hpp"
-#include "io/descriptor.hpp"
+#include "io/file_contents.hpp"
 #include "io/readers.hpp"
 #include "io/step_result.hpp"
 #include "io/text_scanner.hpp"

@@ -6,7 +6,6 @@
 #include "io/text_scanner.hpp"
 #include "io/threemf_model.hpp"
 #include "io/xml_parser.hpp"
-#include "io/zip_archive.hpp"
 #include "mesh/weld.hpp"
 
 namespace moldlight {

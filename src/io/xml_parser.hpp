@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/read_context.hpp"
+#include "io/readers.hpp"
 
 struct XML_ParserStruct;
 

@@ -12,7 +12,6 @@
 #include <glm/vector_relational.hpp>
 
 #include "mesh/adjacency.hpp"
-#include "mesh/edge_table.hpp"
 
 namespace moldlight {
 

@@ -1,7 +1,8 @@
-// A part as read from a file: its mesh and what the file says about it.
+// A part as read from a file: its mesh and what the file says about it; one body of it, or another unit.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -32,5 +33,18 @@ struct Part {
   std::size_t chosen_body = 0;                // its number among them, from 1; 0: all were taken
   double effort = 1.0;                        // times the usual work that its exact regions may take, >= 1
 };
+
+/// The part reduced to one body, or the part itself for "all". `selector` is a body's number in the list,
+/// from 1, or its name. Throws UsageError that lists the bodies for a number or name that is not there or not
+/// the only one.
+[[nodiscard]] Part select_body(Part part, std::string_view selector);
+
+/// Body `index` (from 0) of the part as a part of its own. file_facets has which facets of the file it has,
+/// chosen_body and file_bodies from among which bodies it comes.
+[[nodiscard]] Part extract_body(const Part& part, std::size_t index);
+
+/// Brings the part to `unit` ("mm", "in", …): its lengths are converted where the part names another unit,
+/// and only named where it names none. Throws UsageError for an unknown unit.
+void set_unit(Part& part, std::string_view unit);
 
 }  // namespace moldlight

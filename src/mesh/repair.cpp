@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "mesh/length_unit.hpp"
-#include "mesh/repair_steps.hpp"
 #include "mesh/weld.hpp"
 
 namespace moldlight {

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "mesh/defect_edges.hpp"
+#include "mesh/health.hpp"
 #include "mold/draft.hpp"
-#include "mold/patches.hpp"
 
 namespace moldlight {
 
 namespace {
+
+constexpr double k_least_share = 1e-5;  // of the part's area
+constexpr double k_large_share = 1e-3;  // of the part's area
+constexpr auto k_undercut = static_cast<std::size_t>(Region::undercut);
 
 constexpr double k_unit_roundoff = 0x1p-53;
 constexpr double k_border_error = 1e-12;  // e
@@ -44,6 +48,53 @@ double faulty_area(const TriangleMesh& mesh, const HealthReport& health) {
 }
 
 }  // namespace
+
+FacetUndercuts facet_undercuts(const FacetFractions& facet_fractions, const FacetGeometry& geometry,
+                               const Adjacency& adjacency) {
+  const auto belongs = [&](FacetIndex facet) {
+    const double share = facet_fractions[facet][k_undercut];
+    return share >= 0.5 || share * geometry.areas[facet] >= k_large_share * geometry.total_area;
+  };
+  FacetUndercuts undercuts;
+  undercuts.of_facet.assign(facet_fractions.size(), k_no_facet);
+  std::vector<FacetIndex> queue;
+  for (FacetIndex seed = 0; seed < facet_fractions.size(); ++seed) {
+    if (undercuts.of_facet[seed] != k_no_facet || !belongs(seed)) continue;
+    const auto undercut = static_cast<FacetIndex>(undercuts.areas.size());
+    double area = 0.0;
+    queue.assign(1, seed);
+    undercuts.of_facet[seed] = undercut;
+    while (!queue.empty()) {
+      const FacetIndex facet = queue.back();
+      queue.pop_back();
+      area += geometry.areas[facet] * facet_fractions[facet][k_undercut];
+      for (const FacetIndex next : adjacency.across[facet]) {
+        if (next == k_no_facet || undercuts.of_facet[next] != k_no_facet || !belongs(next)) continue;
+        undercuts.of_facet[next] = undercut;
+        queue.push_back(next);
+      }
+    }
+    undercuts.areas.push_back(area);
+  }
+
+  std::vector<FacetIndex> order(undercuts.areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](FacetIndex a, FacetIndex b) { return undercuts.areas[a] > undercuts.areas[b]; });
+  std::vector<FacetIndex> number(order.size(), k_no_facet);
+  std::vector<double> areas;
+  for (const FacetIndex undercut : order) {
+    if (undercuts.areas[undercut] < k_least_share * geometry.total_area) break;
+    number[undercut] = static_cast<FacetIndex>(areas.size());
+    areas.push_back(undercuts.areas[undercut]);
+  }
+  for (FacetIndex& undercut : undercuts.of_facet) {
+    if (undercut != k_no_facet) undercut = number[undercut];
+  }
+  undercuts.areas = std::move(areas);
+  undercuts.count = undercuts.areas.size();
+  return undercuts;
+}
 
 PartErrors part_errors(const TriangleMesh& mesh, const FacetGeometry& geometry, const HealthReport& health,
                        const UnitFrame& frame) {
@@ -80,19 +131,19 @@ double mesh_doubt(const ExactPart& part, const ExactAreas& areas, const Adjacenc
   const double gap = std::abs(areas.projected_core - areas.projected_cavity);
   double doubt = errors.faulty_area + (gap > errors.shadow_gap + areas.projected_doubt ? gap : 0.0);
   if (part.any_crossings()) {
-    const UndercutPatches patches = undercut_patches(areas.facet_fractions, part.geometry(), adjacency);
-    std::vector<bool> is_crossed(patches.count, false);
-    for (FacetIndex facet = 0; facet < patches.of_facet.size(); ++facet) {
+    const FacetUndercuts undercuts = facet_undercuts(areas.facet_fractions, part.geometry(), adjacency);
+    std::vector<bool> is_crossed(undercuts.count, false);
+    for (FacetIndex facet = 0; facet < undercuts.of_facet.size(); ++facet) {
       if (part.crossings(facet).empty()) continue;
-      if (patches.of_facet[facet] != k_no_facet) {
-        is_crossed[patches.of_facet[facet]] = true;
+      if (undercuts.of_facet[facet] != k_no_facet) {
+        is_crossed[undercuts.of_facet[facet]] = true;
       } else {
         doubt += part.geometry().areas[facet] *
                  areas.facet_fractions[facet][static_cast<std::size_t>(Region::undercut)];
       }
     }
-    for (std::size_t patch = 0; patch < patches.count; ++patch) {
-      if (is_crossed[patch]) doubt += patches.areas[patch];
+    for (std::size_t undercut = 0; undercut < undercuts.count; ++undercut) {
+      if (is_crossed[undercut]) doubt += undercuts.areas[undercut];
     }
   }
   return std::min(doubt, part.geometry().total_area);

@@ -1,11 +1,26 @@
 // How far areas by exact regions may be off: by rounding, and by what is wrong with the mesh.
 #pragma once
 
+#include <vector>
+
 #include "mesh/adjacency.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "mold/exact/exact_regions.hpp"
+#include "mold/region.hpp"
 
 namespace moldlight {
+
+/// Facets of which at least half is undercut, or as much as a 1000th of the part's area (of a coarse mesh's
+/// large facets), connected across shared edges. Undercuts of less than a 100,000th of the part's area are
+/// left out.
+struct FacetUndercuts {
+  std::size_t count = 0;
+  std::vector<FacetIndex> of_facet;  // undercut number, largest undercut first; k_no_facet outside
+  std::vector<double> areas;         // area of each, model units squared
+};
+[[nodiscard]] FacetUndercuts facet_undercuts(const FacetFractions& facet_fractions,
+                                             const FacetGeometry& geometry, const Adjacency& adjacency);
 
 // Rounding, in the unit frame (diagonal 1) with u = 2^-53. A vertex that was moved there and turned is off by
 // at most 8 u; cuts nearer to each other than 1e-13 are one, and a region is known with a tolerance of 1e-12.

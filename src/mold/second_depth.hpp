@@ -10,7 +10,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "mesh/edges.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
 #include "mold/draft.hpp"

@@ -8,8 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
-#include "io/digest.hpp"
+#include "io/file_contents.hpp"
 #include "io/png.hpp"
 
 namespace moldlight::page {

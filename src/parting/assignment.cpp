@@ -10,12 +10,11 @@
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
-#include "mesh/edges.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/union_find.hpp"
-#include "parting/assigned_facets.hpp"
-#include "parting/height_cut.hpp"
-#include "parting/line_cost.hpp"
 #include "parting/min_cut.hpp"
+#include "parting/mold_settings.hpp"
+#include "parting/piece_edges.hpp"
 
 namespace moldlight {
 
@@ -30,7 +29,7 @@ constexpr double k_height_weight = 4.0;
 /// What a user asks for outweighs lengths of line: a height that is given, and faces that are.
 constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
 /// Undercuts of less than this share of the part's area are left to either half.
-constexpr double k_patch_floor = 1e-5;
+constexpr double k_undercut_floor = 1e-5;
 constexpr std::size_t k_most_heights = 10;
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Reverse draft below this is rounding.
@@ -207,7 +206,7 @@ std::vector<std::uint8_t> action_pieces(const PartModel& model, const Assignment
   }
   const double lateral = query.lateral * model.frame.diagonal;
   const double floor =
-      std::max(k_patch_floor * model.geometry.total_area, std::numbers::pi * lateral * lateral);
+      std::max(k_undercut_floor * model.geometry.total_area, std::numbers::pi * lateral * lateral);
   std::vector<std::uint8_t> found(mesh.pieces.size(), 0);
   for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece)
     found[piece] = hidden(piece) && areas[joined.find(piece)] > floor ? 1 : 0;

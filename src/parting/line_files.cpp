@@ -12,7 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/part_formats.hpp"
 #include "mesh/length_unit.hpp"
-#include "parting/mold_frame.hpp"
+#include "parting/mold_halves.hpp"
 
 namespace moldlight {
 

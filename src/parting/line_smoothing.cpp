@@ -1,15 +1,14 @@
 #include "parting/line_smoothing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "mesh/nearest_in_triangle.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "parting/line_cost.hpp"
+#include "parting/piece_edges.hpp"
 
 namespace moldlight {
 

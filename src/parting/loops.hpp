@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "parting/assignment.hpp"
@@ -37,6 +38,10 @@ struct PartingLoop {
   double smoothed_climb = 0.0;   // by which up_and_down became less
 
   [[nodiscard]] double climb() const { return high - low; }
+  /// No longer than a circle as wide as the lateral tolerance: tables have one row for all of these.
+  [[nodiscard]] bool tiny(double lateral_tolerance) const {
+    return length <= std::numbers::pi * lateral_tolerance;
+  }
 };
 
 /// Euler characteristics, exact. A side's surface counts with its border; where the surface of a side touches

@@ -8,17 +8,16 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "mesh/defect_edges.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "mesh/health.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "parting/assigned_facets.hpp"
 #include "parting/halves/depth_columns.hpp"
-#include "parting/halves/half_checks.hpp"
 #include "parting/halves/parting_surface.hpp"
+#include "parting/halves/tidy_solid.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/mold_settings.hpp"
 #include "parting/part_sheets.hpp"
-#include "parting/upright_walls.hpp"
 
 namespace moldlight {
 

@@ -11,6 +11,10 @@ namespace moldlight {
 /// Keys are relative to "/assignment", to "/loops/k", and to the report itself.
 [[nodiscard]] std::span<const FigureRow<Assignment>> assignment_figures();
 [[nodiscard]] std::span<const FigureRow<PartingLoop>> loop_figures();
+/// Below "/euler".
+[[nodiscard]] std::span<const FigureRow<EulerCheck>> euler_figures();
+/// Of each body as it is written.
+[[nodiscard]] std::span<const FigureRow<WrittenBody>> written_figures();
 /// Of halves that were made.
 [[nodiscard]] std::span<const FigureRow<MoldHalves>> halves_figures();
 

@@ -12,8 +12,8 @@
 
 #include "base/error.hpp"
 #include "io/solid_writer.hpp"
+#include "mesh/facet_geometry.hpp"
 #include "parting/halves/tidy_solid.hpp"
-#include "parting/halves/uncross.hpp"
 
 namespace moldlight {
 
@@ -67,8 +67,7 @@ bool in_lid(const TriangleMesh& mesh, FacetIndex facet, const glm::dvec3& lid, d
 double fold_of(const TriangleMesh& mesh, const glm::dvec3& lid, double rectangle) {
   double facing = 0.0, away = 0.0;
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const double seen = 0.5 * glm::dot(lid, glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
-                                                       mesh.corner(facet, 2) - mesh.corner(facet, 0)));
+    const double seen = 0.5 * glm::dot(lid, twice_area_vector(mesh, facet));
     (seen > 0.0 ? facing : away) += std::abs(seen);
   }
   return std::max(std::abs(facing - rectangle), std::abs(away - rectangle)) / rectangle;
@@ -79,8 +78,7 @@ glm::dvec3 folded_at(const TriangleMesh& mesh, const glm::dvec3& lid, double top
   double most = -INFINITY;
   glm::dvec3 place(0.0);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const double seen = glm::dot(lid, glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
-                                                 mesh.corner(facet, 2) - mesh.corner(facet, 0)));
+    const double seen = glm::dot(lid, twice_area_vector(mesh, facet));
     if (seen <= most || in_lid(mesh, facet, lid, top)) continue;
     most = seen;
     place = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
@@ -92,8 +90,7 @@ glm::dvec3 folded_at(const TriangleMesh& mesh, const glm::dvec3& lid, double top
 double leaning_of(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
   double leaning = 0.0, all = 0.0;
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    const glm::dvec3 normal = glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
-                                         mesh.corner(facet, 2) - mesh.corner(facet, 0));
+    const glm::dvec3 normal = twice_area_vector(mesh, facet);
     const double area = glm::length(normal);
     all += area;
     const bool leans = glm::dot(normal, lid) > k_leaning_sine * area;
@@ -133,8 +130,7 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     double rectangle = 0.0;
     for (FacetIndex facet = 0; facet < half.mesh.facets.size(); ++facet) {
       if (in_lid(half.mesh, facet, lid, top))
-        rectangle += 0.5 * glm::dot(lid, glm::cross(half.mesh.corner(facet, 1) - half.mesh.corner(facet, 0),
-                                                    half.mesh.corner(facet, 2) - half.mesh.corner(facet, 0)));
+        rectangle += 0.5 * glm::dot(lid, twice_area_vector(half.mesh, facet));
     }
     half.undercut = rectangle > 0.0 ? fold_of(half.mesh, lid, rectangle) : 1.0;
     half.leaning = leaning_of(half.mesh, lid, top);

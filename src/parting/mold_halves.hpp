@@ -9,17 +9,37 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/surface_figures.hpp"
 #include "parting/loops.hpp"
-#include "parting/mold_frame.hpp"
 #include "parting/mold_settings.hpp"
 
 namespace moldlight {
+
+/// Right-handed orthonormal axes.
+struct MoldFrame {
+  glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+
+  [[nodiscard]] glm::dvec3 to_mold(const glm::dvec3& part) const {
+    return {glm::dot(part, x), glm::dot(part, y), glm::dot(part, z)};
+  }
+  [[nodiscard]] glm::dvec3 to_part(const glm::dvec3& mold) const {
+    return mold.x * x + mold.y * y + mold.z * z;
+  }
+};
+
+/// For a unit direction. Along an axis of the part the mold's axes are the part's, in another order, so that
+/// coordinates stay what they are to the bit.
+[[nodiscard]] MoldFrame mold_frame(const glm::dvec3& direction);
+
+/// 0, 1, 2 where the direction is along that axis of the part, either way; else -1.
+[[nodiscard]] int axis_of(const glm::dvec3& direction);
 
 /// A solid of the mold, in the mold's frame about the part's centre, in the part's unit, with the shrinkage.
 struct MoldBody {

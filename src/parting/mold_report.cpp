@@ -12,14 +12,12 @@
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "parting/mold_figures.hpp"
 
 namespace moldlight {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json loop_json(const PartingLoop& loop) {
   Json json = {{"kind", loop_name(loop.kind)}};
@@ -29,38 +27,10 @@ Json loop_json(const PartingLoop& loop) {
   return json;
 }
 
-/// A number of each side.
-template <typename Value>
-Json of_sides(const Value& value) {
-  Json json;
-  for (const MoldSide side : k_mold_sides) json[std::string(side_name(side))] = value(side);
-  return json;
-}
-
-Json euler_json(const EulerCheck& euler) {
-  return {{"part", euler.part},
-          {"core", euler.core},
-          {"cavity", euler.cavity},
-          {"action", euler.action},
-          {"touching", euler.touching},
-          {"sums", euler.sums()},
-          {"bodies", euler.bodies},
-          {"core_pieces", euler.core_pieces},
-          {"cavity_pieces", euler.cavity_pieces},
-          {"action_pieces", euler.action_pieces},
-          {"borders", of_sides([&](MoldSide side) { return euler.borders[static_cast<std::size_t>(side)]; })},
-          {"handles", of_sides([&](MoldSide side) { return euler.twice_handles(side) / 2; })},
-          {"accounted", euler.accounted()},
-          {"loops", euler.loops},
-          {"expected_loops", euler.expected_loops},
-          {"genus", euler.genus}};
-}
-
 Json body_json(const WrittenBody& body) {
-  return {{"file", body.file.empty() ? Json() : Json(body.file)},
-          {"volume", body.volume},
-          {"closed", body.closed},
-          {"crowded_edges", body.nonmanifold_edges}};
+  Json json = {{"file", body.file.empty() ? Json() : Json(body.file)}};
+  put_figures(found_figures(written_figures(), body), json);
+  return json;
 }
 
 Json half_json(const WrittenBody& written, const MoldBody& body) {
@@ -303,7 +273,7 @@ std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& 
   return lines;
 }
 
-nlohmann::ordered_json mold_json(const MoldReport& report) {
+Json mold_json(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, pieces] = report;
   Json json;
   json["schema"] = "moldlight.mold/2";
@@ -314,7 +284,7 @@ nlohmann::ordered_json mold_json(const MoldReport& report) {
   json["settings"] = options_json(method_options(), query.method);
   json["settings"].update(options_json(mold_options(), settings));
   put_figures(found_figures(assignment_figures(), assignment), json["assignment"]);
-  json["euler"] = euler_json(line.euler);
+  put_figures(found_figures(euler_figures(), line.euler), json["euler"]);
   json["loops"] = Json::array();
   for (const PartingLoop& loop : line.loops) json["loops"].push_back(loop_json(loop));
   add_halves(report, json);

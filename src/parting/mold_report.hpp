@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "classify/json.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/mold_pieces.hpp"
@@ -47,7 +46,7 @@ struct MoldReport {
 
 /// Schema `moldlight.mold/2`, without its verdict. Lengths and areas are in the part's unit, angles in
 /// degrees.
-[[nodiscard]] nlohmann::ordered_json mold_json(const MoldReport& report);
+[[nodiscard]] Json mold_json(const MoldReport& report);
 
 /// What a toolmaker wants to know of the halves beside their figures, with its place: a sentence each.
 [[nodiscard]] std::vector<std::string> halves_remarks(const MoldReport& report);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "classify/option.hpp"
+#include "classify/part_model.hpp"
 
 namespace moldlight {
 
@@ -50,5 +51,10 @@ void validate(const MoldSettings& settings, double diagonal);
 
 /// Margin of a block around a part of this diagonal, both in the same unit.
 [[nodiscard]] double block_margin(const MoldSettings& settings, double diagonal);
+
+enum class FacetWish : std::uint8_t { none, core, cavity };
+
+/// One a facet, from the settings' cosmetic faces. Throws UsageError for faces that the part has not.
+[[nodiscard]] std::vector<FacetWish> assigned_facets(const PartModel& model, const MoldSettings& settings);
 
 }  // namespace moldlight

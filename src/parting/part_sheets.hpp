@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "mold/exact/split_mesh.hpp"
-#include "parting/assigned_facets.hpp"
 #include "parting/halves/assigned_walls.hpp"
-#include "parting/halves/mold_fault.hpp"
 #include "parting/halves/sheets.hpp"
-#include "parting/mold_frame.hpp"
+#include "parting/mold_halves.hpp"
+#include "parting/mold_settings.hpp"
 
 namespace moldlight {
 
@@ -52,5 +52,10 @@ struct HandWalls {
 
 /// Where the ends of the sheets `upper` and `lower` do not sum up to nothing over a segment.
 [[nodiscard]] std::optional<MoldFault> residual(const Sheets& sheets, double diagonal);
+
+/// The mesh with these walls exactly upright, its facets in their order: vertices move across the direction
+/// alone, by less than 2e-5 of the diagonal. None where all such walls stand upright already, or cannot.
+[[nodiscard]] std::optional<TriangleMesh> with_upright_walls(const TriangleMesh& mesh,
+                                                             const SheetFrame& frame);
 
 }  // namespace moldlight

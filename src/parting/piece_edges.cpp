@@ -1,7 +1,9 @@
 #include "parting/piece_edges.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -72,6 +74,60 @@ glm::dvec3 twice_piece_area(const SplitMesh& mesh, PieceIndex piece) {
   const auto& corners = mesh.pieces[piece].corners;
   const glm::dvec3& a = mesh.vertices[corners[0]];
   return glm::cross(mesh.vertices[corners[1]] - a, mesh.vertices[corners[2]] - a);
+}
+
+void cut_at_height(SplitMesh& mesh, std::vector<std::uint8_t>& free, const HeightCut& cut) {
+  std::vector<double> above(mesh.vertices.size());
+  for (std::size_t k = 0; k < above.size(); ++k) {
+    above[k] = glm::dot(mesh.vertices[k], cut.direction) - cut.height;
+    if (std::abs(above[k]) <= cut.tolerance) above[k] = 0.0;
+  }
+  const auto crosses = [&](VertexIndex a, VertexIndex b) { return above[a] * above[b] < 0.0; };
+  std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> middle;
+  for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece) {
+    if (free[piece] == 0) continue;
+    const auto& corners = mesh.pieces[piece].corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexIndex a = corners[k], b = corners[(k + 1) % 3];
+      if (!crosses(a, b)) continue;
+      const auto [low, high] = std::minmax(a, b);
+      const auto [entry, added] =
+          middle.try_emplace({low, high}, static_cast<VertexIndex>(mesh.vertices.size()));
+      if (!added) continue;
+      const double share = above[low] / (above[low] - above[high]);
+      mesh.vertices.push_back(mesh.vertices[low] + share * (mesh.vertices[high] - mesh.vertices[low]));
+    }
+  }
+  const auto middle_of = [&](VertexIndex a, VertexIndex b) {
+    const auto found = middle.find(std::minmax(a, b));
+    return found == middle.end() ? k_no_facet : found->second;
+  };
+  const std::size_t count = mesh.pieces.size();
+  for (std::size_t piece = 0; piece < count; ++piece) {
+    const SplitPiece whole = mesh.pieces[piece];
+    // A polygon of three to five corners.
+    std::vector<VertexIndex> outline;
+    for (std::size_t k = 0; k < 3; ++k) {
+      outline.push_back(whole.corners[k]);
+      const VertexIndex on_side = middle_of(whole.corners[k], whole.corners[(k + 1) % 3]);
+      if (on_side != k_no_facet) outline.push_back(on_side);
+    }
+    if (outline.size() == 3) continue;
+    // A fan from the new vertex runs along the cut where the other new one is the next but one.
+    const auto is_new = [&](std::size_t k) { return outline[k] >= above.size(); };
+    while (!is_new(0) || (outline.size() == 5 && !is_new(2)))
+      std::rotate(outline.begin(), outline.begin() + 1, outline.end());
+    for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+      SplitPiece part = whole;
+      part.corners = {outline[0], outline[k], outline[k + 1]};
+      if (k == 1) {
+        mesh.pieces[piece] = part;
+      } else {
+        mesh.pieces.push_back(part);
+        free.push_back(free[piece]);
+      }
+    }
+  }
 }
 
 }  // namespace moldlight

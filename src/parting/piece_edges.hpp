@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "mold/exact/split_mesh.hpp"
@@ -41,5 +43,22 @@ struct PieceEdges {
 
 /// Along the outward normal, as long as twice the area.
 [[nodiscard]] glm::dvec3 twice_piece_area(const SplitMesh& mesh, PieceIndex piece);
+
+/// Along `direction` (unit), in the part's coordinates; ends nearer than `tolerance` are not cut off.
+struct HeightCut {
+  glm::dvec3 direction{0, 0, 1};
+  double height = 0.0;
+  double tolerance = 0.0;
+};
+
+/// The mesh stays conforming: neighbours of what is cut are cut at the shared edges. `free` is kept one entry
+/// a piece.
+void cut_at_height(SplitMesh& mesh, std::vector<std::uint8_t>& free, const HeightCut& cut);
+
+/// Of a straight piece: its length, and three times as much for what of it climbs along the unit direction.
+[[nodiscard]] inline double line_cost(const glm::dvec3& piece, const glm::dvec3& direction) {
+  constexpr double k_climb_weight = 3.0;
+  return glm::length(piece) + k_climb_weight * std::abs(glm::dot(piece, direction));
+}
 
 }  // namespace moldlight

@@ -12,7 +12,6 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
 #include "picture/letters.hpp"
 
 namespace moldlight {

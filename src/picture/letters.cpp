@@ -7,7 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 
 namespace moldlight {
 

@@ -2,13 +2,59 @@
 // face it and cover the cone.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "proof/proof_part.hpp"
-#include "proof/swept_region.hpp"
+#include <glm/vec3.hpp>
+
+#include "mesh/adjacency.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mold/exact_rays.hpp"
 
 namespace moldlight {
+
+/// Everything must outlive the proof. Adjacency, geometry and rays are those of the mesh.
+struct ProofPart {
+  const TriangleMesh& mesh;
+  const FacetGeometry& geometry;
+  const Adjacency& adjacency;
+  const std::vector<glm::dvec3>& positions;  // of the vertices, unit frame
+  const ExactRays& rays;
+};
+
+/// Rays start within `radius` of `points` (one, or the corners of a triangle) or between them; their
+/// directions are the positive combinations of `directions`, three to eight unit vectors that span a convex
+/// cone counter-clockwise seen from outside, narrower than a half-space. Unit frame.
+struct RayBundle {
+  std::span<const glm::dvec3> points;
+  double radius = 0.0;
+  std::span<const glm::dvec3> directions;
+  glm::dvec3 centre{0, 0, 1};  // unit, within the cone
+};
+
+/// Contains every point that a ray of the bundle meets, and a little more.
+class SweptRegion {
+ public:
+  explicit SweptRegion(const RayBundle& bundle);
+
+  /// True if some of the line from `a` to `b` may lie inside.
+  [[nodiscard]] bool meets(const glm::dvec3& a, const glm::dvec3& b) const;
+
+ private:
+  void add(const RayBundle& bundle, const glm::dvec3& normal);
+  void add_edge_planes(const RayBundle& bundle);
+
+  struct HalfSpace {
+    glm::dvec3 normal;
+    double offset;
+  };
+  std::array<HalfSpace, 32> half_spaces_;
+  std::size_t count_ = 0;
+};
 
 /// How a bundle of rays ends.
 struct ConeAnswer {

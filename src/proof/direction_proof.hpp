@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "proof/blocked_cone.hpp"
 #include "proof/certain_undercut.hpp"
-#include "proof/proof_part.hpp"
-#include "proof/sphere_cell.hpp"
 #include "proof/surface_elements.hpp"
 
 namespace moldlight {

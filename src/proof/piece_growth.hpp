@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "proof/certain_undercut.hpp"
-#include "proof/sphere_cell.hpp"
 #include "proof/surface_elements.hpp"
 
 namespace moldlight {

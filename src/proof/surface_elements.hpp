@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "mold/surface_samples.hpp"
-#include "proof/proof_part.hpp"
+#include "proof/blocked_cone.hpp"
 
 namespace moldlight {
 

@@ -6,7 +6,7 @@
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "python/bindings.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::python {
 
@@ -14,22 +14,14 @@ namespace py = pybind11;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// moldlight.Actions.
-struct PythonActions {
-  using BoundToPython = void;
-  Study study;  // that has found all that is shown
+struct PythonActions : StudyAnswer<actions_json> {
+  using StudyAnswer::StudyAnswer;
 
-  [[nodiscard]] const PartModel& model() const { return study.model(); }
   [[nodiscard]] const Classification& result() const { return study.known<SplitRegions>()->result; }
   [[nodiscard]] const ActionPlan& plan() const { return *study.known<ActionPlan>(); }
   [[nodiscard]] ActionsReport report() const {
-    return {model(), result(), study.questions().actions, plan(), study.known<Changes>()->of_patches};
-  }
-  [[nodiscard]] Json json() const {
-    Study shared = study;
-    return actions_json(shared, Progress());
+    return {model(), result(), study.questions().actions, plan(), study.known<Changes>()->of_undercuts};
   }
 };
 using SharedActions = std::shared_ptr<PythonActions>;
@@ -64,8 +56,6 @@ py::list bodies_of_actions(const PythonActions& self, const py::object& /*progre
 constexpr std::string_view k_actions_text =
     "The slides, lifters and other side actions that release the undercuts. Returns an Actions.\n\n"
     "direction, progress: as for classify().";
-
-}  // namespace
 
 void add_actions(py::module_& module, PartClass& part) {
   py::class_<PythonActions, SharedActions> found(
@@ -112,5 +102,10 @@ void add_actions(py::module_& module, PartClass& part) {
                      .text = k_actions_text,
                      .settings = "actions"}));
 }
+
+const CallSettings k_actions_settings("actions", action_options(), method_options());
+const RegisteredCall k_actions_call(add_actions);
+
+}  // namespace
 
 }  // namespace moldlight::python

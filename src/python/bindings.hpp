@@ -1,19 +1,19 @@
 // The classes of the Python module, one file each, and what they share.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 
 #include "classify/classification.hpp"
+#include "classify/json.hpp"
 #include "classify/part_model.hpp"
 #include "classify/still_picture.hpp"
-#include "python/arrays.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
 #include "python/work.hpp"
@@ -59,21 +59,36 @@ struct PythonPart {
   std::shared_ptr<const PartModel> model;
 
   /// The health report.
-  [[nodiscard]] nlohmann::ordered_json json() const;
+  [[nodiscard]] Json json() const;
 };
 using PartClass = pybind11::class_<PythonPart>;
 
 /// Part with how it is made and what it is; the others add its methods that ask for work, and the classes of
 /// what these return.
 PartClass add_part(pybind11::module_& module);
-void add_classify(pybind11::module_& module, PartClass& part);
-void add_sweep(pybind11::module_& module, PartClass& part);
-void add_actions(pybind11::module_& module, PartClass& part);
-void add_mold(pybind11::module_& module, PartClass& part);
-inline constexpr std::array k_add_calls = {add_classify, add_sweep, add_actions, add_mold};
+/// The file of each of those registers it.
+using AddCall = void (*)(pybind11::module_& module, PartClass& part);
+[[nodiscard]] std::vector<AddCall>& calls();
+struct RegisteredCall {
+  explicit RegisteredCall(AddCall add) { calls().push_back(add); }
+};
+
+/// What a call returns: the study that has found all that is shown, and its report.
+template <Json (*k_json)(Study&, const Progress&)>
+struct StudyAnswer {
+  using BoundToPython = void;
+  explicit StudyAnswer(Study found) : study(std::move(found)) {}
+  Study study;
+
+  [[nodiscard]] const PartModel& model() const { return study.model(); }
+  [[nodiscard]] Json json() const {
+    Study shared = study;
+    return k_json(shared, Progress());
+  }
+};
 
 /// The report's text as the program writes it.
-[[nodiscard]] pybind11::str report_text(const nlohmann::ordered_json& json);
+[[nodiscard]] pybind11::str report_text(const Json& json);
 
 /// to_json() and to_dict(): `what` the command writes with --json, which json() of the object makes.
 template <typename Bound>
@@ -102,7 +117,7 @@ template <typename Bound>
 void add_members(Bound& bound, std::initializer_list<ReportMember> members) {
   using Type = typename Bound::type;
   for (const auto& [name, help, place] : members) {
-    const nlohmann::ordered_json::json_pointer at(place != nullptr ? place : std::string("/") + name);
+    const Json::json_pointer at(place != nullptr ? place : std::string("/") + name);
     bound.def_property_readonly(
         name,
         [at](const Type& self) {

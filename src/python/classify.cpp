@@ -9,17 +9,16 @@
 #include "classify/classifier.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "classify/number_format.hpp"
 #include "python/bindings.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::python {
 
 namespace py = pybind11;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// moldlight.Classification: what is shown of it does not change; the rest is found when it is asked for.
 class PythonClassification {
@@ -34,10 +33,6 @@ class PythonClassification {
   [[nodiscard]] Json json() const {
     const std::lock_guard lock(mutex_);
     return classify_json(study_, Progress());
-  }
-  [[nodiscard]] Json verdict() const {
-    const std::lock_guard lock(mutex_);
-    return verdict_json(study_.verdict(Progress()));
   }
   /// The result with its split mesh, from any thread.
   [[nodiscard]] Classification with_split(const Progress& progress) const {
@@ -205,33 +200,26 @@ void add_split(py::module_& module) {
 
 void add_figures(py::class_<PythonClassification, SharedClassification>& result) {
   using C = PythonClassification;
-  add_members(result, {{"fractions", "Shares of each region in the surface."},
-                       {"uncertainty_parts", "Of what that is made: rounding, mesh, readout."},
-                       {"identity", "The part's shadow found in two ways, and whether they agree."},
-                       {"settings", "Every setting with its value."}});
+  add_members(
+      result,
+      {{"verdict", "What is said of the part first: a dict with state, sentence, undercuts and reasons."},
+       {"total_area", "", "/areas/total"},
+       {"near_vertical_area", "", "/areas/near_vertical"},
+       {"undercut_uncertainty", "How far the undercut's area may be off."},
+       {"projected_area", ""},
+       {"projected_undercut", ""},
+       {"lateral_tolerance", ""},
+       {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"},
+       {"fractions", "Shares of each region in the surface."},
+       {"uncertainty_parts", "Of what that is made: rounding, mesh, readout."},
+       {"identity", "The part's shadow found in two ways, and whether they agree."},
+       {"settings", "Every setting with its value."}});
   result
       .def_property_readonly(
           "areas", [](const C& self) { return region_dict(self.result().areas); },
           "The area of each region, in the part's unit squared.")
       .def_property_readonly(
-          "verdict", [](const C& self) { return to_python(self.verdict()); },
-          "What is said of the part first: a dict with state, sentence, undercuts and reasons.")
-      .def_property_readonly("total_area", [](const C& self) { return self.result().total_area; })
-      .def_property_readonly("near_vertical_area",
-                             [](const C& self) { return self.result().near_vertical_area; })
-      .def_property_readonly(
-          "undercut_uncertainty", [](const C& self) { return self.result().uncertainty.total(); },
-          "How far the undercut's area may be off.")
-      .def_property_readonly("projected_area", [](const C& self) { return self.result().shadow_area; })
-      .def_property_readonly("projected_undercut",
-                             [](const C& self) { return self.result().projected_undercut; })
-      .def_property_readonly("lateral_tolerance",
-                             [](const C& self) { return self.result().lateral_tolerance; })
-      .def_property_readonly(
           "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
-      .def_property_readonly(
-          "warnings", [](const C& self) { return to_python(Json(self.result().warnings)); },
-          "What puts figures in doubt, a sentence each.")
       .def_property_readonly(
           "facet_fractions",
           [](const py::object& self) { return view(self.cast<const C&>().result().facet_fractions, self); },
@@ -249,8 +237,6 @@ constexpr std::string_view k_classify_text =
     "split: make the split mesh at once, in place of when it is first asked for.\n"
     "compare_maps: measure how far the shadow maps are from exact regions; needs OpenGL.\n"
     "progress: as for Part(). Returns a Classification.";
-
-}  // namespace
 
 void add_classify(py::module_& module, PartClass& part) {
   add_split(module);
@@ -287,5 +273,10 @@ void add_classify(py::module_& module, PartClass& part) {
                      .text = k_classify_text,
                      .settings = "classify"}));
 }
+
+const CallSettings k_classify_settings("classify", method_options(), draft_options());
+const RegisteredCall k_classify_call(add_classify);
+
+}  // namespace
 
 }  // namespace moldlight::python

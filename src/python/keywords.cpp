@@ -5,13 +5,9 @@
 #include <functional>
 #include <map>
 
-#include "actions/action_settings.hpp"
 #include "base/shown_text.hpp"
+#include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
-#include "classify/still_picture.hpp"
-#include "parting/draft/draft_check.hpp"
-#include "parting/mold_settings.hpp"
-#include "sweep/sweep_settings.hpp"
 
 namespace moldlight::python {
 
@@ -19,55 +15,7 @@ namespace py = pybind11;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t k_help_width = 92;
-
-template <typename S>
-std::string annotation(const Option<S>& option) {
-  return std::visit(
-      moldlight::detail::Overloaded{
-          [](const RealKind<S>&) { return std::string("float"); },
-          [](const PositiveKind<S>&) { return std::string("float"); },
-          [](const IntegerKind<S>&) { return std::string("int"); },
-          [](const SwitchKind<S>&) { return std::string("bool"); },
-          [](const ChoiceKind<S>& kind) {
-            return fmt::format("Literal['{}']", fmt::join(kind.words, "', '"));
-          },
-          [](const DirectionsKind<S>&) { return std::string("Union[Direction, Iterable[Direction]]"); },
-          [](const SetKind<S>&) { return std::string("Union[str, Iterable[str]]"); },
-          [](const TextKind<S>&) { return std::string("Union[str, float]"); },
-      },
-      option.kind);
-}
-
-template <typename S>
-Keyword keyword_of(const Option<S>& option, const S& defaults) {
-  Keyword keyword{
-      .key = option.key,
-      .label = option.label,
-      .unit = option.unit,
-      .help = with_keywords(option.help),
-      .type = annotation(option),
-      .standard = std::visit(
-          [&](const auto& kind) { return moldlight::detail::value_json(kind.value(defaults)); }, option.kind),
-      .words = {},
-      .least = {},
-      .greatest = {}};
-  // Unset text is no text.
-  if (keyword.standard.is_string() && keyword.standard.get<std::string>().empty()) keyword.standard = Json();
-  const auto add_words = [&](const Words& words) { keyword.words.assign(words.begin(), words.end()); };
-  std::visit(moldlight::detail::Overloaded{
-                 [&](const RealKind<S>& kind) { keyword.least = kind.min, keyword.greatest = kind.max; },
-                 [&](const IntegerKind<S>& kind) { keyword.least = kind.min, keyword.greatest = kind.max; },
-                 [&](const PositiveKind<S>& kind) {
-                   if (std::isfinite(kind.max)) keyword.greatest = kind.max;
-                 },
-                 [&](const ChoiceKind<S>& kind) { add_words(kind.words); },
-                 [&](const SetKind<S>& kind) { add_words(kind.words); }, [](const auto&) {}},
-             option.kind);
-  return keyword;
-}
 
 /// Those of a table under these keys.
 template <typename S>
@@ -78,22 +26,18 @@ std::vector<Option<S>> chosen_options(std::span<const Option<S>> options,
   return chosen;
 }
 
-/// Calls `visit(call, options, defaults)` for every table of every call, in order.
-template <typename Visit>
-void visit_tables(const Visit& visit) {
-  visit("Part", array_options(), ReadOptions{});
-  visit("read", reading_options(), ReadOptions{});
-  visit("classify", method_options(), MethodSettings{});
-  visit("classify", draft_options(), DraftSettings{});
-  visit("sweep", sweep_options(), SweepSettings{});
-  visit("sweep", action_options(), ActionSettings{});
-  visit("sweep", method_options(), MethodSettings{});
-  visit("actions", action_options(), ActionSettings{});
-  visit("actions", method_options(), MethodSettings{});
-  visit("mold", mold_options(), MoldSettings{});
-  visit("mold", method_options(), MethodSettings{});
-  visit("picture", still_options(), StillSettings{});
-  visit("picture", picture_looks(), LookSettings{});
+/// What is registered, in the order in which it is.
+struct CallTable {
+  std::string_view call;
+  std::function<void(std::vector<Keyword>&)> add;
+};
+std::vector<CallTable>& call_tables() {
+  static std::vector<CallTable> tables;
+  return tables;
+}
+std::map<std::string_view, std::string_view>& flag_keys() {
+  static std::map<std::string_view, std::string_view> keys;
+  return keys;
 }
 
 /// As Python writes the value.
@@ -163,12 +107,15 @@ std::span<const Option<LookSettings>> picture_looks() {
   return k_options;
 }
 
+void CallSettings::add_table(std::string_view call, std::function<void(std::vector<Keyword>&)> add) {
+  call_tables().push_back({call, std::move(add)});
+}
+void CallSettings::add_flag(std::string_view flag, std::string_view key) { flag_keys().emplace(flag, key); }
+
 const std::vector<Keyword>& keywords_of(std::string_view call) {
   static const auto k_calls = [] {
     std::map<std::string, std::vector<Keyword>, std::less<>> calls;
-    visit_tables([&](const char* name, const auto options, const auto& defaults) {
-      for (const auto& option : options) calls[name].push_back(keyword_of(option, defaults));
-    });
+    for (const CallTable& table : call_tables()) table.add(calls[std::string(table.call)]);
     return calls;
   }();
   const auto found = k_calls.find(call);
@@ -183,10 +130,7 @@ const std::vector<Keyword>& keywords_of(std::string_view call) {
 
 std::string_view keyword_of_flag(std::string_view flag) {
   static const auto k_keys = [] {
-    std::map<std::string_view, std::string_view> keys;
-    visit_tables([&](const char*, const auto options, const auto&) {
-      for (const auto& option : options) keys.emplace(option.flag, option.key);
-    });
+    auto keys = flag_keys();
     for (const Option<LookSettings>& option : look_options()) keys.emplace(option.flag, option.key);
     // Of a sweep its given directions, elsewhere the direction itself.
     keys.erase("--direction");

@@ -1,6 +1,8 @@
 // The settings as keyword arguments: made from the option tables, with their help, ranges and defaults.
 #pragma once
 
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,9 +14,10 @@
 #include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 
-#include "classify/look_options.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
+#include "classify/option_json.hpp"
 #include "classify/settings.hpp"
 #include "python/values.hpp"
 
@@ -24,10 +27,82 @@ namespace moldlight::python {
 struct Keyword {
   std::string_view key, label, unit;
   std::string help;
-  std::string type;                 // as an annotation, without None
-  nlohmann::ordered_json standard;  // null: unset
-  std::vector<std::string> words;   // that it may be; empty: anything of its type
+  std::string type;                // as an annotation, without None
+  Json standard;                   // null: unset
+  std::vector<std::string> words;  // that it may be; empty: anything of its type
   std::optional<double> least, greatest;
+};
+
+/// The keyword that stands for a flag of the command line; empty where none does.
+[[nodiscard]] std::string_view keyword_of_flag(std::string_view flag);
+
+/// A text of the program with the keyword for every flag that is a setting's.
+[[nodiscard]] std::string with_keywords(std::string_view text);
+
+template <typename S>
+std::string annotation(const Option<S>& option) {
+  return std::visit(
+      moldlight::detail::Overloaded{
+          [](const RealKind<S>&) { return std::string("float"); },
+          [](const PositiveKind<S>&) { return std::string("float"); },
+          [](const IntegerKind<S>&) { return std::string("int"); },
+          [](const SwitchKind<S>&) { return std::string("bool"); },
+          [](const ChoiceKind<S>& kind) {
+            return fmt::format("Literal['{}']", fmt::join(kind.words, "', '"));
+          },
+          [](const DirectionsKind<S>&) { return std::string("Union[Direction, Iterable[Direction]]"); },
+          [](const SetKind<S>&) { return std::string("Union[str, Iterable[str]]"); },
+          [](const TextKind<S>&) { return std::string("Union[str, float]"); },
+      },
+      option.kind);
+}
+
+template <typename S>
+Keyword keyword_of(const Option<S>& option, const S& defaults) {
+  Keyword keyword{
+      .key = option.key,
+      .label = option.label,
+      .unit = option.unit,
+      .help = with_keywords(option.help),
+      .type = annotation(option),
+      .standard = std::visit(
+          [&](const auto& kind) { return moldlight::detail::value_json(kind.value(defaults)); }, option.kind),
+      .words = {},
+      .least = {},
+      .greatest = {}};
+  // Unset text is no text.
+  if (keyword.standard.is_string() && keyword.standard.get<std::string>().empty()) keyword.standard = Json();
+  const auto add_words = [&](const Words& words) { keyword.words.assign(words.begin(), words.end()); };
+  std::visit(moldlight::detail::Overloaded{
+                 [&](const RealKind<S>& kind) { keyword.least = kind.min, keyword.greatest = kind.max; },
+                 [&](const IntegerKind<S>& kind) { keyword.least = kind.min, keyword.greatest = kind.max; },
+                 [&](const PositiveKind<S>& kind) {
+                   if (std::isfinite(kind.max)) keyword.greatest = kind.max;
+                 },
+                 [&](const ChoiceKind<S>& kind) { add_words(kind.words); },
+                 [&](const SetKind<S>& kind) { add_words(kind.words); }, [](const auto&) {}},
+             option.kind);
+  return keyword;
+}
+
+/// The tables of options that a call takes, registered beside it at namespace scope.
+class CallSettings {
+ public:
+  template <typename... S>
+  explicit CallSettings(std::string_view call, std::span<const Option<S>>... tables) {
+    (add(call, tables), ...);
+  }
+
+ private:
+  template <typename S>
+  static void add(std::string_view call, std::span<const Option<S>> options) {
+    add_table(call, [options](std::vector<Keyword>& keywords) {
+      for (const Option<S>& option : options) keywords.push_back(keyword_of(option, S{}));
+    });
+    for (const Option<S>& option : options) add_flag(option.flag, option.key);
+  }
+  static void add_table(std::string_view call, std::function<void(std::vector<Keyword>&)> add);
+  static void add_flag(std::string_view flag, std::string_view key);
 };
 
 /// Reads the settings of a call from its keyword arguments.
@@ -86,12 +161,6 @@ class Given {
 /// The settings of a call, "Part", "read", "classify", "sweep", "actions", "mold", "picture", in order.
 /// Throws UsageError for another name.
 [[nodiscard]] const std::vector<Keyword>& keywords_of(std::string_view call);
-
-/// The keyword that stands for a flag of the command line; empty where none does.
-[[nodiscard]] std::string_view keyword_of_flag(std::string_view flag);
-
-/// A text of the program with the keyword for every flag that is a setting's.
-[[nodiscard]] std::string with_keywords(std::string_view text);
 
 /// A docstring that begins with the signature as Python reads it from there: `name(arguments, *, keywords)`;
 /// `more` are keyword arguments that are no settings, with their defaults; `text` comes before the settings'

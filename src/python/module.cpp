@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "classify/classify_report.hpp"
+#include "classify/json.hpp"
 #include "mold/region.hpp"
 #include "python/bindings.hpp"
 #include "python/keywords.hpp"
@@ -125,9 +126,16 @@ py::dict region_colours() {
   return palettes;
 }
 
+const CallSettings k_picture_settings("picture", still_options(), picture_looks());
+
 }  // namespace
 
-py::str report_text(const nlohmann::ordered_json& json) { return py::str(json_text(json)); }
+std::vector<AddCall>& calls() {
+  static std::vector<AddCall> registered;
+  return registered;
+}
+
+py::str report_text(const Json& json) { return py::str(json_text(json)); }
 
 Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
                const std::function<void(Study&, const Progress&)>& find) {
@@ -197,7 +205,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("REGION_COLOURS") = region_colours();
   add_errors(module);
   PartClass part = add_part(module);
-  for (const auto add : k_add_calls) add(module, part);
+  for (const AddCall add : calls()) add(module, part);
   module.def("settings", &settings_list, py::arg("call"),
              "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'sweep', 'actions', "
              "'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, default, words, "

@@ -5,11 +5,12 @@
 
 #include "base/error.hpp"
 #include "classify/headless.hpp"
+#include "classify/json.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "python/bindings.hpp"
 #include "python/keywords.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::python {
 
@@ -17,24 +18,16 @@ namespace py = pybind11;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// moldlight.Mold.
-struct PythonMold {
-  using BoundToPython = void;
-  Study study;  // that has found all that is shown
+struct PythonMold : StudyAnswer<mold_json> {
+  using StudyAnswer::StudyAnswer;
 
-  [[nodiscard]] const PartModel& model() const { return study.model(); }
   [[nodiscard]] const Assignment& assignment() const { return study.known<MoldLine>()->assignment; }
   [[nodiscard]] const PartingLine& line() const { return study.known<MoldLine>()->line; }
   [[nodiscard]] const MoldHalves& halves() const {
     return study.questions().with_actions ? study.known<MoldPieces>()->halves : *study.known<MoldHalves>();
   }
   [[nodiscard]] const WrittenMold& written() const { return halves().written; }
-  [[nodiscard]] Json json() const {
-    Study shared = study;
-    return mold_json(shared, Progress());
-  }
   /// Why there are no halves to write; empty where there are.
   [[nodiscard]] std::string refusal() const {
     Study shared = study;
@@ -121,8 +114,6 @@ constexpr std::string_view k_mold_text =
     "direction, progress: as for classify().\n"
     "actions: find the side actions, too, and which inserts go with them.";
 
-}  // namespace
-
 void add_mold(py::module_& module, PartClass& part) {
   py::class_<PythonMold, SharedMold> mold(
       module, "Mold", "What part.mold() finds. Lengths, areas and volumes are in the part's unit.");
@@ -179,5 +170,10 @@ void add_mold(py::module_& module, PartClass& part) {
                      .text = k_mold_text,
                      .settings = "mold"}));
 }
+
+const CallSettings k_mold_settings("mold", mold_options(), method_options());
+const RegisteredCall k_mold_call(add_mold);
+
+}  // namespace
 
 }  // namespace moldlight::python

@@ -1,4 +1,6 @@
 // moldlight.Part: made of arrays or read from a file.
+#include "mesh/part.hpp"
+
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "classify/info_report.hpp"
+#include "classify/json.hpp"
 #include "classify/number_format.hpp"
-#include "mesh/part_selection.hpp"
 #include "mesh/weld.hpp"
 #include "mold/exact/united_bodies.hpp"
 #include "python/bindings.hpp"
@@ -65,7 +67,7 @@ py::list body_list(const PythonPart& self) {
   py::list bodies;
   for (const Body& body : self.model->part.bodies) {
     py::dict entry;
-    entry["name"] = to_python(nlohmann::ordered_json(body.name));
+    entry["name"] = to_python(Json(body.name));
     entry["first_facet"] = body.first_facet;
     entry["facets"] = body.facet_count;
     bodies.append(entry);
@@ -106,17 +108,14 @@ void add_health(py::module_& module) {
 
 void add_properties(PartClass& part) {
   const auto of_part = [](auto Part::*member) {
-    return [member](const PythonPart& self) {
-      return to_python(nlohmann::ordered_json(self.model->part.*member));
-    };
+    return [member](const PythonPart& self) { return to_python(Json(self.model->part.*member)); };
   };
   part.def_property_readonly("file", of_part(&Part::file), "The file's name, or the name given to arrays.")
       .def_property_readonly("format", of_part(&Part::format), "\"STL binary\", \"STEP\", …, \"arrays\".")
       .def_property_readonly("unit", of_part(&Part::unit), "\"mm\", …; empty where nothing names one.")
       .def_property_readonly("repairs", of_part(&Part::repairs), "What a repair did, a sentence each.")
       .def_property_readonly(
-          "warnings",
-          [](const PythonPart& self) { return to_python(nlohmann::ordered_json(self.model->warnings)); },
+          "warnings", [](const PythonPart& self) { return to_python(Json(self.model->warnings)); },
           "What puts figures in doubt, a sentence each.")
       .def_property_readonly("bodies", body_list,
                              "A dict a body: its name, its first facet, and how many it has.")
@@ -170,9 +169,12 @@ constexpr std::string_view k_part_text =
     "raises ends the work, and so does returning False, which raises Cancelled.\n\n"
     "Part.read() reads a file. A part does not change, and threads may share it.";
 
+const CallSettings k_part_settings("Part", array_options());
+const CallSettings k_read_settings("read", reading_options());
+
 }  // namespace
 
-nlohmann::ordered_json PythonPart::json() const {
+Json PythonPart::json() const {
   return watched(py::none(), [this](const Progress&) { return info_json(*model, defect_places(*model)); });
 }
 

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "classify/number_format.hpp"
 #include "python/bindings.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
 
@@ -17,15 +17,11 @@ namespace py = pybind11;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// moldlight.Sweep.
-struct PythonSweep {
-  using BoundToPython = void;
-  std::shared_ptr<const PartModel> model;
-  SweepResult result;
+struct PythonSweep : StudyAnswer<sweep_json> {
+  using StudyAnswer::StudyAnswer;
 
-  [[nodiscard]] Json json() const { return sweep_json_with_verdicts(*model, result); }
+  [[nodiscard]] const SweepResult& result() const { return *study.known<SweepResult>(); }
 };
 using SharedSweep = std::shared_ptr<PythonSweep>;
 
@@ -49,35 +45,37 @@ SharedSweep sweep(const PythonPart& self, const py::kwargs& keywords) {
   given.end();
   validate(settings.method, self.model->frame.diagonal);
   return watched(progress_given, [&](const Progress& progress) {
-    return std::make_shared<PythonSweep>(
-        PythonSweep{self.model, run_sweep(self.model, settings, progress, {})});
+    Study study(self.model, {.sweep = settings});
+    study.find<SweepResult>(progress);
+    return std::make_shared<PythonSweep>(std::move(study));
   });
 }
 
 /// A row a direction that was scored.
 py::array scored(const PythonSweep& self, double EvaluatedDirection::*member) {
-  py::array_t<double> numbers(static_cast<py::ssize_t>(self.result.evaluated.size()));
+  py::array_t<double> numbers(static_cast<py::ssize_t>(self.result().evaluated.size()));
   double* number = numbers.mutable_data();
-  for (const EvaluatedDirection& direction : self.result.evaluated) *number++ = direction.*member;
+  for (const EvaluatedDirection& direction : self.result().evaluated) *number++ = direction.*member;
   return numbers;
 }
 
 py::array scored_directions(const PythonSweep& self) {
   std::vector<glm::dvec3> directions;
-  for (const EvaluatedDirection& direction : self.result.evaluated) directions.push_back(direction.direction);
+  for (const EvaluatedDirection& direction : self.result().evaluated)
+    directions.push_back(direction.direction);
   return copy_of(directions);
 }
 
 py::object best(const PythonSweep& self) {
-  if (self.result.candidates.empty()) return py::none();
-  return to_python(self.result.recommended ? self.result.recommended->direction
-                                           : self.result.candidates.front().classification.direction);
+  if (self.result().candidates.empty()) return py::none();
+  return to_python(self.result().recommended ? self.result().recommended->direction
+                                             : self.result().candidates.front().classification.direction);
 }
 
 std::string text(const PythonSweep& self) {
-  const std::string scored = fmt::format("{} directions scored", self.result.evaluated.size());
-  if (self.result.candidates.empty()) return fmt::format("<moldlight.Sweep: {}>", scored);
-  const Classification& found = self.result.candidates.front().classification;
+  const std::string scored = fmt::format("{} directions scored", self.result().evaluated.size());
+  if (self.result().candidates.empty()) return fmt::format("<moldlight.Sweep: {}>", scored);
+  const Classification& found = self.result().candidates.front().classification;
   return fmt::format("<moldlight.Sweep: {}, best {} with undercut {}>", scored, figures(found.direction, 1.0),
                      figure(found.areas[Region::undercut]));
 }
@@ -85,8 +83,6 @@ std::string text(const PythonSweep& self) {
 constexpr std::string_view k_sweep_text =
     "Finds the best parting directions. Returns a Sweep.\n\n"
     "progress: as for Part(), but where it returns False, the sweep ends with what is done by then.";
-
-}  // namespace
 
 void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
@@ -122,7 +118,7 @@ void add_sweep(py::module_& module, PartClass& part) {
       "Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only size\nand "
       "theme count. With sweep(thorough=True) every figure of it is scored to the end.",
       [](const PythonSweep& self, const StillSettings& still, const Progress&) {
-        return sweep_sphere_picture(*self.model, self.result, still);
+        return sweep_sphere_picture(self.study.model(), self.result(), still);
       });
   add_report(found, "The report", "sweep");
   part.def("sweep", &sweep,
@@ -132,5 +128,10 @@ void add_sweep(py::module_& module, PartClass& part) {
                      .text = k_sweep_text,
                      .settings = "sweep"}));
 }
+
+const CallSettings k_sweep_settings("sweep", sweep_options(), action_options(), method_options());
+const RegisteredCall k_sweep_call(add_sweep);
+
+}  // namespace
 
 }  // namespace moldlight::python

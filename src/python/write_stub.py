@@ -3,11 +3,10 @@
     PYTHONPATH=<folder of the package> python3 write_stub.py <template> <stub>
 """
 
+import re
 import sys
 
 import moldlight
-
-CALLS = ("Part", "read", "classify", "sweep", "actions", "mold", "picture")
 
 
 def arguments(call):
@@ -18,8 +17,7 @@ def main(template, stub):
     with open(template, encoding="utf-8") as file:
         text = file.read()
     head, rest = text.split('"""\n', 1)
-    for call in CALLS:
-        rest = rest.replace("{" + call + "}", arguments(call))
+    rest = re.sub(r"\{(\w+)\}", lambda call: arguments(call[1]), rest)
     with open(stub, "w", encoding="utf-8") as file:
         file.write('"""What type checkers know of moldlight."""\n' + rest)
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "render/view_colours.hpp"
 #include "render/view_passes.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight {
 

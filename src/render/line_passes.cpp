@@ -2,8 +2,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/view_colours.hpp"
 #include "render/view_passes.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight {
 

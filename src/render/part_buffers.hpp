@@ -4,7 +4,7 @@
 #include <span>
 
 #include "gl/objects.hpp"
-#include "mesh/edges.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"

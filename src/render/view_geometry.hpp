@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "mesh/adjacency.hpp"
-#include "mesh/edges.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
@@ -96,10 +96,6 @@ struct ViewBody {
 /// A closed mesh in the part's unit, each facet flat.
 [[nodiscard]] ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colour);
 
-/// Which body of a mold: a half, or what is left to a loose insert.
-enum class Steel : std::uint8_t { core, cavity, insert };
-inline constexpr std::size_t k_steels = 3;
-
 /// A body of steel around the part, which is surface of the picture itself.
 struct ViewSolid {
   ViewBody body;
@@ -108,5 +104,21 @@ struct ViewSolid {
 };
 /// A closed mesh in the part's unit, each facet flat.
 [[nodiscard]] ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel);
+
+/// Of one part, which must outlive it. Remembers the extent along the normal last asked for: millions of
+/// vertices are not gone through for every picture.
+class SectionPlanes {
+ public:
+  SectionPlanes(const TriangleMesh& mesh, const UnitFrame& frame) : mesh_(&mesh), frame_(&frame) {}
+
+  /// The plane for a parting direction (unit); nothing where no section is chosen.
+  [[nodiscard]] std::optional<CutPlane> plane(const LookSettings& look, const glm::dvec3& direction);
+
+ private:
+  const TriangleMesh* mesh_;
+  const UnitFrame* frame_;
+  glm::dvec3 normal_{0.0};               // last asked for
+  double least_ = 0.0, greatest_ = 0.0;  // of the part along it, unit frame
+};
 
 }  // namespace moldlight

@@ -1,6 +1,7 @@
 // How the part is shown. Nothing here changes what it is classified as.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -9,6 +10,10 @@
 #include "mold/region.hpp"
 
 namespace moldlight {
+
+/// Which body of a mold: a half, or what is left to a loose insert.
+enum class Steel : std::uint8_t { core, cavity, insert };
+inline constexpr std::size_t k_steels = 3;
 
 enum class Theme : std::uint8_t { dark, light };
 /// What the surface is coloured by; plain is for pictures that show no region, and nobody's choice.
@@ -23,7 +28,7 @@ enum class RegionsBy : std::uint8_t { exact, maps };
 /// How a section plane lies: across the parting direction, along it, or across an axis of the part.
 enum class Section : std::uint8_t { off, across, along, x, y, z };
 
-/// What a user chooses to see of a part; classify/look_options.hpp has its table.
+/// What a user chooses to see of a part; classify/method_options.hpp has its table.
 struct LookSettings {
   Palette palette = Palette::paper;
   ColourMode colour_mode = ColourMode::regions;
@@ -96,5 +101,34 @@ struct ViewMarks {
 
   bool operator==(const ViewMarks&) const = default;
 };
+
+/// sRGB in [0, 1].
+[[nodiscard]] glm::vec3 screen_value(Colour colour);
+/// The squares of that: what light adds up in.
+[[nodiscard]] glm::vec3 light_value(Colour colour);
+
+/// The backdrop's gradient; a flat one is `below`.
+struct BackdropColours {
+  Colour above, below;
+};
+[[nodiscard]] BackdropColours backdrop_colours(Theme theme);
+
+/// Colours of the draft angle, from steep undersides to steep tops: band k lies between limits k - 1 and k
+/// (in degrees, ascending); the middle band is what counts as near-vertical.
+struct DraftScale {
+  std::array<double, 6> limits_deg{};
+  std::array<Colour, 7> colours{};
+};
+[[nodiscard]] DraftScale draft_scale(double required_deg, Palette palette);
+
+/// Of a body of the mold: a paler sister of the colour of what it forms.
+[[nodiscard]] Colour steel_colour(Steel steel, Palette palette);
+
+inline constexpr Colour k_plain_surface = {199, 203, 209};
+inline constexpr Colour k_cut_surface = {176, 170, 160};
+inline constexpr Colour k_hover_mark = {255, 255, 255};
+inline constexpr Colour k_difference_mark = {202, 60, 255};
+inline constexpr Colour k_tube = {255, 190, 40}, k_chosen_tube = {255, 246, 214};
+inline constexpr Colour k_block_mark = {255, 204, 102};
 
 }  // namespace moldlight

@@ -1,5 +1,3 @@
-#include "report/html_writer.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "io/atomic_file.hpp"
 #include "page/page.hpp"
+#include "report/writers.hpp"
 
 namespace moldlight::report {
 
@@ -112,7 +111,8 @@ std::string to_html(const Table& table) {
     html += "</tr>\n";
   }
   html += "</tbody></table></div>\n";
-  if (!table.rest.empty()) html += fmt::format("<p class=\"quiet\">{}</p>\n", html_text(table.rest));
+  for (const std::string& below : {table.rest, table.tiny})
+    if (!below.empty()) html += fmt::format("<p class=\"quiet\">{}</p>\n", html_text(below));
   return html;
 }
 

@@ -14,8 +14,6 @@ namespace moldlight::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double k_steps = 65535.0;
 
 /// Numbers of seven bits a byte, the lowest first.

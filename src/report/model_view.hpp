@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
-#include <nlohmann/json_fwd.hpp>
 
+#include "classify/json.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mold/region.hpp"
 
@@ -59,6 +59,6 @@ struct ModelView {
 /// within the surface's box, each the difference from the last; for every corner of every facet the next new
 /// corner's number less its own; the group of each facet as a difference from the last. Of each line: its
 /// points as differences, in the part's box. Differences that may be negative are folded (0, -1, 1, -2, …).
-[[nodiscard]] nlohmann::ordered_json packed(const ModelView& view);
+[[nodiscard]] Json packed(const ModelView& view);
 
 }  // namespace moldlight::report

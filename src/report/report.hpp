@@ -65,6 +65,7 @@ struct Table {
   std::vector<TableColumn> columns;
   std::vector<Row> rows;
   std::string rest = {};  // what is said of rows that are left out
+  std::string tiny = {};  // the last row, of all that is below a tolerance
 };
 
 struct Picture {

@@ -1,9 +1,9 @@
-#include "report/text_writer.hpp"
-
 #include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
+
+#include "report/writers.hpp"
 
 namespace moldlight::report {
 
@@ -39,7 +39,7 @@ void end_line(std::string& text) {
 
 class TextWriter {
  public:
-  explicit TextWriter(const TextStyle& style) : style_(style) {}
+  explicit TextWriter(const TerminalStyle& style) : style_(style) {}
 
   [[nodiscard]] std::string section(const Section& section) const {
     std::string text;
@@ -92,9 +92,11 @@ class TextWriter {
             style_.colour && place == 0 && row.mark ? row.mark->terminal : "");
       end_line(text);
     }
-    if (!table.rest.empty()) return text + table.rest + "\n";
-    if (table.rows.size() == rows) return text;
-    return text + fmt::format("… {} in all; --json lists them.\n", table.rows.size());
+    if (!table.rest.empty())
+      text += table.rest + "\n";
+    else if (table.rows.size() > rows)
+      text += fmt::format("… {} in all; --json lists them.\n", table.rows.size());
+    return table.tiny.empty() ? text : text + table.tiny + "\n";
   }
 
   [[nodiscard]] std::string block_text(const Text& text) const {
@@ -110,12 +112,12 @@ class TextWriter {
     return column < row.cells.size() ? with_hyphens(row.cells[column].text) : std::string();
   }
 
-  TextStyle style_;
+  TerminalStyle style_;
 };
 
 }  // namespace
 
-std::string to_text(const Report& report, const TextStyle& style) {
+std::string to_text(const Report& report, const TerminalStyle& style) {
   std::string text = with_hyphens(report.sentence) + "\n";
   for (const std::string& sentence : report.lead)
     fmt::format_to(std::back_inserter(text), "{}{}\n", k_gap, with_hyphens(sentence));

@@ -15,8 +15,7 @@
 #include <unistd.h>
 
 #include "io/step_result.hpp"
-#include "step/memory.hpp"
-#include "step/sandbox.hpp"
+#include "step/limits.hpp"
 #include "step/tessellation.hpp"
 
 namespace {

@@ -1,5 +1,3 @@
-#include "step/memory.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -9,6 +7,8 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include "step/limits.hpp"
 
 namespace moldlight::step {
 

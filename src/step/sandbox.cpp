@@ -1,11 +1,10 @@
-#include "step/sandbox.hpp"
-
 #include <cstring>
 #include <memory>
 
 #include <seccomp.h>
 
 #include "io/step_result.hpp"
+#include "step/limits.hpp"
 
 namespace moldlight::step {
 

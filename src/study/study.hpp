@@ -4,20 +4,25 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "actions/actions_report.hpp"
 #include "actions/design_change.hpp"
 #include "actions/side_action.hpp"
 #include "classify/classification.hpp"
+#include "classify/json.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "parting/loops.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/mold_halves.hpp"
 #include "parting/mold_pieces.hpp"
+#include "parting/mold_report.hpp"
 #include "study/verdict.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/sweep_report.hpp"
 
 namespace moldlight {
 
@@ -29,6 +34,8 @@ struct Questions {
   ActionSettings actions = {};
   MoldSettings mold = {};
   double required_draft_deg = 0.0;
+  SweepSettings sweep = {};        // with the method of its own
+  SweepListener sweep_shows = {};  // while it runs; the answer does not depend on it
 };
 
 // Answers that the domain has no type for.
@@ -39,7 +46,7 @@ struct SplitRegions {
 };
 /// What to change of each undercut of the plan so that it needs no side action.
 struct Changes {
-  std::vector<DesignChange> of_patches;
+  std::vector<DesignChange> of_undercuts;
 };
 /// Which half forms what, and the line where they meet.
 struct MoldLine {
@@ -62,9 +69,7 @@ struct Asked<Classification> {
   static std::shared_ptr<const Classification> find(Study& study, const Progress& progress);
 };
 template <>
-struct Asked<SplitRegions> {
-  using Inputs = Query;
-  static Inputs inputs(const Study& study);
+struct Asked<SplitRegions> : Asked<Classification> {
   static std::shared_ptr<const SplitRegions> find(Study& study, const Progress& progress);
 };
 template <>
@@ -80,9 +85,7 @@ struct Asked<ActionPlan> {
   static std::shared_ptr<const ActionPlan> find(Study& study, const Progress& progress);
 };
 template <>
-struct Asked<Changes> {
-  using Inputs = Asked<ActionPlan>::Inputs;
-  static Inputs inputs(const Study& study);
+struct Asked<Changes> : Asked<ActionPlan> {
   static std::shared_ptr<const Changes> find(Study& study, const Progress& progress);
 };
 template <>
@@ -102,6 +105,12 @@ struct Asked<MoldPieces> {
   using Inputs = std::pair<Asked<MoldHalves>::Inputs, Asked<ActionPlan>::Inputs>;
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const MoldPieces> find(Study& study, const Progress& progress);
+};
+template <>
+struct Asked<SweepResult> {
+  using Inputs = SweepSettings;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const SweepResult> find(Study& study, const Progress& progress);
 };
 template <>
 struct Asked<DraftCheck> {
@@ -162,8 +171,34 @@ class Study {
   std::shared_ptr<const PartModel> model_;
   Questions questions_;
   std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
-             Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<DraftCheck>>
+             Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<SweepResult>, Kept<DraftCheck>>
       kept_;
 };
+
+// What a report needs is found where it is not known. All throw Cancelled.
+
+/// The answers that a report of side actions shows; they hold until the study is asked something else.
+[[nodiscard]] ActionsReport actions_report(Study& study, const Progress& progress);
+/// The halves, with slides where the side actions belong to the question.
+[[nodiscard]] const MoldHalves& mold_halves(Study& study, const Progress& progress);
+/// Keeps what was written of them.
+void keep_written(Study& study, WrittenMold written, const Progress& progress);
+/// The same of a mold; its side actions, where they belong to the question.
+[[nodiscard]] MoldReport mold_report(Study& study, const Progress& progress);
+/// The study's verdict, with why there are no halves where there are none.
+[[nodiscard]] Verdict mold_verdict(Study& study, const Progress& progress);
+/// Why the halves cannot be written, or cannot be used as they are; empty where they can.
+[[nodiscard]] std::string mold_refusal(Study& study, const Progress& progress);
+/// Of part and assignment.
+[[nodiscard]] std::vector<std::string> mold_warnings(Study& study, const Progress& progress);
+
+/// Schema `moldlight.classify/2`; with `draft` where a draft is required.
+[[nodiscard]] Json classify_json(Study& study, const Progress& progress);
+/// Schema `moldlight.actions/1`.
+[[nodiscard]] Json actions_json(Study& study, const Progress& progress);
+/// Schema `moldlight.mold/2`.
+[[nodiscard]] Json mold_json(Study& study, const Progress& progress);
+/// Schema `moldlight.sweep/3`: each direction's verdict, and that of the first.
+[[nodiscard]] Json sweep_json(Study& study, const Progress& progress);
 
 }  // namespace moldlight

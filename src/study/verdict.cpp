@@ -8,7 +8,7 @@
 #include "actions/best_changes.hpp"
 #include "base/numbers.hpp"
 #include "classify/number_format.hpp"
-#include "mesh/defect_edges.hpp"
+#include "mesh/health.hpp"
 
 namespace moldlight {
 
@@ -252,8 +252,8 @@ std::optional<Verdict> verdict_of(const PartModel& model, const SweepCandidate& 
                      .actions = candidate.actions ? std::optional(candidate.actions->totals) : std::nullopt});
 }
 
-nlohmann::ordered_json verdict_json(const Verdict& verdict) {
-  nlohmann::ordered_json actions = nlohmann::ordered_json::object();
+Json verdict_json(const Verdict& verdict) {
+  Json actions = Json::object();
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
     if (verdict.actions[kind] > 0)
       actions[std::string(facts(static_cast<ActionKind>(kind)).name)] = verdict.actions[kind];

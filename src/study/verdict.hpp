@@ -8,10 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "actions/side_action.hpp"
 #include "classify/classification.hpp"
+#include "classify/json.hpp"
 #include "classify/part_model.hpp"
 #include "sweep/sweep_result.hpp"
 
@@ -63,6 +62,6 @@ struct VerdictFacts {
 
 /// {"state", "sentence", "undercuts", "undercut_area", "unreleased_area", "specks": {"number", "area"},
 /// "actions": {"slide": 2}, "reasons"}.
-[[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
+[[nodiscard]] Json verdict_json(const Verdict& verdict);
 
 }  // namespace moldlight

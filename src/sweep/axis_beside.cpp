@@ -7,7 +7,6 @@
 
 #include "classify/number_format.hpp"
 #include "mold/direction.hpp"
-#include "mold/direction_words.hpp"
 
 namespace moldlight {
 

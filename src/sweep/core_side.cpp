@@ -8,7 +8,7 @@
 
 #include "classify/classification.hpp"
 #include "classify/number_format.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight {
 

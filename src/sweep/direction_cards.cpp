@@ -1,6 +1,6 @@
 #include "sweep/direction_cards.hpp"
 
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/sweep_texts.hpp"
 
 namespace moldlight {

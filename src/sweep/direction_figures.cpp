@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "classify/number_format.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "mold/measure.hpp"
 
 namespace moldlight {

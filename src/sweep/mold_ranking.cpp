@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/core_side.hpp"
 #include "sweep/sweep_stages.hpp"
 #include "sweep/sweep_texts.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "classify/number_format.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_texts.hpp"

@@ -13,7 +13,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "classify/number_format.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 #include "sweep/contender.hpp"

@@ -8,7 +8,7 @@
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "io/atomic_file.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/direction_figures.hpp"
 
 namespace moldlight {

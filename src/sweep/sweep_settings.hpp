@@ -33,9 +33,13 @@ struct Objective {
   struct Term {
     const DirectionFigure* figure;
     double weight;  // greater than 0
+
+    bool operator==(const Term&) const = default;
   };
   std::string text;  // as it was written
   std::vector<Term> terms;
+
+  bool operator==(const Objective&) const = default;
 };
 /// Parses "undercut", "draw-depth" or "undercut:1,draw-depth:0.1"; throws UsageError.
 [[nodiscard]] Objective parse_objective(std::string_view text);
@@ -70,6 +74,8 @@ struct SweepSettings {
   double proof_limit_s = 0.0;  // for all that is proved; 0: none
   int jobs = 0;                // threads, 0: all cores, [0, 256]
   double time_limit_s = 0.0;   // 0: none
+
+  bool operator==(const SweepSettings&) const = default;
 };
 
 /// The options of a sweep that are not options of the method.

@@ -9,7 +9,7 @@
 
 #include "base/stopwatch.hpp"
 #include "classify/part_model.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "study/study.hpp"
 #include "support/mold_rows.hpp"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/small_part.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/exit_code.hpp"
+#include "base/error.hpp"
 #include "support/process.hpp"
 
 namespace moldlight {

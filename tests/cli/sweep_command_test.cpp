@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "cli/small_part.hpp"
 #include "cli/sweep_runs.hpp"
 #include "support/boxes.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "io/direction_list.hpp"
+#include "io/csv_tables.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

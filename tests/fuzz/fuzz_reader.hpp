@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "fuzz/check_part.hpp"
-#include "io/read_context.hpp"
+#include "io/readers.hpp"
 
 namespace moldlight::fuzz {
 

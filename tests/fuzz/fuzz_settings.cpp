@@ -9,7 +9,6 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "classify/look_options.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
 #include "gui/store/files.hpp"

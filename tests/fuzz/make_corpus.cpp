@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "classify/look_options.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
 #include "fuzz/seed_files.hpp"

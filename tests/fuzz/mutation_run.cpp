@@ -18,7 +18,7 @@
 #include "fuzz/check_part.hpp"
 #include "fuzz/mutate.hpp"
 #include "fuzz/seed_files.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/zip_bytes.hpp"
 
 namespace fs = std::filesystem;

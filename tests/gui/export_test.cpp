@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "classify/write_outputs.hpp"
+#include "classify/classify_report.hpp"
 #include "gui/window_with_part.hpp"
 
 namespace moldlight::gui::test {

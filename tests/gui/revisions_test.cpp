@@ -94,7 +94,7 @@ TEST_F(Revisions, TellWhatChangedAndNothingElse) {
   const moldlight::test::Loop2 rim = regular_polygon(PlateWithBoss{}.sides, k_hole, 0.0);
   const double disc = polygon_area(rim);
   EXPECT_NEAR(place.gone.area, 2.0 * disc, place.gone.error + 1e-3);
-  EXPECT_NEAR(place.fresh.area, polygon_perimeter(rim) * k_plate_high.z, place.fresh.error + 1e-3);
+  EXPECT_NEAR(place.added.area, polygon_perimeter(rim) * k_plate_high.z, place.added.error + 1e-3);
   EXPECT_NEAR(place.volume.volume, -disc * k_plate_high.z, 1e-2 * disc * k_plate_high.z);
   EXPECT_TRUE(window.app().controls().contains("change 1"));
   EXPECT_FALSE(window.app().controls().contains("change 2"));

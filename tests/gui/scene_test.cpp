@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "classify/method_options.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/shapes.hpp"
 

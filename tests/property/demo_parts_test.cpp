@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/health.hpp"
 #include "support/shared_parts.hpp"
 

@@ -11,7 +11,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/box_pile.hpp"
 #include "support/exact_model.hpp"
 #include "support/mesh_edits.hpp"

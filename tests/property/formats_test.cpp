@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "io/mesh_writer.hpp"
-#include "io/part_reader.hpp"
-#include "mesh/part_selection.hpp"
+#include "io/part_formats.hpp"
+#include "mesh/part.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/adjacency.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"

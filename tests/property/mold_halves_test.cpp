@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "base/median.hpp"
+#include "base/numbers.hpp"
 #include "base/stopwatch.hpp"
 #include "classify/part_model.hpp"
 #include "mesh/health.hpp"

@@ -14,9 +14,7 @@
 #include "classify/number_format.hpp"
 #include "page/page.hpp"
 #include "report/describe/describe.hpp"
-#include "report/html_writer.hpp"
-#include "report/pdf_writer.hpp"
-#include "report/text_writer.hpp"
+#include "report/writers.hpp"
 #include "support/manifest.hpp"
 #include "support/pdf.hpp"
 #include "support/scratch_folder.hpp"
@@ -31,13 +29,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t k_most_facets = 12000;  // what takes longer is the same code
 
-SweepResult swept_along(const std::shared_ptr<const PartModel>& model, const glm::dvec3& direction) {
+Study swept_along(const std::shared_ptr<const PartModel>& model, const glm::dvec3& direction) {
   SweepSettings settings;
   settings.kinds = {};
   settings.user_directions = {direction};
   settings.actions = true;
   settings.refine = 0;
-  return run_sweep(model, settings, Progress(), {});
+  return Study(model, {.sweep = settings});
 }
 
 /// What `moldlight batch merge` shows of these reports of a command: table and page.
@@ -110,7 +108,8 @@ void expect_one_verdict(const std::shared_ptr<const PartModel>& model, const glm
     EXPECT_EQ(shown->tone == report::Tone::good, expected->releasable());
     if (on_pages) expect_on_pages(*shown, *expected);
   }
-  const SweepResult swept = swept_along(model, direction);
+  Study sweep = swept_along(model, direction);
+  const SweepResult& swept = sweep.find<SweepResult>(progress);
   ASSERT_EQ(swept.candidates.size(), 1U);
   const std::optional<Verdict> listed = verdict_of(*model, swept.candidates.front());
   ASSERT_TRUE(listed.has_value());
@@ -118,7 +117,7 @@ void expect_one_verdict(const std::shared_ptr<const PartModel>& model, const glm
   EXPECT_EQ(listed->sentence, verdict.sentence);
   reports[0].push_back(classify_json(regions, progress));
   reports[1].push_back(actions_json(actions, progress));
-  reports[2].push_back(sweep_json_with_verdicts(*model, swept));
+  reports[2].push_back(sweep_json(sweep, progress));
 }
 
 void expect_one_verdict(const fs::path& file, bool on_pages) {

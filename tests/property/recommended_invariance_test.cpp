@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/health.hpp"
 #include "mesh/orient.hpp"
 #include "support/manifest.hpp"

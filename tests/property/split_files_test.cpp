@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "classify/write_outputs.hpp"
+#include "classify/classify_report.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/exact_model.hpp"
 #include "support/manifest.hpp"

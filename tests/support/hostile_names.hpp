@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
 
 namespace moldlight::test {
 

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mesh/edge_table.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace moldlight::test {
 namespace {

@@ -4,14 +4,13 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <numeric>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
@@ -22,8 +21,6 @@ namespace {
 
 using batch::Figure;
 using batch::PartResult;
-using Json = nlohmann::ordered_json;
-
 struct ColumnFacts {
   std::string_view name;
   std::optional<double> (*value)(const PartResult&) = nullptr;  // of figures

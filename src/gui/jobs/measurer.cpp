@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "classify/classifier.hpp"
-#include "classify/figure_pace.hpp"
+#include "classify/picture_maps.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::gui {

@@ -63,7 +63,7 @@ RevisionComparer::Compared RevisionComparer::compare(const Comparing& wanted, co
     if (!best || best->b != b || best->method != query.method)
       best = Best{b, query.method, best_direction(b, query.method, progress).direction};
     progress.report("comparing", 0.0);  // a sweep that is cancelled has a result
-    query.fresh = best->direction;
+    query.b = best->direction;
   }
   compare_parts(comparison, query, progress);
   return {std::make_shared<const Revisions>(std::move(comparison)), best};

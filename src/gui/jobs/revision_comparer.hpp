@@ -9,7 +9,7 @@
 
 #include "base/job.hpp"
 #include "gui/app_state.hpp"
-#include "gui/jobs/file_watch.hpp"
+#include "gui/store/files.hpp"
 
 namespace moldlight::gui {
 

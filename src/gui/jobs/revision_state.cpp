@@ -34,8 +34,8 @@ double beyond(const ConvexPolygon& polygon, const glm::dvec3& normal, const glm:
 }
 
 ChangeKind kind_of(const ChangedPlace& place) {
-  return place.gone.area <= 0.0    ? ChangeKind::fresh
-         : place.fresh.area <= 0.0 ? ChangeKind::gone
+  return place.gone.area <= 0.0    ? ChangeKind::added
+         : place.added.area <= 0.0 ? ChangeKind::gone
                                    : ChangeKind::changed;
 }
 
@@ -107,7 +107,7 @@ std::vector<PieceIndex> Revisions::pieces_of(bool second, std::size_t change) co
   if (!plan || asked.of == Of::place || asked.of == Of::region) return {};
   const MatchedChange& matched =
       (asked.of == Of::undercut ? comparison.undercuts : comparison.actions)[asked.number];
-  const auto& number = second ? matched.fresh : matched.former;
+  const auto& number = second ? matched.b : matched.a;
   if (!number) return {};
   if (asked.of == Of::undercut) return plan->patches[*number].undercut.pieces;
   std::vector<PieceIndex> pieces;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/job.hpp"
-#include "compare/lit_surface.hpp"
+#include "compare/compare_picture.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "render/part_view.hpp"
 

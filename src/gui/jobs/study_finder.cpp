@@ -127,7 +127,7 @@ void StudyFinder::find_actions(const AppState& state, ActionsState& actions, con
     ++actions.revision;
   }
   if (auto outcome = changes_job_.take(); outcome && outcome->result)
-    actions.changes = {*outcome->result, &(*outcome->result)->of_patches};
+    actions.changes = {*outcome->result, &(*outcome->result)->of_undercuts};
   actions.running = plan_job_.running() ? std::optional(plan_job_.status()) : std::nullopt;
   // Not while a hand holds what would change it.
   actions.awaited = state.model && figures.error.empty() && (plan_of_ ? plan_job_.running() : !wants.moving);

@@ -9,8 +9,8 @@
 #include <glm/trigonometric.hpp>
 #include <sys/resource.h>
 
+#include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
-#include "sweep/sweep.hpp"
 #include "sweep/sweep_stages.hpp"
 
 namespace moldlight::gui {
@@ -74,17 +74,20 @@ void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, 
   job_.start(
       [model = model_, settings = settings_, scored = scored_by_job_, by_itself](const Progress& progress) {
         lower_priority();
-        SweepListener listener{.evaluated = [&scored](const EvaluatedDirection& direction) {
+        Questions questions{.sweep = settings};
+        questions.sweep_shows.evaluated = [&scored](const EvaluatedDirection& direction) {
           const std::lock_guard lock(scored->mutex);
           scored->directions.push_back(direction);
-        }};
+        };
         if (by_itself) {
-          listener.named = [&scored](SweepResult named) {
+          questions.sweep_shows.named = [&scored](SweepResult named) {
             const std::lock_guard lock(scored->mutex);
             scored->named = std::make_shared<const SweepResult>(std::move(named));
           };
         }
-        return run_sweep(model, settings, progress, listener);
+        Study study(model, std::move(questions));
+        study.find<SweepResult>(progress);
+        return study.known<SweepResult>();
       });
 }
 
@@ -117,8 +120,7 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
     if (outcome) {
       sweep.running.reset();
       sweep.error = std::move(outcome->error);
-      if (outcome->result)
-        pictured_ = sweep.result = std::make_shared<const SweepResult>(std::move(*outcome->result));
+      if (outcome->result) pictured_ = sweep.result = std::move(*outcome->result);
     }
     wake_s_ = now_s + k_between_frames_s;
   }

@@ -44,7 +44,7 @@ class WindowSweep {
     std::shared_ptr<const SweepResult> named;  // see SweepListener
   };
   std::shared_ptr<const PartModel> model_;
-  Job<SweepResult> job_;
+  Job<std::shared_ptr<const SweepResult>> job_;
   std::shared_ptr<Scored> scored_by_job_ = std::make_shared<Scored>();
   std::shared_ptr<const SweepResult> pictured_;  // the result whose pictures were not taken yet
   SweepSettings settings_;                       // of the sweep

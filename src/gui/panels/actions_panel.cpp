@@ -15,7 +15,7 @@
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "gui/view/side_actions.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -44,8 +44,8 @@ std::string turn_text(double from_deg, double to_deg) {
 
 std::string shared_text(const SideAction& action, std::size_t undercut) {
   std::vector<std::size_t> others;
-  for (const std::size_t patch : action.patches) {
-    if (patch != undercut) others.push_back(patch + 1);
+  for (const std::size_t found : action.patches) {
+    if (found != undercut) others.push_back(found + 1);
   }
   return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
 }
@@ -86,26 +86,26 @@ bool is_unreleased(const ActionPlan& plan, std::size_t undercut) {
 }
 
 /// The pin that the settings have for it, which a plan may not have seen yet.
-const ActionPin* pin_for(const ActionSettings& settings, const UndercutReport& patch) {
+const ActionPin* pin_for(const ActionSettings& settings, const UndercutReport& found) {
   for (auto pin = settings.pins.rbegin(); pin != settings.pins.rend(); ++pin) {
-    if (patch.pin == *pin || (pin->point == patch.point && pin->area == patch.undercut.area)) return &*pin;
+    if (found.pin == *pin || (pin->point == found.point && pin->area == found.undercut.area)) return &*pin;
   }
   return nullptr;
 }
 
-void set_pin(ActionSettings& settings, const UndercutReport& patch,
+void set_pin(ActionSettings& settings, const UndercutReport& found,
              const std::optional<std::optional<ActionKind>>& kind) {
-  while (const ActionPin* pin = pin_for(settings, patch))
+  while (const ActionPin* pin = pin_for(settings, found))
     settings.pins.erase(settings.pins.begin() + (pin - settings.pins.data()));
-  if (kind) settings.pins.push_back({.point = patch.point, .area = patch.undercut.area, .kind = *kind});
+  if (kind) settings.pins.push_back({.point = found.point, .area = found.undercut.area, .kind = *kind});
 }
 
 /// The cell that shows to what an undercut is pinned; a click opens the list of kinds.
 void draw_pin(const PanelContext& context, std::size_t undercut) {
   const Ui& ui = context.ui;
-  const UndercutReport& patch = context.state.actions.plan->patches[undercut];
+  const UndercutReport& found = context.state.actions.plan->patches[undercut];
   ActionSettings& settings = context.edits.settings.actions;
-  const ActionPin* const pin = pin_for(settings, patch);
+  const ActionPin* const pin = pin_for(settings, found);
   const std::string id = fmt::format("pin {}", undercut + 1);
   const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_action_row - 2)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -120,14 +120,14 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
           "The only kind of action that may release this undercut. The choice is saved with the part.");
   if (cell.clicked) open_popup_below_item(ui, id.c_str());
   if (!begin_popup(ui, id.c_str(), ui.px(176))) return;
-  if (menu_item(ui, "automatic", {.chosen = pin == nullptr})) set_pin(settings, patch, std::nullopt);
+  if (menu_item(ui, "automatic", {.chosen = pin == nullptr})) set_pin(settings, found, std::nullopt);
   for (std::size_t k = 0; k < k_action_kinds; ++k) {
     const auto kind = static_cast<ActionKind>(k);
     if (menu_item(ui, facts(kind).singular, {.chosen = pin != nullptr && pin->kind == kind}))
-      set_pin(settings, patch, std::optional(kind));
+      set_pin(settings, found, std::optional(kind));
   }
   if (menu_item(ui, k_no_action, {.chosen = pin != nullptr && !pin->kind}))
-    set_pin(settings, patch, std::optional<ActionKind>());
+    set_pin(settings, found, std::optional<ActionKind>());
   end_popup(ui);
 }
 
@@ -172,10 +172,10 @@ std::string others_text(const ActionPlan& plan, std::size_t undercut, const Side
 
 std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& patch = plan.patches[undercut];
+  const UndercutReport& found = plan.patches[undercut];
   const std::string unit = length_unit(state.model->part);
   const FigureStyle style(*state.model);
-  std::string tip = style.with_unit(FigureKind::area, patch.undercut.area);
+  std::string tip = style.with_unit(FigureKind::area, found.undercut.area);
   if (const SideAction* action = action_of(plan, undercut)) {
     tip += fmt::format(
         " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
@@ -202,7 +202,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& patch = plan.patches[undercut];
+  const UndercutReport& found = plan.patches[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
   const glm::vec2& start = row.min;
@@ -218,9 +218,9 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   };
   const FigureStyle style(*state.model);
   cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
-  cell(1, ui.fonts.body, normal, grouped(style.text(FigureKind::area, patch.undercut.area)));
+  cell(1, ui.fonts.body, normal, grouped(style.text(FigureKind::area, found.undercut.area)));
   cell(2, ui.fonts.body, normal,
-       patch.depth > 0.0 ? grouped(style.text(FigureKind::length, patch.depth)) : "–");
+       found.depth > 0.0 ? grouped(style.text(FigureKind::length, found.depth)) : "–");
   const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
   if (action != nullptr) {
     cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
@@ -244,14 +244,16 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
 
 void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
   draw_headings(context.ui, k_action_columns);
+  const ActionPlan& plan = *context.state.actions.plan;
   const ChoiceTable undercuts{.list = {.id = "undercuts",
-                                       .count = context.state.actions.plan->patches.size(),
+                                       .count = plan.patches.size(),
                                        .row_height = k_action_row,
                                        .share = k_actions_share},
                               .row = "undercut",
                               .chosen = context.edits.action_choices.chosen,
                               .look = &Commands::look_at_undercut,
-                              .beside = k_pin_width + 6};
+                              .beside = k_pin_width + 6,
+                              .tiny = tiny_text(speck_count(plan))};
   draw_choices(context, undercuts, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
   draw_own_directions(context);

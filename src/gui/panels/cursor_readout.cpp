@@ -11,8 +11,8 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/revision_view.hpp"
-#include "parting/draft/draft_report.hpp"
-#include "render/view_colours.hpp"
+#include "parting/draft/draft_check.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight::gui {
 

@@ -12,8 +12,8 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
+#include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
-#include "mold/direction_words.hpp"
 
 namespace moldlight::gui {
 

@@ -7,8 +7,8 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
-#include "parting/draft/draft_report.hpp"
-#include "render/view_colours.hpp"
+#include "parting/draft/draft_check.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight::gui {
 

@@ -1,12 +1,11 @@
 // The dialog that opens a part.
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
 #include "io/part_formats.hpp"

@@ -1,8 +1,6 @@
 // The mold along the bottom: what it says of the parting line and the halves, also to what else asks.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,13 +171,18 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_headings(ui, mold_columns());
-  const ChoiceTable loops{.list = {.id = "loops",
-                                   .count = state.mold.line->line.loops.size(),
-                                   .row_height = k_mold_row,
-                                   .share = k_mold_share},
-                          .row = "loop",
-                          .chosen = context.edits.mold_choices.loop,
-                          .look = &Commands::look_at_loop};
+  const std::vector<PartingLoop>& all = state.mold.line->line.loops;
+  const double tolerance = lateral_tolerance(state.settings.method, state.model->frame.diagonal);
+  std::vector<std::size_t> shown;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!all[k].tiny(tolerance)) shown.push_back(k);
+  const ChoiceTable loops{
+      .list = {.id = "loops", .count = shown.size(), .row_height = k_mold_row, .share = k_mold_share},
+      .row = "loop",
+      .chosen = context.edits.mold_choices.loop,
+      .look = &Commands::look_at_loop,
+      .numbers = shown,
+      .tiny = tiny_text(all.size() - shown.size())};
   draw_choices(context, loops, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_loop(context, k, row); });
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "classify/option_table.hpp"
+#include "classify/option.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 

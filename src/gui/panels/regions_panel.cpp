@@ -1,6 +1,5 @@
 // The legend: the verdict, the four regions with their measured areas, how sure they are, and whether two
 // ways agree.
-#include <algorithm>
 #include <string_view>
 #include <vector>
 

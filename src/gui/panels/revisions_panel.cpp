@@ -9,7 +9,7 @@
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "gui/view/revision_view.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -76,7 +76,7 @@ class Texts {
   [[nodiscard]] RowTexts of_place(const ChangedPlace& place) const {
     RowTexts texts;
     if (place.gone.area > 0.0) texts.before = grouped(areas_.text(place.gone.area));
-    if (place.fresh.area > 0.0) texts.now = grouped(areas_.text(place.fresh.area));
+    if (place.added.area > 0.0) texts.now = grouped(areas_.text(place.added.area));
     if (comparison_.surface.closed) texts.volume = with_sign(areas_, place.volume.volume);
     texts.more = fmt::format("{} {} across", grouped(lengths_.text(place.bounds.diagonal())),
                              length_unit(comparison_.a.model->part));
@@ -85,18 +85,19 @@ class Texts {
 
   [[nodiscard]] RowTexts of_undercut(const MatchedChange& change) const {
     RowTexts texts;
-    const auto depth = [&](const UndercutReport& patch) {
-      return patch.depth > 0.0 && std::isfinite(patch.depth) ? grouped(lengths_.text(patch.depth)) : "–";
+    const auto depth = [&](const UndercutReport& undercut) {
+      return undercut.depth > 0.0 && std::isfinite(undercut.depth) ? grouped(lengths_.text(undercut.depth))
+                                                                   : "–";
     };
-    const auto patch = [&](const ComparedPart& part, std::size_t number, std::string& area) {
+    const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
       const UndercutReport& one = part.plan->patches[number];
       area = grouped(areas_.text(one.undercut.area));
       return depth(one);
     };
     std::string was, now;
-    if (change.former) was = patch(comparison_.a, *change.former, texts.before);
-    if (change.fresh) now = patch(comparison_.b, *change.fresh, texts.now);
-    const bool both = change.former && change.fresh;
+    if (change.a) was = undercut(comparison_.a, *change.a, texts.before);
+    if (change.b) now = undercut(comparison_.b, *change.b, texts.now);
+    const bool both = change.a && change.b;
     texts.more = both ? fmt::format("deep {}, now {}", was, now) : "deep " + was + now;
     return texts;
   }
@@ -110,9 +111,9 @@ class Texts {
                                     direction_words(one.direction), lengths_.text(one.travel)));
     };
     std::string was, now;
-    if (change.former) was = action(*comparison_.a.plan, *change.former, texts.before);
-    if (change.fresh) now = action(*comparison_.b.plan, *change.fresh, texts.now);
-    const bool both = change.former && change.fresh;
+    if (change.a) was = action(*comparison_.a.plan, *change.a, texts.before);
+    if (change.b) now = action(*comparison_.b.plan, *change.b, texts.now);
+    const bool both = change.a && change.b;
     texts.more = !both                             ? was + now
                  : change.kind == ChangeKind::same ? now
                                                    : fmt::format("{}, was {}", now, was);
@@ -128,8 +129,8 @@ void draw_swatch(const PanelContext& context, const RevisionChange& change, cons
   const Ui& ui = context.ui;
   Colour left = lit_colour(Lit::other_region), right = left;
   if (change.of == Of::place) {
-    left = lit_colour(change.kind == ChangeKind::fresh ? Lit::fresh : Lit::gone);
-    right = lit_colour(change.kind == ChangeKind::gone ? Lit::gone : Lit::fresh);
+    left = lit_colour(change.kind == ChangeKind::added ? Lit::added : Lit::gone);
+    right = lit_colour(change.kind == ChangeKind::gone ? Lit::gone : Lit::added);
   } else if (change.of != Of::region) {
     left = right = region_colour(Region::undercut, context.state.settings.look.palette);
   }

@@ -13,7 +13,7 @@
 #include "gui/panels/direction_cards.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/panels/workspace.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/sweep_texts.hpp"
 

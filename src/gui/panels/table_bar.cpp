@@ -40,19 +40,20 @@ void TableBar::draw_line(const PanelContext& context, const TableBarParts& parts
 void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,
                   const std::function<void(std::size_t, const ScreenBox&)>& draw_row) {
   const Ui& ui = context.ui;
-  const auto choose = [&](std::size_t number) {
-    table.chosen = number;
-    context.edits.ask(table.look, number);
+  const auto number_of = [&](std::size_t k) { return table.numbers.empty() ? k : table.numbers[k]; };
+  const auto choose = [&](std::size_t k) {
+    table.chosen = number_of(k);
+    context.edits.ask(table.look, number_of(k));
   };
   const auto pressed = draw_list(ui, table.list, cursor, [&](std::size_t k) {
-    const std::string id = fmt::format("{} {}", table.row, k + 1);
-    const bool here = table.chosen == k;
+    const std::string id = fmt::format("{} {}", table.row, number_of(k) + 1);
+    const bool here = table.chosen == number_of(k);
     const Row row = list_row(ui, {.id = id.c_str(),
                                   .height = table.list.row_height,
                                   .beside = table.beside,
                                   .chosen = here,
-                                  .marked = cursor.is_at(k) || table.pointed == k});
-    draw_row(k, row.box);
+                                  .marked = cursor.is_at(k) || table.pointed == number_of(k)});
+    draw_row(number_of(k), row.box);
     ImGui::SetCursorScreenPos(ImVec2(row.box.min.x, row.box.max.y));
     if (!row.clicked) return;
     if (here)
@@ -61,6 +62,7 @@ void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCurs
       choose(k);
   });
   if (pressed) choose(*pressed);
+  if (!table.tiny.empty()) hint(ui, table.tiny);
 }
 
 RowOptions typed_numbers(const PanelContext& context) {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/store/files.hpp"
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
 #include "gui/store/files.hpp"
@@ -18,8 +19,6 @@ namespace moldlight::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view k_schema = "moldlight.view/3";
 

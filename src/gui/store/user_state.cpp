@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "gui/store/files.hpp"
 
 namespace moldlight::gui {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_recent_limit = 12;
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "classify/look_options.hpp"
+#include "classify/method_options.hpp"
 #include "render/view_settings.hpp"
 #include "sweep/sweep_settings.hpp"
 

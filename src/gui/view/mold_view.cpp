@@ -10,7 +10,7 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "parting/mold_frame.hpp"
+#include "parting/mold_halves.hpp"
 
 namespace moldlight::gui {
 

@@ -113,7 +113,7 @@ std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
   const auto normal_of = [&](PieceIndex piece) {
     return part.model->geometry.normals[split.pieces[piece].facet];
   };
-  Sheets changed(frame, lit_colour(second ? Lit::fresh : Lit::gone), cut), choice(frame, k_chosen, cut),
+  Sheets changed(frame, lit_colour(second ? Lit::added : Lit::gone), cut), choice(frame, k_chosen, cut),
       other(frame, lit_colour(Lit::other_region), cut);
   for (const LitPolygon& one : revisions.lit[second ? 1 : 0]) {
     const bool region = one.what == Lit::other_region;
@@ -210,7 +210,7 @@ std::vector<std::string> revision_lines(const AppState& state) {
   }
   const ChangedPlace& place = surface.places[change.number];
   lines.push_back(fmt::format("gone {}  ·  new {}", change_area_text(state, place.gone.area),
-                              change_area_text(state, place.fresh.area)));
+                              change_area_text(state, place.added.area)));
   return lines;
 }
 

@@ -14,7 +14,6 @@
 #include "gui/app_state.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "render/readout_passes.hpp"
-#include "render/section_planes.hpp"
 #include "render/view_geometry.hpp"
 #include "render/view_passes.hpp"
 

@@ -74,9 +74,9 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   const auto& plan = state.actions.plan;
   if (!state.model || !plan || !choices.chosen) return std::nullopt;
   const UnitFrame& frame = state.model->frame;
-  const UndercutReport& patch = plan->patches[*choices.chosen];
+  const UndercutReport& found = plan->patches[*choices.chosen];
   SideArrow arrow;
-  arrow.tail = (patch.point - frame.center) / frame.diagonal;
+  arrow.tail = (found.point - frame.center) / frame.diagonal;
   if (const SideAction* action = chosen_action(state)) {
     if (!is_straight(*action)) return std::nullopt;
     arrow.direction = action->direction;
@@ -84,7 +84,7 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   } else {
     // Outward from the part's middle, as a hand would begin.
     const glm::dvec3& d = state.settings.direction.unit();
-    const glm::dvec3 out = patch.undercut.centre - frame.center;
+    const glm::dvec3 out = found.undercut.centre - frame.center;
     const glm::dvec3 level = out - glm::dot(out, d) * d;
     const glm::dvec3 aside = std::abs(d.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     arrow.direction = glm::length(level) > 1e-6 * frame.diagonal
@@ -161,9 +161,9 @@ std::vector<glm::vec3> points_of_bodies(const AppState& state, double open) {
 std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UnitFrame& frame = state.model->frame;
-  const UndercutReport& patch = plan.patches[undercut];
-  const double size = std::max(patch.undercut.size_across, patch.undercut.size_along) / frame.diagonal;
-  const glm::vec3 centre = frame.to_unit(patch.undercut.centre);
+  const UndercutReport& found = plan.patches[undercut];
+  const double size = std::max(found.undercut.size_across, found.undercut.size_along) / frame.diagonal;
+  const glm::vec3 centre = frame.to_unit(found.undercut.centre);
   std::vector<glm::vec3> points = points_around(centre, std::max(0.6 * size, k_least_undercut_reach));
   const SideAction* const action = action_of(plan, undercut);
   if (action == nullptr || !state.actions.bodies) return points;

@@ -9,8 +9,8 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
-#include "mold/direction_words.hpp"
-#include "render/view_colours.hpp"
+#include "mold/direction.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight::gui {
 

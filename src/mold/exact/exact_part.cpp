@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mesh/edge_table.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace moldlight {
 

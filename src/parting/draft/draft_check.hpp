@@ -6,12 +6,16 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "base/image.hpp"
+#include "classify/json.hpp"
 #include "classify/option.hpp"
 #include "classify/part_model.hpp"
+#include "classify/still_picture.hpp"
 #include "mold/measure.hpp"
 #include "parting/assignment.hpp"
 
@@ -59,5 +63,22 @@ struct DraftCheck {
 /// `reverse` is the classification's of the assignment's direction; `required_deg` in (0, 45].
 [[nodiscard]] DraftCheck check_draft(const PartModel& model, const Assignment& assignment,
                                      const ReverseDraft& reverse, double required_deg);
+
+/// The member `draft` of a classification's report. Areas and lengths are in the part's unit.
+[[nodiscard]] Json draft_json(const PartModel& model, const DraftCheck& check);
+
+/// How much has too little draft in each half, and what leans back, in a sentence.
+[[nodiscard]] std::string draft_sentence(const PartModel& model, const DraftCheck& check);
+
+/// A wall's suggestion: "turn by 1.2° about its foot: 0.42 mm".
+[[nodiscard]] std::string suggestion(const PartModel& model, const WallDraft& wall);
+
+/// A line a wall, those that cost most thickness first. Throws FileError.
+void write_draft_csv(const std::string& path, const DraftCheck& check);
+
+/// Draws the card with the histogram, -5 to 10 degrees, into the lower right corner of a still picture; a
+/// picture that is too small for it, or that has no legend, stays as it is.
+[[nodiscard]] Image with_draft_histogram(const Image& picture, const PartModel& model,
+                                         const DraftCheck& check, const StillSettings& settings);
 
 }  // namespace moldlight

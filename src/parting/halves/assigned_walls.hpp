@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.hpp"
-#include "parting/halves/height_range.hpp"
+#include "parting/halves/plane_mesh.hpp"
 #include "parting/halves/sheets.hpp"
 
 namespace moldlight {

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/facet_geometry.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -70,10 +72,7 @@ std::vector<std::vector<Stretch>> depth_columns(const TriangleMesh& mesh, const 
 std::optional<double> thinnest_of(const TriangleMesh& mesh) {
   constexpr std::size_t k_lines = 96;
   const double least_cosine = std::cos(glm::radians(20.0));
-  const auto normal_of = [&](FacetIndex facet) {
-    return glm::normalize(glm::cross(mesh.corner(facet, 1) - mesh.corner(facet, 0),
-                                     mesh.corner(facet, 2) - mesh.corner(facet, 0)));
-  };
+  const auto normal_of = [&](FacetIndex facet) { return glm::normalize(twice_area_vector(mesh, facet)); };
   const Bounds box = bounds(mesh);
   std::optional<double> thinnest;
   for (int axis = 0; axis < 3; ++axis) {

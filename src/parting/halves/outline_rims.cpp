@@ -1,9 +1,13 @@
 #include "parting/halves/outline_rims.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -86,6 +90,169 @@ double width_of(const std::vector<RimSegment>& rims) {
   return around > 0.0 ? std::abs(twice_area) / around : 0.0;
 }
 
+/// Facets may be off by so much, in diagonals of the part; points are no nearer to each other than that.
+constexpr double k_most_off = 1e-3, k_least_apart = 2e-3;
+constexpr int k_most_layout_rounds = 6;
+constexpr std::size_t k_most_points = 1500;
+/// Places at which an edge is looked at.
+constexpr std::size_t k_samples = 8;
+
+struct Bend {
+  double share = 0.5;  // of the edge
+  bool kink = false;   // straight on both sides
+};
+
+/// Heights along an edge.
+using Profile = std::function<double(double share)>;
+
+/// Where the profile, straight on both sides of one place between two shares, bends.
+std::optional<double> kink_between(const Profile& profile, double from, double to) {
+  const double span = to - from, step = 0.02 * span;
+  const double at_from = profile(from), at_to = profile(to);
+  const double rise_from = (profile(from + step) - at_from) / step,
+               rise_to = (at_to - profile(to - step)) / step;
+  if (std::abs(rise_from - rise_to) * span <= 1e-7) return std::nullopt;
+  const double way = (at_to - at_from - rise_to * span) / (rise_from - rise_to);
+  if (way <= 0.0 || way >= span) return std::nullopt;
+  const double expected = at_from + rise_from * way;
+  if (std::abs(profile(from + way) - expected) > 0.02 * k_most_off) return std::nullopt;
+  return from + way;
+}
+
+/// Where the profile is farthest from straight, if that is too far: at a kink if one is there.
+std::optional<Bend> bend_of(const Profile& profile, double at_start, double at_end) {
+  std::array<double, k_samples + 1> z{};
+  z[0] = at_start;
+  z[k_samples] = at_end;
+  double most = k_most_off;
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < k_samples; ++k) {
+    const double share = static_cast<double>(k) / k_samples;
+    z[k] = profile(share);
+    const double off = std::abs(z[k] - glm::mix(at_start, at_end, share));
+    if (off <= most) continue;
+    most = off;
+    worst = k;
+  }
+  if (worst == 0) return std::nullopt;
+  if (const auto kink = kink_between(profile, 0.0, 1.0)) return Bend{*kink, true};
+  // Around the sharpest place.
+  std::size_t sharpest = worst;
+  double bends = 0.0;
+  for (std::size_t k = 1; k < k_samples; ++k) {
+    const double bend = std::abs(z[k + 1] - 2.0 * z[k] + z[k - 1]);
+    if (bend <= bends) continue;
+    bends = bend;
+    sharpest = k;
+  }
+  const double low = static_cast<double>(sharpest - 1) / k_samples,
+               high = static_cast<double>(sharpest + 1) / k_samples;
+  if (const auto kink = kink_between(profile, low, high)) return Bend{*kink, true};
+  return Bend{static_cast<double>(worst) / k_samples, false};
+}
+
+class Layout {
+ public:
+  Layout(PlaneMesh& mesh, std::span<const ShelfField> fields) : mesh_(mesh), fields_(fields) {}
+
+  void run() {
+    const std::size_t most = mesh_.points().size() + k_most_points;
+    for (int round = 0; round < k_most_layout_rounds && mesh_.points().size() < most; ++round) {
+      if (!cut_bends()) return;
+    }
+  }
+
+ private:
+  using Edge = std::array<std::uint32_t, 2>;
+  struct Cut {
+    std::uint32_t region = 0;
+    bool fixed = false;
+    glm::dvec2 at{0.0};
+    bool kink = false;
+    std::uint32_t point = PlaneMesh::k_none;
+  };
+
+  double height_at(std::uint32_t region, std::uint32_t point) {
+    const auto [entry, fresh] = heights_.try_emplace({region, point}, 0.0);
+    if (fresh) entry->second = fields_[region].at(mesh_.points()[point]);
+    return entry->second;
+  }
+
+  std::optional<Cut> cut_of(const Edge& edge, std::uint32_t region, bool fixed) {
+    const glm::dvec2 a = mesh_.points()[edge[0]], b = mesh_.points()[edge[1]];
+    const double length = glm::distance(a, b);
+    if (length < 2.0 * k_least_apart || straight_.contains(Sheets::edge_key(edge[0], edge[1])))
+      return std::nullopt;
+    const Profile profile = [&](double share) { return fields_[region].at(glm::mix(a, b, share)); };
+    const auto bend = bend_of(profile, height_at(region, edge[0]), height_at(region, edge[1]));
+    const double least = k_least_apart / length;
+    if (!bend || bend->share < least || bend->share > 1.0 - least) {
+      straight_.insert(Sheets::edge_key(edge[0], edge[1]));
+      return std::nullopt;
+    }
+    return Cut{region, fixed, on_grid(glm::mix(a, b, bend->share)), bend->kink};
+  }
+
+  /// Whether a point would stand so near to others, or to a segment, that its facets would be slivers.
+  [[nodiscard]] bool crowded(const glm::dvec2& at) const {
+    const PlaneMesh::Triangle& t = mesh_.triangles()[mesh_.locate(at)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2 &a = mesh_.points()[t.corners[k]], &b = mesh_.points()[t.corners[(k + 1) % 3]];
+      if (glm::distance(a, at) < k_least_apart) return true;
+      const glm::dvec2 along = b - a, away = at - a;
+      if (t.fixed[k] != 0 &&
+          std::abs(along.x * away.y - along.y * away.x) < k_least_apart * glm::length(along))
+        return true;
+    }
+    return false;
+  }
+
+  bool cut_bends() {
+    const std::vector<PlaneMesh::Triangle> before = mesh_.triangles();
+    std::map<Edge, std::optional<Cut>> cuts;
+    const auto edge_of = [](const PlaneMesh::Triangle& t, std::size_t k) {
+      const auto [low, high] = std::minmax(t.corners[k], t.corners[(k + 1) % 3]);
+      return Edge{low, high};
+    };
+    bool any = false;
+    for (const PlaneMesh::Triangle& t : before) {
+      if (t.inside || fields_[t.region].plane()) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [entry, fresh] = cuts.try_emplace(edge_of(t, k));
+        if (!fresh) continue;
+        entry->second = cut_of(entry->first, t.region, t.fixed[k] != 0);
+        any = any || entry->second;
+      }
+    }
+    if (!any) return false;
+    for (auto& [edge, cut] : cuts) {
+      if (!cut) continue;
+      if (cut->fixed) {
+        cut->point = mesh_.divide_segment(edge[0], edge[1], cut->at);
+      } else if (!crowded(cut->at)) {
+        cut->point = mesh_.add_point(cut->at);
+      }
+      if (cut->point == PlaneMesh::k_none) straight_.insert(Sheets::edge_key(edge[0], edge[1]));
+    }
+    for (const PlaneMesh::Triangle& t : before) {
+      if (t.inside || fields_[t.region].plane()) continue;
+      std::vector<std::uint32_t> on_kink;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& cut = cuts.at(edge_of(t, k));
+        if (cut && cut->kink && cut->point != PlaneMesh::k_none) on_kink.push_back(cut->point);
+      }
+      if (on_kink.size() == 2 && on_kink[0] != on_kink[1])
+        static_cast<void>(mesh_.add_segment(on_kink[0], on_kink[1], PlaneMesh::k_rim));
+    }
+    return true;
+  }
+
+  PlaneMesh& mesh_;
+  std::span<const ShelfField> fields_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> heights_;
+  std::unordered_set<std::uint64_t> straight_;
+};
+
 }  // namespace
 
 RegionRims outline_rims(const Sheets& sheets, const OutlinePlane& plane) {
@@ -142,6 +309,13 @@ std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wi
                         shape);
   }
   return fields;
+}
+
+void lay_shelf(Sheets& sheets, std::span<const ShelfField> fields, double tolerance, OutlinePlane& plane) {
+  if (std::ranges::all_of(fields, &ShelfField::plane)) return;
+  const std::size_t before = plane.mesh.points().size();
+  Layout(plane.mesh, fields).run();
+  put_in_columns(sheets, before, tolerance, plane);
 }
 
 }  // namespace moldlight

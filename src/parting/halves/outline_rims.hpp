@@ -2,6 +2,7 @@
 // of these.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "parting/halves/assigned_walls.hpp"
@@ -29,5 +30,9 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims);
 /// The field of each region: where a level meets all of an outline, or a hole's is in one plane, it is that.
 [[nodiscard]] std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes,
                                                    const ShelfShape& shape, const Progress& progress);
+
+/// Adds points and segments outside of the outline, where the fields of the regions bend, and puts those on
+/// the outline into columns.
+void lay_shelf(Sheets& sheets, std::span<const ShelfField> fields, double tolerance, OutlinePlane& plane);
 
 }  // namespace moldlight

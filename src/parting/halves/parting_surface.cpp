@@ -12,8 +12,6 @@
 
 #include "parting/halves/outline_plane.hpp"
 #include "parting/halves/outline_rims.hpp"
-#include "parting/halves/segment_cuts.hpp"
-#include "parting/halves/shelf_layout.hpp"
 
 namespace moldlight {
 

@@ -7,7 +7,6 @@
 #include <glm/vec2.hpp>
 
 #include "parting/halves/assigned_walls.hpp"
-#include "parting/halves/mold_fault.hpp"
 #include "parting/halves/sheets.hpp"
 #include "parting/halves/shelf_field.hpp"
 #include "parting/halves/slope_limit.hpp"

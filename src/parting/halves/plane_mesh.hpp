@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,6 +11,13 @@
 #include <glm/vec2.hpp>
 
 namespace moldlight {
+
+struct HeightRange {
+  double low = -INFINITY, high = INFINITY;
+
+  [[nodiscard]] bool empty() const { return low > high; }
+  [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+};
 
 /// Points are numbered in the order in which they are added, the rectangle's corners first (0 … 3,
 /// counter-clockwise from the lowest). Coordinates are multiples of 2^-45 below 8.

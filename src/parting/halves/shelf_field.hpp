@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "parting/halves/height_range.hpp"
+#include "parting/halves/plane_mesh.hpp"
 
 namespace moldlight {
 

@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "parting/halves/height_range.hpp"
 #include "parting/halves/plane_mesh.hpp"
 
 namespace moldlight {

@@ -1,5 +1,3 @@
-#include "parting/halves/thin_facets.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "parting/halves/tidy_solid.hpp"
 
 namespace moldlight {
 

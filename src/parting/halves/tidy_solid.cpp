@@ -11,9 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "mesh/edge_table.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/union_find.hpp"
-#include "parting/halves/thin_facets.hpp"
 
 namespace moldlight {
 

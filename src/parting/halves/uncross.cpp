@@ -1,6 +1,5 @@
-#include "parting/halves/uncross.hpp"
-
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -10,7 +9,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/unit_frame.hpp"
 #include "mold/exact/facet_encounters.hpp"
-#include "parting/halves/half_checks.hpp"
+#include "parting/halves/tidy_solid.hpp"
 
 namespace moldlight {
 
@@ -58,10 +57,6 @@ class Uncrosser {
     mesh_.vertices[vertex] = to;
     positions_[vertex] = in_frame(to);
   }
-  [[nodiscard]] glm::dvec3 normal_of(FacetIndex facet) const {
-    const glm::dvec3& a = mesh_.corner(facet, 0);
-    return glm::cross(mesh_.corner(facet, 1) - a, mesh_.corner(facet, 2) - a);
-  }
 
   /// What the facets around a vertex have against the pull, each as long as twice its area.
   struct Against {
@@ -71,7 +66,7 @@ class Uncrosser {
   [[nodiscard]] Against against(VertexIndex vertex) const {
     Against sum;
     for (const FacetIndex facet : around_[vertex]) {
-      const glm::dvec3 normal = normal_of(facet);
+      const glm::dvec3 normal = twice_area_vector(mesh_, facet);
       const double size = glm::length(normal), along = glm::dot(normal, query_.pull);
       sum.seen += std::max(0.0, along);
       if (along > k_leaning_sine * size) sum.leaning += size;
@@ -87,7 +82,7 @@ class Uncrosser {
     std::vector<glm::dvec3> normals;
     for (const FacetIndex facet : near) {
       some.facets.push_back(mesh_.facets[facet]);
-      const glm::dvec3 normal = normal_of(facet);
+      const glm::dvec3 normal = twice_area_vector(mesh_, facet);
       const double size = glm::length(normal);
       normals.push_back(size > 0.0 ? normal / size : glm::dvec3(0.0));
     }
@@ -172,6 +167,51 @@ std::vector<FacetIndex> uncross(TriangleMesh& mesh, const TidyQuery& query, std:
     const bool better = left.size() < crossed.size();
     crossed = std::move(left);
     if (!better) break;
+  }
+  return crossed;
+}
+
+GraphTest graph_test(const std::vector<glm::dvec3>& vertices,
+                     const std::vector<std::array<SheetVertex, 3>>& facets, double sign) {
+  GraphTest test;
+  for (const auto& [i, j, k] : facets) {
+    const glm::dvec3 &a = vertices[i], &b = vertices[j], &c = vertices[k];
+    const double seen = 0.5 * sign * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    (seen < 0.0 ? test.folded : test.covered) += std::abs(seen);
+    if (-seen <= test.most) continue;
+    test.most = -seen;
+    test.place = (a + b + c) / 3.0;
+  }
+  return test;
+}
+
+Needles find_needles(const TriangleMesh& mesh, double thinnest) {
+  Needles needles;
+  double most = 0.0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::distance(mesh.corner(facet, k), mesh.corner(facet, (k + 1) % 3)));
+    const double twice_area = glm::length(twice_area_vector(mesh, facet));
+    if (twice_area >= thinnest * longest) continue;
+    ++needles.count;
+    if (longest <= most) continue;
+    most = longest;
+    needles.place = mesh.corner(facet, 0);
+  }
+  return needles;
+}
+
+std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
+  const UnitFrame frame = unit_frame(bounds(mesh));
+  std::vector<glm::dvec3> positions;
+  for (const glm::dvec3& vertex : mesh.vertices)
+    positions.push_back((vertex - frame.center) / frame.diagonal);
+  const FacetEncounters met =
+      facet_encounters(mesh, positions, facet_geometry(mesh).normals, {}, k_any_crossings, progress);
+  std::vector<FacetIndex> crossed;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    if (!met.crossings.of(facet).empty()) crossed.push_back(facet);
   }
   return crossed;
 }

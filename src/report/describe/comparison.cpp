@@ -1,4 +1,6 @@
 // The report of a comparison: what a revision changes.
+#include "compare/comparison.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
+#include "compare/compare_figures.hpp"
 #include "compare/compare_picture.hpp"
-#include "compare/compare_report.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -94,8 +96,8 @@ Section Describer::places() const {
   FigureGrid grid;
   grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, "of A alone",
                    error_text(surface.gone.error)},
-                  {"New", area(surface.fresh.area, "/surface/new/area"), area_unit_, "of B alone",
-                   error_text(surface.fresh.error)},
+                  {"New", area(surface.added.area, "/surface/new/area"), area_unit_, "of B alone",
+                   error_text(surface.added.error)},
                   {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
   if (surface.chords > 0.0)
     grid.figures.push_back({"Tessellation", length(surface.chords, "/tessellation"), length_unit_,
@@ -114,7 +116,7 @@ Section Describer::places() const {
     const std::string key = fmt::format("/places/{}/", k);
     Row row{{{fmt::format("{}", k + 1)},
              area(place.gone.area, key + "gone/area"),
-             area(place.fresh.area, key + "new/area")}};
+             area(place.added.area, key + "new/area")}};
     if (closed()) row.cells.push_back(volume(place.volume, key + "volume"));
     row.cells.insert(row.cells.end(),
                      {point(place.centre), {style_.text(FigureKind::length, place.bounds.diagonal())}});
@@ -135,22 +137,19 @@ Section Describer::places() const {
 }
 
 Table Describer::region_table() const {
-  const Classification &a = comparison_.a.result, &b = comparison_.b.result;
   Table table{{{"", true}, {"A " + area_unit_}, {"B " + area_unit_}, {"change " + area_unit_}, {"of A"}}, {}};
-  const auto row = [&](std::string title, const std::string& key, double before, double after) {
-    table.rows.push_back({{{std::move(title)},
+  for (const FigureRow<ComparedPart>& one : region_figures()) {
+    if (one.title.empty()) continue;
+    const std::string key(one.key);
+    const double before = *one.find(comparison_.a), after = *one.find(comparison_.b);
+    table.rows.push_back({{{std::string(one.title)},
                            area(before, "/regions/a/" + key),
                            area(after, "/regions/b/" + key),
                            change(after - before, "/regions/difference/" + key),
                            {with_minus(change_percent(before, after))}}});
-  };
-  for (const Region region : k_regions) {
-    row(std::string(facts(region).title), std::string(region_name(region)), a.areas[region], b.areas[region]);
-    table.rows.back().mark = region_mark(region, context_.palette);
+    for (const Region region : k_regions)
+      if (region_name(region) == one.key) table.rows.back().mark = region_mark(region, context_.palette);
   }
-  row("Surface", "total", a.total_area, b.total_area);
-  row("Near-vertical", "near_vertical", a.near_vertical_area, b.near_vertical_area);
-  row("Reverse draft", "reverse_draft", a.reverse_draft.area, b.reverse_draft.area);
   return table;
 }
 
@@ -194,16 +193,16 @@ Section Describer::undercuts() const {
                {"B deep " + length_unit_},
                {"centre " + length_unit_, true}},
               {}};
-  ReportContext of_former = context_;
-  of_former.model = comparison_.a.model;
-  Illustrator former(of_former, comparison_.a.result), fresh(context_, comparison_.b.result);
+  ReportContext of_a = context_;
+  of_a.model = comparison_.a.model;
+  Illustrator a(of_a, comparison_.a.result), b(context_, comparison_.b.result);
   std::size_t same = 0;
   for (std::size_t k = 0; k < comparison_.undercuts.size(); ++k) {
     const MatchedChange& one = comparison_.undercuts[k];
     if (one.kind == ChangeKind::same) ++same;
     if (one.kind == ChangeKind::same || table.rows.size() == k_most_rows) continue;
-    const UndercutReport* was = one.former ? &comparison_.a.plan->patches[*one.former] : nullptr;
-    const UndercutReport* now = one.fresh ? &comparison_.b.plan->patches[*one.fresh] : nullptr;
+    const UndercutReport* was = one.a ? &comparison_.a.plan->patches[*one.a] : nullptr;
+    const UndercutReport* now = one.b ? &comparison_.b.plan->patches[*one.b] : nullptr;
     const auto size = [&](const UndercutReport* side, const char* name) {
       return side != nullptr ? area(side->undercut.area, fmt::format("/undercuts/{}/{}/area", k, name))
                              : Value{"–"};
@@ -220,7 +219,7 @@ Section Describer::undercuts() const {
              depth(now, "b"),
              point((now != nullptr ? now : was)->undercut.centre)}};
     if (table.rows.size() < k_most_pictures) {
-      row.picture = now != nullptr ? fresh.undercut(now->undercut) : former.undercut(was->undercut);
+      row.picture = now != nullptr ? b.undercut(now->undercut) : a.undercut(was->undercut);
       row.picture_text = fmt::format("Undercut of {}, {}", now != nullptr ? "B" : "A", change_name(one.kind));
     }
     table.rows.push_back(std::move(row));
@@ -253,8 +252,8 @@ Section Describer::actions() const {
       row.cells.push_back(number(style_.text(FigureKind::length, action.travel),
                                  fmt::format("/actions/{}/{}/travel", k, name), action.travel));
     };
-    add(*comparison_.a.plan, one.former, "a");
-    add(*comparison_.b.plan, one.fresh, "b");
+    add(*comparison_.a.plan, one.a, "a");
+    add(*comparison_.b.plan, one.b, "b");
     table.rows.push_back(std::move(row));
   }
   if (table.rows.empty()) {
@@ -277,11 +276,10 @@ Section Describer::parts() const {
     return Value{style_.point(model.health.bounds.max - model.health.bounds.min)};
   };
   table.rows.push_back({{{"Box " + length_unit_}, box(a), box(b)}});
-  const auto row = [&](std::string name, FigureKind kind, const std::string& key, double former,
-                       double fresh) {
+  const auto row = [&](std::string name, FigureKind kind, const std::string& key, double of_a, double of_b) {
     table.rows.push_back({{{std::move(name)},
-                           number(style_.text(kind, former), "/a/" + key, former),
-                           number(style_.text(kind, fresh), "/b/" + key, fresh)}});
+                           number(style_.text(kind, of_a), "/a/" + key, of_a),
+                           number(style_.text(kind, of_b), "/b/" + key, of_b)}});
   };
   if (closed()) row("Volume " + volume_unit_, FigureKind::volume, "volume", a.health.volume, b.health.volume);
   row("Facets", FigureKind::count, "facets", static_cast<double>(a.health.facets),

@@ -25,8 +25,6 @@ double half_extent(const PartModel& model, const glm::dvec3& centre, const glm::
 
 void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& shift, ModelView& view) {
   const FigureColumn areas = area_column(comparison);
-  double other = 0.0;
-  for (const ChangedRegion& region : comparison.surface.regions) other += region.area;
   for (StillBody& body : lit_bodies(comparison, revision)) {
     const auto group = static_cast<std::uint16_t>(view.groups.size());
     // What is of another region is lit on both parts, and is one line of the legend.
@@ -35,8 +33,8 @@ void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& 
                                                    : "Of another region";
     const auto before = std::ranges::find(view.groups, name, &ViewGroup::name);
     const double lit = body.label == "gone"  ? comparison.surface.gone.area
-                       : body.label == "new" ? comparison.surface.fresh.area
-                                             : other;
+                       : body.label == "new" ? comparison.surface.added.area
+                                             : comparison.surface.other_region();
     ViewGroup added{.colour = body.colour, .stays_opaque = true, .shift = shift, .without_edges = true};
     if (before == view.groups.end()) {
       added.name = name;
@@ -55,9 +53,9 @@ void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& 
 ModelView comparison_view(const ReportContext& context, const Comparison& comparison,
                           const glm::dvec3& to_viewer) {
   ModelView view = region_view(context, comparison.b.result, to_viewer);
-  ReportContext of_former = context;
-  of_former.model = comparison.a.model;
-  ModelView former = region_view(of_former, comparison.a.result, to_viewer);
+  ReportContext of_a = context;
+  of_a.model = comparison.a.model;
+  ModelView a = region_view(of_a, comparison.a.result, to_viewer);
   const glm::dvec3 right = glm::normalize(glm::cross(view.direction, to_viewer));
   constexpr double k_room = 1.08;  // between the parts
   const glm::dvec3 aside = k_room * right *
@@ -74,19 +72,19 @@ ModelView comparison_view(const ReportContext& context, const Comparison& compar
     group.shift = aside;
   }
   const std::size_t own = view.groups.size();
-  for (std::size_t k = 0; k < former.groups.size(); ++k) {
-    ViewGroup group = former.groups[k];
+  for (std::size_t k = 0; k < a.groups.size(); ++k) {
+    ViewGroup group = a.groups[k];
     group.name.clear();
     group.aside.clear();
     group.shift = -aside;
     group.shown_with = k;
     view.groups.push_back(std::move(group));
   }
-  for (std::uint16_t& group : former.surfaces.front().group_of_facet)
+  for (std::uint16_t& group : a.surfaces.front().group_of_facet)
     group = static_cast<std::uint16_t>(group + own);
-  view.surfaces.push_back(std::move(former.surfaces.front()));
-  add_lit(comparison, Revision::former, -aside, view);
-  add_lit(comparison, Revision::fresh, aside, view);
+  view.surfaces.push_back(std::move(a.surfaces.front()));
+  add_lit(comparison, Revision::a, -aside, view);
+  add_lit(comparison, Revision::b, aside, view);
   return view;
 }
 

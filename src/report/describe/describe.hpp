@@ -10,8 +10,7 @@
 #include "compare/comparison.hpp"
 #include "compare/criteria.hpp"
 #include "report/report.hpp"
-#include "study/study_reports.hpp"
-#include "sweep/sweep_result.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::report {
 
@@ -32,9 +31,7 @@ struct ReportContext {
 [[nodiscard]] Report classify_report(const ReportContext& context, Study& study);
 [[nodiscard]] Report actions_report(const ReportContext& context, Study& study);
 [[nodiscard]] Report mold_report(const ReportContext& context, Study& study);
-
-/// Throws Cancelled.
-[[nodiscard]] Report sweep_report(const ReportContext& context, const SweepResult& result);
+[[nodiscard]] Report sweep_report(const ReportContext& context, Study& study);
 
 /// What was asked of the figures of a comparison.
 struct CriteriaShown {

@@ -75,7 +75,8 @@ Image Illustrator::undercut(const Undercut& undercut) {
 }
 
 Table undercut_table(const ReportContext& context, Illustrator& pictures,
-                     std::span<const Undercut* const> undercuts, const Place& keys) {
+                     std::span<const Undercut* const> undercuts, const UndercutTotals& totals,
+                     const Place& keys) {
   const FigureStyle style(*context.model);
   Table table{{{"#"}}, {}};
   add_columns(style, undercut_sizes(), table);
@@ -92,6 +93,9 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
     table.rows.push_back(std::move(row));
   }
   if (undercuts.size() > k_most_pictured_rows) table.rest = fmt::format("… {} in all.", undercuts.size());
+  if (totals.specks > 0)
+    table.tiny = fmt::format("{} ({})", tiny_text(totals.specks),
+                             style.with_unit(FigureKind::area, totals.speck_area));
   return table;
 }
 

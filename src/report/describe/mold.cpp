@@ -8,7 +8,7 @@
 #include "classify/view_choice.hpp"
 #include "parting/mold_figures.hpp"
 #include "parting/mold_picture.hpp"
-#include "render/view_colours.hpp"
+#include "render/view_settings.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -50,13 +50,18 @@ Section line_section(const MoldReport& found) {
   section.blocks.emplace_back(Text{parting_verdict(found.assignment, line, found.model)});
   Table table{{{"#"}, {"loop", true}}, {}};
   add_columns(style, loop_figures(), table);
-  for (std::size_t k = 0; k < std::min(line.loops.size(), k_most_loops); ++k) {
+  const double tolerance = lateral_tolerance(found.query.method, found.model.frame.diagonal);
+  std::size_t tiny = 0;
+  for (std::size_t k = 0; k < line.loops.size(); ++k) {
+    tiny += line.loops[k].tiny(tolerance);
+    if (line.loops[k].tiny(tolerance) || table.rows.size() == k_most_loops) continue;
     Row row{{{fmt::format("{}", k + 1)}, {std::string(loop_name(line.loops[k].kind))}}};
     add_cells(style, found_figures(loop_figures(), line.loops[k]), fmt::format("/loops/{}", k), row);
     table.rows.push_back(std::move(row));
   }
-  if (line.loops.size() > k_most_loops) table.rest = fmt::format("… {} in all.", line.loops.size());
-  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  if (line.loops.size() - tiny > k_most_loops) table.rest = fmt::format("… {} in all.", line.loops.size());
+  table.tiny = tiny_text(tiny);
+  if (!line.loops.empty()) section.blocks.emplace_back(std::move(table));
   return section;
 }
 

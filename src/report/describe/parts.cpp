@@ -9,8 +9,8 @@
 #include "base/numbers.hpp"
 #include "classify/map_comparison.hpp"
 #include "classify/option.hpp"
-#include "mold/direction_words.hpp"
-#include "parting/draft/draft_report.hpp"
+#include "mold/direction.hpp"
+#include "parting/draft/draft_check.hpp"
 
 namespace moldlight::report {
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double k_most_draft_deg = 10.0, k_least_draft_deg = -5.0;
 constexpr std::size_t k_most_walls = 8;
 
-std::string json_value_text(const nlohmann::ordered_json& value) {
+std::string json_value_text(const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
   if (value.is_number_float()) return real_text(value.get<double>());
@@ -261,7 +261,7 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   return section;
 }
 
-Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings) {
+Section repeat_section(const ReportContext& context, const Json& settings) {
   Section section{"To repeat it", {}, true};
   section.blocks.emplace_back(Text{context.command, TextLook::command});
   Facts facts;

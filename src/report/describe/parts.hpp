@@ -6,6 +6,7 @@
 #include <span>
 
 #include "actions/action_figures.hpp"
+#include "classify/json.hpp"
 #include "classify/number_format.hpp"
 #include "report/describe/describe.hpp"
 
@@ -51,7 +52,7 @@ void take_verdict(const Verdict& verdict, Report& report);
 [[nodiscard]] Section part_section(const ReportContext& context, const std::vector<std::string>& warnings);
 [[nodiscard]] Section draft_section(const ReportContext& context, const DraftShown& draft);
 /// Settings as a JSON report has them, version and command line.
-[[nodiscard]] Section repeat_section(const ReportContext& context, const nlohmann::ordered_json& settings);
+[[nodiscard]] Section repeat_section(const ReportContext& context, const Json& settings);
 
 /// Draws still pictures of a classified part, without backdrop, for light pages and dark ones; empty ones
 /// for a text.
@@ -75,9 +76,10 @@ class Illustrator {
   glm::dquat seen_from_ = {};
 };
 
-/// A table of undercuts, the largest with a picture each.
+/// A table of undercuts, the largest with a picture each; `totals` has what is too small to be one.
 [[nodiscard]] Table undercut_table(const ReportContext& context, Illustrator& pictures,
-                                   std::span<const Undercut* const> undercuts, const Place& keys = {});
+                                   std::span<const Undercut* const> undercuts, const UndercutTotals& totals,
+                                   const Place& keys = {});
 
 /// A row an action.
 [[nodiscard]] Table actions_table(const PartModel& model, const ActionPlan& plan, const Place& keys);

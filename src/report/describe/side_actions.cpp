@@ -7,7 +7,7 @@
 #include "actions/actions_files.hpp"
 #include "actions/best_changes.hpp"
 #include "base/numbers.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -95,9 +95,9 @@ Section changes_section(const ActionsReport& found) {
 
 Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
   std::vector<const Undercut*> undercuts;
-  for (const UndercutReport& patch : plan.patches) undercuts.push_back(&patch.undercut);
+  for (const UndercutReport& one : plan.patches) undercuts.push_back(&one.undercut);
   const FigureStyle style(*context.model);
-  Table table = undercut_table(context, pictures, undercuts, "/patches");
+  Table table = undercut_table(context, pictures, undercuts, undercut_totals(plan), "/patches");
   add_columns(style, undercut_figures(), table);
   table.columns.push_back({"released by", true});
   for (std::size_t k = 0; k < table.rows.size(); ++k) {

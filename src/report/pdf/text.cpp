@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/shown_text.hpp"
-#include "base/utf8.hpp"
 
 namespace moldlight::report {
 

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 
 namespace moldlight {
 namespace {

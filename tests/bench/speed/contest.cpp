@@ -5,7 +5,7 @@
 #include <ctime>
 
 #include "base/check.hpp"
-#include "base/median.hpp"
+#include "base/numbers.hpp"
 
 namespace moldlight::bench {
 

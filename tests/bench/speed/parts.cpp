@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/mesh_writer.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shared_parts.hpp"
 

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/median.hpp"
+#include "base/numbers.hpp"
 #include "bench/speed/contest.hpp"
 #include "classify/part_model.hpp"
 #include "support/process.hpp"

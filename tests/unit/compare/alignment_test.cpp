@@ -1,4 +1,4 @@
-// Parts that were turned, moved and changed find back onto the former revision.
+// Parts that were turned, moved and changed find back onto the first revision.
 #include "compare/alignment.hpp"
 
 #include <glm/geometric.hpp>

@@ -19,7 +19,7 @@ Comparison compared(const TriangleMesh& a, const TriangleMesh& b, const glm::dve
   CompareSettings settings;
   settings.align = aligned;
   Comparison comparison = prepare_comparison(model_of(a), model_of(b), settings, Progress());
-  compare_parts(comparison, {.former = direction, .fresh = direction, .method = {}}, Progress());
+  compare_parts(comparison, {.a = direction, .b = direction, .method = {}}, Progress());
   return comparison;
 }
 
@@ -30,7 +30,7 @@ TEST(EqualParts, AreComputedOnce) {
     EXPECT_EQ(found.a.result.split, found.b.result.split);
     EXPECT_FALSE(found.surface.any());
     double shared = 0.0;
-    for (const PieceShare& share : found.surface.of_fresh.shares) shared += share.area;
+    for (const PieceShare& share : found.surface.of_b.shares) shared += share.area;
     EXPECT_NEAR(shared, found.a.result.total_area, 1e-9 * shared);
     ASSERT_FALSE(found.undercuts.empty()) << "the hole across the direction";
     for (const auto& changes : {found.undercuts, found.actions})

@@ -7,8 +7,8 @@
 namespace moldlight {
 namespace {
 
-double difference(const TriangleMesh& former, const TriangleMesh& fresh) {
-  return signed_volume(fresh) - signed_volume(former);
+double difference(const TriangleMesh& a, const TriangleMesh& b) {
+  return signed_volume(b) - signed_volume(a);
 }
 
 double sum(const SurfaceChange& change) {
@@ -51,10 +51,10 @@ TriangleMesh framed_plate(double frame_height, double hole_radius) {
 }
 
 TEST(PlaceVolume, OfARaisedBossIsTheDifferenceOfTheBodies) {
-  const TriangleMesh former = plate_mesh({}), fresh = raised(former, k_plate_high.z, 1.0);
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = plate_mesh({}), b = raised(a, k_plate_high.z, 1.0);
+  const Laid pair = laid(a, b);
   ASSERT_EQ(pair.change.places.size(), 1U);
-  const double came = difference(former, fresh);
+  const double came = difference(a, b);
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(sum(pair.change), came, 1e-9 * came);
   EXPECT_NEAR(place.volume.volume, came, 1e-3 * came);
@@ -63,33 +63,33 @@ TEST(PlaceVolume, OfARaisedBossIsTheDifferenceOfTheBodies) {
 }
 
 TEST(PlaceVolume, OfAScaledPartAddUp) {
-  const TriangleMesh former = plate_mesh({.hole_radius = 3.0, .rib = 2.0}),
-                     fresh = test::scaled(former, 1.01);
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = plate_mesh({.hole_radius = 3.0, .rib = 2.0}),
+                     b = test::scaled(a, 1.01);
+  const Laid pair = laid(a, b);
   EXPECT_FALSE(pair.change.places.empty());
-  EXPECT_NEAR(sum(pair.change), difference(former, fresh), 1e-9 * signed_volume(former));
+  EXPECT_NEAR(sum(pair.change), difference(a, b), 1e-9 * signed_volume(a));
 }
 
 TEST(PlaceVolume, OfPlacesApartAreEachItsOwn) {
-  const TriangleMesh former = plate_mesh({.rib = 2.0}), fresh = plate_mesh({.hole_radius = 3.0});
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = plate_mesh({.rib = 2.0}), b = plate_mesh({.hole_radius = 3.0});
+  const Laid pair = laid(a, b);
   ASSERT_EQ(pair.change.places.size(), 2U);
   const double rib = 2.0 * 6.0 * k_rib_height, hole = polygon_area(regular_polygon(48, 3.0)) * 4.0;
   for (const ChangedPlace& place : pair.change.places) {
-    EXPECT_NEAR(place.volume.volume, place.centre.x < 5.0 ? -rib : -hole, 1e-9 * signed_volume(former));
+    EXPECT_NEAR(place.volume.volume, place.centre.x < 5.0 ? -rib : -hole, 1e-9 * signed_volume(a));
     EXPECT_FALSE(place.joined);
   }
-  EXPECT_NEAR(sum(pair.change), difference(former, fresh), 1e-9 * signed_volume(former));
+  EXPECT_NEAR(sum(pair.change), difference(a, b), 1e-9 * signed_volume(a));
 }
 
 TEST(PlaceVolume, OfAPlaceWithinTheBoxOfAnotherIsItsOwn) {
-  const TriangleMesh former = framed_plate(3.0, 0.0), fresh = framed_plate(5.0, 2.0);
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = framed_plate(3.0, 0.0), b = framed_plate(5.0, 2.0);
+  const Laid pair = laid(a, b);
   ASSERT_EQ(pair.change.places.size(), 2U);
   const double frame = 2.0 * (36.0 * 20.0 - 28.0 * 12.0), hole = polygon_area(regular_polygon(24, 2.0)) * 4.0;
   for (const ChangedPlace& place : pair.change.places) {
     const bool is_frame = place.bounds.max.x > 10.0;
-    EXPECT_NEAR(place.volume.volume, is_frame ? frame : -hole, 1e-9 * signed_volume(former));
+    EXPECT_NEAR(place.volume.volume, is_frame ? frame : -hole, 1e-9 * signed_volume(a));
     EXPECT_LT(place.volume.error, 1e-6);
   }
 }
@@ -97,12 +97,12 @@ TEST(PlaceVolume, OfAPlaceWithinTheBoxOfAnotherIsItsOwn) {
 TEST(PlaceVolume, OfAMovedBossIsNone) {
   PlateWithBoss moved;
   moved.boss += glm::dvec2(0.7, 0.4);
-  const TriangleMesh former = plate_mesh({}), fresh = plate_mesh(moved);
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = plate_mesh({}), b = plate_mesh(moved);
+  const Laid pair = laid(a, b);
   ASSERT_EQ(pair.change.places.size(), 1U);
-  EXPECT_NEAR(sum(pair.change), 0.0, 1e-9 * signed_volume(former));
+  EXPECT_NEAR(sum(pair.change), 0.0, 1e-9 * signed_volume(a));
   EXPECT_LE(std::abs(pair.change.places.front().volume.volume),
-            pair.change.places.front().volume.error + 1e-9 * signed_volume(former));
+            pair.change.places.front().volume.error + 1e-9 * signed_volume(a));
 }
 
 /// A hollow body that is gone whole: its two shells enclose nothing of what went each by itself.
@@ -123,12 +123,12 @@ TEST(PlaceVolume, OfShellsThatAreNotClosedByThemselvesIsOne) {
 }
 
 TEST(PlaceVolume, LeavesOutWhatTheTessellationsDifferByElsewhere) {
-  const TriangleMesh former = plate_mesh({.rib = 2.0}), fresh = plate_mesh({.sides = 37, .turn_deg = 3.0});
-  const Laid pair = laid(former, fresh);
+  const TriangleMesh a = plate_mesh({.rib = 2.0}), b = plate_mesh({.sides = 37, .turn_deg = 3.0});
+  const Laid pair = laid(a, b);
   ASSERT_EQ(pair.change.places.size(), 1U);
   EXPECT_NEAR(pair.change.places.front().volume.volume, -2.0 * 6.0 * k_rib_height, 1e-6);
   EXPECT_NE(pair.change.volume_elsewhere, 0.0);
-  EXPECT_NEAR(sum(pair.change), difference(former, fresh), 1e-9 * signed_volume(former));
+  EXPECT_NEAR(sum(pair.change), difference(a, b), 1e-9 * signed_volume(a));
 }
 
 TEST(PlaceVolume, OfOpenPartsIsNotKnown) {

@@ -73,22 +73,22 @@ inline TriangleMesh plate_mesh(const PlateWithBoss& part) {
 
 /// Two parts whose surfaces are laid on each other.
 struct Laid {
-  std::shared_ptr<const PartModel> former, fresh;
-  Classification former_result, fresh_result;
+  std::shared_ptr<const PartModel> a, b;
+  Classification a_result, b_result;
   SurfaceChange change;
 };
 
-inline Laid laid(const TriangleMesh& former, const TriangleMesh& fresh,
+inline Laid laid(const TriangleMesh& a, const TriangleMesh& b,
                  const glm::dvec3& direction = {0, 0, 1}) {
   Laid pair;
-  pair.former = test::model_of(former);
-  pair.fresh = test::model_of(fresh);
+  pair.a = test::model_of(a);
+  pair.b = test::model_of(b);
   Query query;
   query.direction = direction;
-  pair.former_result = classify_exact(*pair.former, query, Progress(), true);
-  pair.fresh_result = classify_exact(*pair.fresh, query, Progress(), true);
-  const OverlaySide a(pair.former, pair.former_result), b(pair.fresh, pair.fresh_result);
-  pair.change = find_surface_change(a, b, usual_tolerance(pair.former->frame.diagonal), Progress());
+  pair.a_result = classify_exact(*pair.a, query, Progress(), true);
+  pair.b_result = classify_exact(*pair.b, query, Progress(), true);
+  const OverlaySide side_a(pair.a, pair.a_result), side_b(pair.b, pair.b_result);
+  pair.change = find_surface_change(side_a, side_b, usual_tolerance(pair.a->frame.diagonal), Progress());
   return pair;
 }
 

@@ -14,7 +14,7 @@ Comparison compared(const TriangleMesh& a, const TriangleMesh& b, bool aligned,
   settings.align = aligned;
   settings.with_actions = false;
   Comparison comparison = prepare_comparison(test::model_of(a), test::model_of(b), settings, Progress());
-  compare_parts(comparison, {.former = direction, .fresh = direction, .method = {}}, Progress());
+  compare_parts(comparison, {.a = direction, .b = direction, .method = {}}, Progress());
   return comparison;
 }
 

@@ -11,10 +11,10 @@ TEST(SurfaceChange, OfTheSamePartIsNone) {
   const TriangleMesh mesh = plate_mesh({.hole_radius = 3.0});
   const Laid pair = laid(mesh, test::permuted(mesh, 7));
   EXPECT_FALSE(pair.change.any());
-  EXPECT_TRUE(pair.change.of_former.left.empty());
+  EXPECT_TRUE(pair.change.of_a.left.empty());
   double shared = 0.0;
-  for (const PieceShare& share : pair.change.of_former.shares) shared += share.area;
-  EXPECT_NEAR(shared, pair.former->geometry.total_area, 1e-9 * shared);
+  for (const PieceShare& share : pair.change.of_a.shares) shared += share.area;
+  EXPECT_NEAR(shared, pair.a->geometry.total_area, 1e-9 * shared);
 }
 
 TEST(SurfaceChange, TellsAHoleThatWasAdded) {
@@ -25,7 +25,7 @@ TEST(SurfaceChange, TellsAHoleThatWasAdded) {
   const double thickness = k_plate_high.z - k_plate_low.z, area = polygon_area(hole);
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.gone.area, 2.0 * area, 2e-3 * area);
-  EXPECT_NEAR(place.fresh.area, polygon_perimeter(hole) * thickness, 1e-3 * area);
+  EXPECT_NEAR(place.added.area, polygon_perimeter(hole) * thickness, 1e-3 * area);
   EXPECT_NEAR(place.volume.volume, -area * thickness, 1e-3 * area * thickness);
   EXPECT_NEAR(place.centre.x, holed.hole.x, 0.01);
   EXPECT_NEAR(place.centre.y, holed.hole.y, 0.01);
@@ -41,7 +41,7 @@ TEST(SurfaceChange, TellsARibThatIsGone) {
   ASSERT_EQ(pair.change.places.size(), 1U);
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.gone.area, 2.0 * 6.0 + 2.0 * (2.0 + 6.0) * k_rib_height, 0.01);
-  EXPECT_NEAR(place.fresh.area, 2.0 * 6.0, 0.01);
+  EXPECT_NEAR(place.added.area, 2.0 * 6.0, 0.01);
   EXPECT_NEAR(place.volume.volume, -2.0 * 6.0 * k_rib_height, 0.01);
 }
 
@@ -52,12 +52,12 @@ TEST(SurfaceChange, TellsABossThatMovedByATenth) {
   ASSERT_EQ(pair.change.places.size(), 1U);
   const ChangedPlace& place = pair.change.places.front();
   EXPECT_NEAR(place.volume.volume, 0.0, 0.02);
-  EXPECT_NEAR(place.gone.area, place.fresh.area, 0.2);
+  EXPECT_NEAR(place.gone.area, place.added.area, 0.2);
   // The wall but for where it moves along itself, and two crescents.
   const PlateWithBoss boss;
   const double wall = 3.14159 * (boss.radius + top_radius(boss)) * boss.height;
-  EXPECT_GT(place.fresh.area, 0.8 * wall);
-  EXPECT_LT(place.fresh.area, wall + 2.0);
+  EXPECT_GT(place.added.area, 0.8 * wall);
+  EXPECT_LT(place.added.area, wall + 2.0);
   EXPECT_LT(place.bounds.max.x, 0.0) << "nothing of the rest of the plate";
 }
 
@@ -104,10 +104,10 @@ TEST(SurfaceChange, TellsSurfaceThatIsNowHidden) {
 }
 
 TEST(SurfaceChange, IsTheSameForAnyNumberOfThreads) {
-  const TriangleMesh former = plate_mesh({}), fresh = plate_mesh({.draft_deg = 3.0, .hole_radius = 3.0});
+  const TriangleMesh a = plate_mesh({}), b = plate_mesh({.draft_deg = 3.0, .hole_radius = 3.0});
   Laid one, four;
-  tbb::task_arena(1).execute([&] { one = laid(former, fresh); });
-  tbb::task_arena(4).execute([&] { four = laid(former, fresh); });
+  tbb::task_arena(1).execute([&] { one = laid(a, b); });
+  tbb::task_arena(4).execute([&] { four = laid(a, b); });
   ASSERT_EQ(one.change.places.size(), four.change.places.size());
   for (std::size_t k = 0; k < one.change.places.size(); ++k) {
     EXPECT_EQ(one.change.places[k].gone.area, four.change.places[k].gone.area);

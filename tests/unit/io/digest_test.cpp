@@ -1,10 +1,9 @@
 // SHA-256 of known texts, and of files.
-#include "io/digest.hpp"
-
 #include <cerrno>
 
 #include <gtest/gtest.h>
 
+#include "io/file_contents.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {

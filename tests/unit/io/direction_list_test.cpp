@@ -1,8 +1,7 @@
-#include "io/direction_list.hpp"
-
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "io/csv_tables.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {

@@ -1,10 +1,9 @@
-#include "io/facet_csv.hpp"
-
 #include <clocale>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "io/csv_tables.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 #include "base/error.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight {

@@ -1,5 +1,3 @@
-#include "io/part_reader.hpp"
-
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "io/part_formats.hpp"
 #include "unit/io/read_text.hpp"
 
 namespace moldlight {

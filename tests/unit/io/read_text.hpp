@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace moldlight::test {

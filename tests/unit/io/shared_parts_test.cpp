@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 
 #include "base/error.hpp"
-#include "io/part_reader.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "support/manifest.hpp"

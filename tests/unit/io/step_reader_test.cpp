@@ -7,7 +7,7 @@
 
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
-#include "mesh/part_selection.hpp"
+#include "mesh/part.hpp"
 #include "support/shared_parts.hpp"
 #include "unit/io/read_text.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
-#include "mesh/part_selection.hpp"
+#include "mesh/part.hpp"
 #include "support/step_text.hpp"
 #include "unit/io/read_text.hpp"
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mesh/edges.hpp"
+#include "mesh/adjacency.hpp"
 #include "support/boxes.hpp"
 #include "support/shapes.hpp"
 

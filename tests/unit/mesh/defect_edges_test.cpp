@@ -1,7 +1,6 @@
-#include "mesh/defect_edges.hpp"
-
 #include <gtest/gtest.h>
 
+#include "mesh/health.hpp"
 #include "mesh/weld.hpp"
 #include "support/boxes.hpp"
 

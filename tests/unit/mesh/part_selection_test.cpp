@@ -1,8 +1,7 @@
-#include "mesh/part_selection.hpp"
-
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "mesh/part.hpp"
 
 namespace moldlight {
 namespace {

@@ -1,10 +1,9 @@
 // Bodies that enclose something, distinguished from open ones in the same mesh.
-#include "mesh/solids.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include "mesh/adjacency.hpp"
 #include "mesh/weld.hpp"
 #include "support/boxes.hpp"
 

@@ -1,10 +1,10 @@
-#include "mold/direction_words.hpp"
-
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
+
+#include "mold/direction.hpp"
 
 namespace moldlight {
 namespace {

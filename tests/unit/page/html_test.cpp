@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/image.hpp"
-#include "io/digest.hpp"
+#include "io/file_contents.hpp"
 #include "page/page.hpp"
 #include "support/hostile_names.hpp"
 

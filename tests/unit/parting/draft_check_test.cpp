@@ -10,7 +10,6 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "parting/draft/draft_report.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solid_builder.hpp"

@@ -53,6 +53,14 @@ void expect_loops(const Found& found, std::size_t shut_offs) {
     EXPECT_EQ(found.line.loops[k].kind, k == 0 ? LoopKind::outer : LoopKind::shut_off);
 }
 
+TEST(PartingLine, IsTinyUpToACircleAsWideAsTheTolerance) {
+  PartingLoop loop;
+  loop.length = 0.157;
+  EXPECT_TRUE(loop.tiny(0.05));
+  loop.length = 0.158;
+  EXPECT_FALSE(loop.tiny(0.05));
+}
+
 TEST(PartingLine, OfABoxGoesOnceAroundIt) {
   const Found found = find(test::box_mesh({0, 0, 0}, {4, 3, 2}));
   expect_loops(found, 0);

@@ -1,11 +1,9 @@
 // Facets that cross others by rounding are moved apart; those that cross by more stay, and are not certified.
-#include "parting/halves/uncross.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "parting/halves/half_checks.hpp"
+#include "parting/halves/tidy_solid.hpp"
 #include "parting/mold_report.hpp"
 #include "support/boxes.hpp"
 

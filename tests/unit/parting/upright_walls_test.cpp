@@ -1,5 +1,3 @@
-#include "parting/upright_walls.hpp"
-
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +6,7 @@
 
 #include "classify/part_model.hpp"
 #include "parting/make_halves.hpp"
+#include "parting/part_sheets.hpp"
 #include "support/random.hpp"
 
 namespace moldlight {

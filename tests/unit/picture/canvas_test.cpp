@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "picture/legend.hpp"
 
 namespace moldlight {

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "mold/direction_field.hpp"
-#include "picture/contact_sheet.hpp"
 #include "picture/design_space.hpp"
 #include "picture/direction_sphere.hpp"
 #include "picture/sphere_map.hpp"

@@ -1,5 +1,5 @@
 // Cells must tile the half-sphere, and their caps hold them.
-#include "proof/sphere_cell.hpp"
+#include "proof/certain_undercut.hpp"
 
 #include <algorithm>
 #include <vector>

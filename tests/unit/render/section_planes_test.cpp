@@ -1,6 +1,4 @@
 // Where sections lie.
-#include "render/section_planes.hpp"
-
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -8,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
+#include "render/view_geometry.hpp"
 #include "support/boxes.hpp"
 
 namespace moldlight {

@@ -8,7 +8,7 @@
 
 #include "mesh/health.hpp"
 #include "mold/exact/exact_regions.hpp"
-#include "render/view_colours.hpp"
+#include "render/view_settings.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
 

@@ -1,11 +1,10 @@
 // A report as a page: all of it is there, and nothing in it becomes markup.
-#include "report/html_writer.hpp"
-
 #include <regex>
 
 #include <gtest/gtest.h>
 
 #include "one_text_report.hpp"
+#include "report/writers.hpp"
 
 namespace moldlight::report {
 namespace {

@@ -1,13 +1,12 @@
 // A report as pages: all of it is there, within the margins, whatever its names are.
-#include "report/pdf_writer.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "base/utf8.hpp"
+#include "base/shown_text.hpp"
 #include "one_text_report.hpp"
+#include "report/writers.hpp"
 #include "support/pdf.hpp"
 
 namespace moldlight::report {

@@ -1,7 +1,7 @@
 // A report as a terminal shows it.
-#include "report/text_writer.hpp"
-
 #include <gtest/gtest.h>
+
+#include "report/writers.hpp"
 
 namespace moldlight::report {
 namespace {
@@ -51,6 +51,16 @@ TEST(TextWriter, ColoursOnRequestOnly) {
   EXPECT_EQ(to_text(small_report(), {}).find('\033'), std::string::npos);
   const std::string coloured = to_text(small_report(), {.colour = true});
   EXPECT_NE(coloured.find("\033[31mUndercut\033[0m"), std::string::npos) << coloured;
+}
+
+TEST(TextWriter, HasOneRowOfWhatIsTiny) {
+  Report report = small_report();
+  Table& table = std::get<Table>(report.sections.front().blocks.front());
+  table.tiny = "7 tiny, ignored";
+  EXPECT_NE(to_text(report, {}).find("\nCore             7\n7 tiny, ignored\nVolume"), std::string::npos);
+  while (table.rows.size() < 57) table.rows.push_back(table.rows.back());
+  EXPECT_NE(to_text(report, {}).find("\n… 57 in all; --json lists them.\n7 tiny, ignored\n"),
+            std::string::npos);
 }
 
 TEST(TextWriter, EndsLongTablesWithTheirNumber) {

@@ -10,7 +10,7 @@
 #include "mesh/health.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/slide_blank.hpp"
-#include "study/study_reports.hpp"
+#include "study/study.hpp"
 #include "support/boxes.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"

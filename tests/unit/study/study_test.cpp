@@ -77,6 +77,24 @@ TEST_F(StudyOfAPocket, CountsUndercutsAlikeWithAndWithoutAList) {
   EXPECT_DOUBLE_EQ(counted.area, listed.area);
 }
 
+TEST_F(StudyOfAPocket, KeepsASweepUntilItsSettingsChange) {
+  int scored = 0;
+  ask([&](Questions& questions) {
+    questions.sweep.kinds = {};
+    questions.sweep.refine = 0;
+    questions.sweep.user_directions = {{0, 0, 1}, {1, 0, 0}};
+    questions.sweep_shows.evaluated = [&](const EvaluatedDirection&) { ++scored; };
+  });
+  const SweepResult* found = &study.find<SweepResult>(Progress());
+  EXPECT_GE(scored, 2);
+  EXPECT_EQ(found->candidates.size(), 2U);
+  ask([](Questions& questions) { questions.sweep_shows = {}; });
+  EXPECT_EQ(&study.find<SweepResult>(Progress()), found);
+  ask([](Questions& questions) { questions.sweep.user_directions.pop_back(); });
+  EXPECT_EQ(study.known<SweepResult>(), nullptr);
+  EXPECT_EQ(study.find<SweepResult>(Progress()).candidates.size(), 1U);
+}
+
 TEST_F(StudyOfAPocket, EndsWhereItIsCancelled) {
   Progress progress;
   progress.cancel();

@@ -9,7 +9,6 @@
 
 #include "mesh/weld.hpp"
 #include "study/study.hpp"
-#include "study/study_reports.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"

@@ -14,7 +14,7 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "mold/direction_words.hpp"
+#include "mold/direction.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
