@@ -20,6 +20,7 @@
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "batch/part_result.hpp"
 #include "io/file_contents.hpp"
 
 namespace moldlight::batch {

@@ -17,6 +17,8 @@
 
 namespace moldlight::cli {
 
+using batch::Figure;
+
 namespace {
 
 /// What becomes of a command line of the work.
@@ -134,8 +136,6 @@ batch::RowSettings BatchWork::settings(const std::vector<batch::NamedValue>& row
   settings.effective = std::move(parsed.settings);
   return settings;
 }
-
-using batch::Figure;
 
 std::vector<std::string_view> batch_figure_names() {
   std::vector<std::string_view> names;
