@@ -107,8 +107,8 @@ double mold_effort(const MoldCost& cost) {
   // more of it there is.
   const double rest = k_weight_of_rest * std::max(cost.of(unreleased) > k_least_left ? 1.0 : 0.0,
                                                   std::min(1.0, cost.without_room / mold_band(unreleased)));
-  return rest + cost.weight + k_effort_of_formed * cost.formed + effort_on_its_side(cost.formed) +
-         k_effort_of_draft * cost.of(draft) + std::min(1.0, cost.of(line));
+  return rest + cost.weight - cost.trifles + k_effort_of_formed * cost.formed +
+         effort_on_its_side(cost.formed) + k_effort_of_draft * cost.of(draft) + std::min(1.0, cost.of(line));
 }
 
 double effort_on_its_side(double formed) {

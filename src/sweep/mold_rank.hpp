@@ -30,6 +30,7 @@ struct MoldCost {
   std::array<double, k_mold_criteria> values{};
   bool canonical = false;
   double weight = 0.0;                               // of side actions
+  double trifles = 0.0;                              // of the weight what does not count as effort
   double formed = 0.0;                               // by them, share of the part's surface
   std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
   double without_room = 0.0;                         // of formed, by lifters that lack the room to move

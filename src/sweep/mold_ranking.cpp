@@ -33,6 +33,7 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   MoldCost cost;
   cost.counts = actions.totals.counts;
   cost.weight = actions.weight;
+  cost.trifles = actions.trifles;
   cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
   cost.without_room = actions.without_room / area;
   cost.formed = actions.formed_area / area;

@@ -16,6 +16,17 @@ MoldCost cost(std::initializer_list<std::pair<MoldCriterion, double>> values) {
 
 Numbers order(const std::vector<MoldCost>& costs) { return mold_order(costs).order; }
 
+TEST(MoldRank, InsertsThatFormNextToNothingAddLittleEffort) {
+  MoldCost few = cost({}), many = cost({});
+  few.weight = 2.0;
+  many.weight = 13.0;
+  many.trifles = 11.5;
+  EXPECT_DOUBLE_EQ(mold_effort(many), 1.5);
+  EXPECT_LT(mold_effort(many), mold_effort(few));
+  EXPECT_TRUE(costs_no_more(few, many)) << "a set is as heavy as its actions";
+  EXPECT_FALSE(costs_no_more(many, few));
+}
+
 TEST(MoldRank, ComparesByOneCriterionAfterTheOther) {
   EXPECT_EQ(order({cost({{found, 1.0}}), cost({{unreleased, 0.5}})}), (Numbers{1, 0}));
   EXPECT_EQ(order({cost({{unreleased, 0.1}}), cost({{effort, 9.0}})}), (Numbers{1, 0}));

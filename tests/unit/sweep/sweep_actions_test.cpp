@@ -194,8 +194,8 @@ TEST(SweepActions, AreTheSameWhateverTheThreads) {
 TEST(DirectionActions, AreSummedUpByKinds) {
   ActionPlan plan;
   plan.unreleased_area = 2.5;
-  EXPECT_EQ(direction_actions(plan, 0.0).text(), "none");
-  EXPECT_EQ(direction_actions(plan, 0.0).weight, 0.0);
+  EXPECT_EQ(direction_actions(plan, {}).text(), "none");
+  EXPECT_EQ(direction_actions(plan, {}).weight, 0.0);
   for (const auto& [kind, travel] :
        {std::pair(ActionKind::lifter, 2.0), std::pair(ActionKind::slide, 7.0),
         std::pair(ActionKind::lifter, 3.0), std::pair(ActionKind::lifter, 1.0)}) {
@@ -204,11 +204,23 @@ TEST(DirectionActions, AreSummedUpByKinds) {
     action.travel = travel;
     plan.actions.push_back(action);
   }
-  const DirectionActions found = direction_actions(plan, 0.0);
+  const DirectionActions found = direction_actions(plan, {});
   EXPECT_EQ(found.text(), "1 slide, 3 lifters");
   EXPECT_EQ(found.weight, 4.6) << "to the last digit";
   EXPECT_EQ(found.travel, 7.0) << "the farthest";
   EXPECT_EQ(found.totals.unreleased_area, 2.5);
+}
+
+TEST(DirectionActions, CountInsertsForTriflesByWhatTheyForm) {
+  ActionPlan plan;
+  for (const double area : {0.25, 0.5, 1.0, 7.0})
+    plan.actions.push_back({.kind = ActionKind::insert, .area = area});
+  plan.actions.push_back({.kind = ActionKind::slide, .area = 0.25});
+  Classification split;
+  split.total_area = 1000.0;
+  const DirectionActions found = direction_actions(plan, split);
+  EXPECT_EQ(found.weight, 13.0);
+  EXPECT_DOUBLE_EQ(found.trifles, 3.0 * (0.75 + 0.5));
 }
 
 }  // namespace
