@@ -24,12 +24,19 @@ constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may m
 DirectionActions direction_actions(const ActionPlan& plan, const Classification& split) {
   DirectionActions found{.undercuts = undercut_totals(plan),
                          .totals = totals_of(plan, split.lateral_tolerance)};
+  std::vector<double> released(plan.patches.size(), 1.0);  // shares of the undercuts
+  for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
+    const double area = plan.patches[plan.unreleased[k]].undercut.area;
+    if (area > 0.0) released[plan.unreleased[k]] = 1.0 - std::min(1.0, plan.unreleased_areas[k] / area);
+  }
   for (const SideAction& action : plan.actions) {
     found.travel = std::max(found.travel, action.travel);
     found.formed_area += action.area;
-    if (action.kind == ActionKind::insert)
-      found.trifles +=
-          facts(action.kind).weight * std::max(0.0, 1.0 - action.area / (k_trifle * split.total_area));
+    double counts =
+        action.kind == ActionKind::insert ? std::min(1.0, action.area / (k_trifle * split.total_area)) : 1.0;
+    if (!action.patches.empty())
+      counts *= released[std::ranges::max(action.patches, {}, [&](std::size_t k) { return released[k]; })];
+    found.in_vain += (1.0 - counts) * facts(action.kind).weight;
     if (!has_room(action)) found.without_room += action.area;
   }
   // By kinds, so that the same set has the same weight in whatever order it is found.
@@ -47,10 +54,11 @@ bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercu
 }
 
 bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
+  // Few samples overrate what is left.
   const double more_left = rough.totals.unreleased_area - left;
   return more_left > 2.0 * left_band ||
-         ((left <= left_band || more_left > -0.5 * left_band) &&
-          rough.weight - rough.trifles + per_area * rough.formed_area > most + k_rough_margin);
+         ((left <= left_band || more_left > left_band) &&
+          rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,

@@ -16,14 +16,16 @@ MoldCost cost(std::initializer_list<std::pair<MoldCriterion, double>> values) {
 
 Numbers order(const std::vector<MoldCost>& costs) { return mold_order(costs).order; }
 
-TEST(MoldRank, InsertsThatFormNextToNothingAddLittleEffort) {
+TEST(MoldRank, WhatIsFormedInVainAddsNoEffort) {
   MoldCost few = cost({}), many = cost({});
   few.weight = 2.0;
   many.weight = 13.0;
-  many.trifles = 11.5;
+  many.in_vain = 11.5;
   EXPECT_DOUBLE_EQ(mold_effort(many), 1.5);
   EXPECT_LT(mold_effort(many), mold_effort(few));
-  EXPECT_TRUE(costs_no_more(few, many)) << "a set is as heavy as its actions";
+  EXPECT_TRUE(costs_no_more(few, many)) << "by its whole weight";
+  EXPECT_TRUE(costs_no_more(many, few)) << "without what does not count";
+  many.in_vain = 10.0;
   EXPECT_FALSE(costs_no_more(many, few));
 }
 
@@ -45,6 +47,11 @@ TEST(MoldRank, WhatDiffersByLessThanABandTies) {
               std::nullopt);
     EXPECT_EQ(mold_order(std::vector{cost({{criterion, 1.1 * band}}), MoldCost{}}).decided_by[1], criterion);
   }
+}
+
+TEST(MoldRank, AShareOfWhatIsLeftUnreleasedTies) {
+  EXPECT_EQ(order({cost({{unreleased, 0.215}}), cost({{unreleased, 0.2}, {line, 0.5}})}), (Numbers{0, 1}));
+  EXPECT_EQ(order({cost({{unreleased, 0.225}}), cost({{unreleased, 0.2}, {line, 0.5}})}), (Numbers{1, 0}));
 }
 
 TEST(MoldRank, IsTheSameInWhateverOrderTheyCome) {

@@ -220,7 +220,20 @@ TEST(DirectionActions, CountInsertsForTriflesByWhatTheyForm) {
   split.total_area = 1000.0;
   const DirectionActions found = direction_actions(plan, split);
   EXPECT_EQ(found.weight, 13.0);
-  EXPECT_DOUBLE_EQ(found.trifles, 3.0 * (0.75 + 0.5));
+  EXPECT_DOUBLE_EQ(found.in_vain, 3.0 * (0.75 + 0.5));
+}
+
+TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
+  ActionPlan plan;
+  plan.patches.resize(2);
+  for (UndercutReport& patch : plan.patches) patch.undercut.area = 40.0;
+  plan.unreleased = {1};
+  plan.unreleased_areas = {30.0};
+  plan.actions = {{.kind = ActionKind::slide, .patches = {0, 1}, .area = 45.0},
+                  {.kind = ActionKind::lifter, .patches = {1}, .area = 5.0}};
+  Classification split;
+  split.total_area = 1000.0;
+  EXPECT_DOUBLE_EQ(direction_actions(plan, split).in_vain, 0.75 * 1.2);
 }
 
 }  // namespace
