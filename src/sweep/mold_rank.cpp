@@ -117,7 +117,7 @@ double effort_on_its_side(double formed) {
 }
 
 double mold_band(MoldCriterion criterion, double least) {
-  constexpr double k_band_of_left = 0.1;  // of what nothing releases: how sure one is of it
+  constexpr double k_band_of_left = 0.2;  // of what nothing releases: how sure one is of it
   const double band = k_facts[static_cast<std::size_t>(criterion)].band;
   return criterion == unreleased ? std::max(band, k_band_of_left * least) : band;
 }

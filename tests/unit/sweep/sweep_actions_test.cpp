@@ -211,11 +211,18 @@ TEST(DirectionActions, AreSummedUpByKinds) {
   EXPECT_EQ(found.totals.unreleased_area, 2.5);
 }
 
+SideAction action(ActionKind kind, double area, std::vector<std::size_t> patches = {}) {
+  SideAction made;
+  made.kind = kind;
+  made.area = area;
+  made.patches = std::move(patches);
+  return made;
+}
+
 TEST(DirectionActions, CountInsertsForTriflesByWhatTheyForm) {
   ActionPlan plan;
-  for (const double area : {0.25, 0.5, 1.0, 7.0})
-    plan.actions.push_back({.kind = ActionKind::insert, .area = area});
-  plan.actions.push_back({.kind = ActionKind::slide, .area = 0.25});
+  for (const double area : {0.25, 0.5, 1.0, 7.0}) plan.actions.push_back(action(ActionKind::insert, area));
+  plan.actions.push_back(action(ActionKind::slide, 0.25));
   Classification split;
   split.total_area = 1000.0;
   const DirectionActions found = direction_actions(plan, split);
@@ -229,8 +236,7 @@ TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
   for (UndercutReport& patch : plan.patches) patch.undercut.area = 40.0;
   plan.unreleased = {1};
   plan.unreleased_areas = {30.0};
-  plan.actions = {{.kind = ActionKind::slide, .patches = {0, 1}, .area = 45.0},
-                  {.kind = ActionKind::lifter, .patches = {1}, .area = 5.0}};
+  plan.actions = {action(ActionKind::slide, 45.0, {0, 1}), action(ActionKind::lifter, 5.0, {1})};
   Classification split;
   split.total_area = 1000.0;
   EXPECT_DOUBLE_EQ(direction_actions(plan, split).in_vain, 0.75 * 1.2);
