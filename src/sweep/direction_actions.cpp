@@ -16,15 +16,27 @@ namespace {
 /// Every direction at work holds a part of its own, split at the borders of its regions.
 constexpr std::size_t k_most_facets_together = 2'000'000;
 constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
+constexpr double k_trifle = 1e-3;       // of the surface
 constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
 
 }  // namespace
 
-DirectionActions direction_actions(const ActionPlan& plan, double lateral) {
-  DirectionActions found{.undercuts = undercut_totals(plan), .totals = totals_of(plan, lateral)};
+DirectionActions direction_actions(const ActionPlan& plan, const Classification& split) {
+  DirectionActions found{.undercuts = undercut_totals(plan),
+                         .totals = totals_of(plan, split.lateral_tolerance)};
+  std::vector<double> released(plan.patches.size(), 1.0);  // shares of the undercuts
+  for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
+    const double area = plan.patches[plan.unreleased[k]].undercut.area;
+    if (area > 0.0) released[plan.unreleased[k]] = 1.0 - std::min(1.0, plan.unreleased_areas[k] / area);
+  }
   for (const SideAction& action : plan.actions) {
     found.travel = std::max(found.travel, action.travel);
     found.formed_area += action.area;
+    double counts =
+        action.kind == ActionKind::insert ? std::min(1.0, action.area / (k_trifle * split.total_area)) : 1.0;
+    if (!action.patches.empty())
+      counts *= released[std::ranges::max(action.patches, {}, [&](std::size_t k) { return released[k]; })];
+    found.in_vain += (1.0 - counts) * facts(action.kind).weight;
     if (!has_room(action)) found.without_room += action.area;
   }
   // By kinds, so that the same set has the same weight in whatever order it is found.
@@ -42,9 +54,11 @@ bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercu
 }
 
 bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
+  // Few samples overrate what is left.
   const double more_left = rough.totals.unreleased_area - left;
-  return more_left > 2.0 * left_band || ((left <= left_band || more_left > -0.5 * left_band) &&
-                                         rough.weight + per_area * rough.formed_area > most + k_rough_margin);
+  return more_left > 2.0 * left_band ||
+         ((left <= left_band || more_left > 0.0) &&
+          rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
@@ -53,14 +67,16 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
     const auto found = [&](PlanDetail detail) {
-      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), detail),
-                               split.lateral_tolerance);
+      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), detail), split);
     };
     if (std::isfinite(limit.most) || limit.beside) {
-      const Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
-                                                 Progress(&progress), settings_.least_travel_mm);
-      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
+      Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
+                                           Progress(&progress), settings_.least_travel_mm);
       const UndercutTotals totals = totals_of(undercuts);
+      // Inserts for what is smaller may count for less than a slide.
+      const double least = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
+      std::erase_if(undercuts.patches, [&](const Undercut& patch) { return patch.area < least; });
+      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       if (limit.is_exceeded(weight, totals) ||
           (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))
         return DirectionActions{

@@ -24,6 +24,7 @@ struct DirectionActions {
   UndercutTotals undercuts = {};
   ActionTotals totals = {};
   double weight = 0.0;        // of their kinds, summed up
+  double in_vain = 0.0;       // of the weight what does not count
   double travel = 0.0;        // of the one that travels farthest, part's unit; 0 without any
   double formed_area = 0.0;   // of undercuts that the actions release
   double without_room = 0.0;  // of that, by lifters that lack the room to move
@@ -32,8 +33,10 @@ struct DirectionActions {
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }
 };
-/// `lateral` is the lateral tolerance in the part's unit.
-[[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan, double lateral);
+/// `split` is what the plan is for. An action counts by the share that is released of the undercut that it
+/// forms, since the rest keeps the part in its mold; an insert that forms less than a thousandth of the
+/// surface, a detail that the part's designer would rather change, by its share of that.
+[[nodiscard]] DirectionActions direction_actions(const ActionPlan& plan, const Classification& split);
 
 /// Where the search for side actions of a direction is not worth it.
 struct ActionLimit {

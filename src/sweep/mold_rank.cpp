@@ -33,7 +33,7 @@ MoldCriterion criterion(std::size_t place) { return static_cast<MoldCriterion>(p
 
 std::optional<MoldCriterion> deciding(const MoldCost& worse, const MoldCost& better) {
   for (std::size_t k = 0; k < k_mold_criteria; ++k) {
-    if (worse.values[k] > better.values[k] + k_facts[k].band) return criterion(k);
+    if (worse.values[k] > better.values[k] + mold_band(criterion(k), better.values[k])) return criterion(k);
   }
   return std::nullopt;
 }
@@ -107,19 +107,25 @@ double mold_effort(const MoldCost& cost) {
   // more of it there is.
   const double rest = k_weight_of_rest * std::max(cost.of(unreleased) > k_least_left ? 1.0 : 0.0,
                                                   std::min(1.0, cost.without_room / mold_band(unreleased)));
-  return rest + cost.weight + k_effort_of_formed * cost.formed + effort_on_its_side(cost.formed) +
-         k_effort_of_draft * cost.of(draft) + std::min(1.0, cost.of(line));
+  return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed +
+         effort_on_its_side(cost.formed) + k_effort_of_draft * cost.of(draft) +
+         std::min(k_most_of_line, cost.of(line));
 }
 
 double effort_on_its_side(double formed) {
   return k_effort_on_its_side * std::max(0.0, formed - k_on_its_side);
 }
 
-double mold_band(MoldCriterion criterion) { return k_facts[static_cast<std::size_t>(criterion)].band; }
+double mold_band(MoldCriterion criterion, double least) {
+  constexpr double k_band_of_left = 0.2;  // of what nothing releases: how sure one is of it
+  const double band = k_facts[static_cast<std::size_t>(criterion)].band;
+  return criterion == unreleased ? std::max(band, k_band_of_left * least) : band;
+}
 
 bool costs_no_more(const MoldCost& one, const MoldCost& other) {
-  return one.of(unreleased) <= other.of(unreleased) + mold_band(unreleased) &&
-         one.weight <= other.weight + mold_band(effort);
+  const double most = other.weight + mold_band(effort);
+  return one.of(unreleased) <= other.of(unreleased) + mold_band(unreleased, other.of(unreleased)) &&
+         (one.weight <= most || one.weight - one.in_vain <= most - other.in_vain);
 }
 
 void compare_found(std::span<MoldCost> costs) {
@@ -140,7 +146,8 @@ MoldOrder mold_order(std::span<const MoldCost> costs) {
     for (std::size_t k = 0; k < k_mold_criteria; ++k) {
       double least = std::numeric_limits<double>::infinity();
       for (const std::size_t i : tied) least = std::min(least, costs[i].values[k]);
-      std::erase_if(tied, [&](std::size_t i) { return costs[i].values[k] > least + k_facts[k].band; });
+      const double most = least + mold_band(criterion(k), least);
+      std::erase_if(tied, [&](std::size_t i) { return costs[i].values[k] > most; });
     }
     const std::size_t first = tied.front();
     found.decided_by.push_back(found.order.empty() ? std::nullopt

@@ -30,6 +30,7 @@ struct MoldCost {
   std::array<double, k_mold_criteria> values{};
   bool canonical = false;
   double weight = 0.0;                               // of side actions
+  double in_vain = 0.0;                              // of it, what does not count as effort
   double formed = 0.0;                               // by them, share of the part's surface
   std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
   double without_room = 0.0;                         // of formed, by lifters that lack the room to move
@@ -47,19 +48,24 @@ inline constexpr double k_effort_of_formed = 5.0;
 inline constexpr double k_on_its_side = 0.25, k_effort_on_its_side = 40.0;
 /// Of surface without draft, as a share: half of it weighs as much as a slide.
 inline constexpr double k_effort_of_draft = 2.0;
-/// The weight of side actions, with what they form, the room that they lack, the draft that is missing, the
-/// climb of the line, which is never more than a slide, and more than any one action where something is left
-/// unreleased: few slides are no gain where the part lies on its side in the mold. Set the other figures
-/// before.
+/// Of the line's climb and steep steps: a diagonal weighs as much as a slide, and more than two diagonals no
+/// more.
+inline constexpr double k_most_of_line = 2.0;
+/// Added where the part's shape does not name the direction: no wall is upright or level in such a mold.
+inline constexpr double k_effort_of_found = 1.0;
+/// The weight of side actions that counts, with what they form, the room that they lack, the draft that is
+/// missing, the climb of the line, and more than any one action where something is left unreleased: few
+/// slides are no gain where the part lies on its side in the mold. Set the other figures before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
 
 /// What of it comes from lying on its side, for the share that side actions form.
 [[nodiscard]] double effort_on_its_side(double formed);
 
-/// Figures that differ by less tie.
-[[nodiscard]] double mold_band(MoldCriterion criterion);
+/// Figures that differ by less tie; beside the least of them, for what that leaves unreleased.
+[[nodiscard]] double mold_band(MoldCriterion criterion, double least = 0.0);
 
-/// Whether the one leaves no more surface unreleased and needs no heavier set of side actions.
+/// Whether the one leaves no more surface unreleased and needs no heavier set of side actions, as a whole or
+/// without what does not count.
 [[nodiscard]] bool costs_no_more(const MoldCost& one, const MoldCost& other);
 
 struct MoldOrder {

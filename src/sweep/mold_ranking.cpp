@@ -33,6 +33,7 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   MoldCost cost;
   cost.counts = actions.totals.counts;
   cost.weight = actions.weight;
+  cost.in_vain = actions.in_vain;
   cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
   cost.without_room = actions.without_room / area;
   cost.formed = actions.formed_area / area;
@@ -51,7 +52,11 @@ MoldCost MoldRanking::cost(const Contender& contender) const {
       mold_cost(model_, contender.measured->classification, *contender.actions, *contender.measured->parting);
   cost.of(MoldCriterion::depth) = contender.figures.draw_depth / model_.frame.diagonal;
   cost.canonical = contender.canonical();
-  if (cost.canonical) cost.of(MoldCriterion::support) -= contender.candidate.canonical->share;
+  if (cost.canonical) {
+    cost.of(MoldCriterion::support) -= contender.candidate.canonical->share;
+  } else {
+    cost.of(MoldCriterion::effort) += k_effort_of_found;
+  }
   return cost;
 }
 
@@ -59,12 +64,13 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
   const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
   const Classification& known = contender.measured->classification;
   const double without_draft = (known.near_vertical_area + known.reverse_draft.area) / area;
-  const double band = mold_band(MoldCriterion::unreleased);
   const double left = std::isfinite(least_left_) ? least_left_ : 0.0;
+  const double band = mold_band(MoldCriterion::unreleased, left);
   // What is left unreleased is no more than what ties.
   const double formed = known.areas[Region::undercut] / area - left - band;
   ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
-                            k_effort_of_draft * without_draft - effort_on_its_side(formed),
+                            k_effort_of_draft * without_draft - effort_on_its_side(formed) -
+                            (contender.canonical() ? 0.0 : k_effort_of_found),
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
@@ -128,10 +134,10 @@ void MoldRanking::take_down(const Contender& contender) {
   const double left = contender.cost->of(MoldCriterion::unreleased);
   const double effort = contender.cost->of(MoldCriterion::effort);
   const double band = mold_band(MoldCriterion::unreleased);
-  if (left < least_left_ - band) {
+  if (left + mold_band(MoldCriterion::unreleased, left) < least_left_) {
     least_left_ = left;
     least_effort_ = effort;
-  } else if (left <= least_left_ + band) {
+  } else if (left <= least_left_ + mold_band(MoldCriterion::unreleased, least_left_)) {
     least_left_ = std::min(least_left_, left);
     least_effort_ = std::min(least_effort_, effort);
   }
@@ -151,10 +157,14 @@ bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const 
   return !costs.empty() && !costs[mold_order(costs).order.front()].canonical;
 }
 
-/// Within 10 degrees of the canonical one.
+/// Within 10 degrees of the canonical one. Within what counts as upright it is no reason to lean that the one
+/// set of side actions is lighter than the other, but that nothing is needed.
 bool MoldRanking::is_worth(const Contender& found, const Contender& canonical) const {
-  if (!costs_no_more(*canonical.cost, *found.cost)) return true;
-  if (angle_deg(found, canonical) <= k_same_place_deg) return false;
+  const double angle = angle_deg(found, canonical);
+  MoldCost least = *canonical.cost;
+  if (angle <= settings_.method.tau_deg && found.cost->weight > 0.0) least.weight = least.in_vain = 0.0;
+  if (!costs_no_more(least, *found.cost)) return true;
+  if (angle <= k_same_place_deg) return false;
   const double saved = canonical.cost->of(MoldCriterion::undercut) - found.cost->of(MoldCriterion::undercut);
   return saved > 0.01 * settings_.worth_pct ||
          (found.actions->undercuts.count == 0 && canonical.actions->undercuts.count > 0);

@@ -240,7 +240,7 @@ void StudyFinder::find_cards(AppState& state) {
   cards_of_ = sources;
   std::optional<MoldCost> cost;
   if (settled)
-    cost = mold_cost(*state.model, *figures.shown, direction_actions(*plan, figures.shown->lateral_tolerance),
+    cost = mold_cost(*state.model, *figures.shown, direction_actions(*plan, *figures.shown),
                      line_figures(line->line));
   state.sweep.cards.clear();
   if (result)

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double k_group_deg = 0.1;               // lines of one group
 constexpr double k_flat_deg = 0.05;               // normals of a plane from their mean
-constexpr double k_on_file_deg = 0.02;            // a group that an axis of the file stands for
+constexpr double k_on_file_deg = 0.05;            // a group that an axis of the file stands for
 constexpr double k_least_canonical_share = 0.01;  // of the surface
 constexpr double k_drafted_deg = 3.0;             // walls lean by it; nor are two closer
 constexpr std::size_t k_most = 12;

@@ -16,6 +16,19 @@ MoldCost cost(std::initializer_list<std::pair<MoldCriterion, double>> values) {
 
 Numbers order(const std::vector<MoldCost>& costs) { return mold_order(costs).order; }
 
+TEST(MoldRank, WhatIsFormedInVainAddsNoEffort) {
+  MoldCost few = cost({}), many = cost({});
+  few.weight = 2.0;
+  many.weight = 13.0;
+  many.in_vain = 11.5;
+  EXPECT_DOUBLE_EQ(mold_effort(many), 1.5);
+  EXPECT_LT(mold_effort(many), mold_effort(few));
+  EXPECT_TRUE(costs_no_more(few, many)) << "by its whole weight";
+  EXPECT_TRUE(costs_no_more(many, few)) << "without what does not count";
+  many.in_vain = 10.0;
+  EXPECT_FALSE(costs_no_more(many, few));
+}
+
 TEST(MoldRank, ComparesByOneCriterionAfterTheOther) {
   EXPECT_EQ(order({cost({{found, 1.0}}), cost({{unreleased, 0.5}})}), (Numbers{1, 0}));
   EXPECT_EQ(order({cost({{unreleased, 0.1}}), cost({{effort, 9.0}})}), (Numbers{1, 0}));
@@ -34,6 +47,11 @@ TEST(MoldRank, WhatDiffersByLessThanABandTies) {
               std::nullopt);
     EXPECT_EQ(mold_order(std::vector{cost({{criterion, 1.1 * band}}), MoldCost{}}).decided_by[1], criterion);
   }
+}
+
+TEST(MoldRank, AShareOfWhatIsLeftUnreleasedTies) {
+  EXPECT_EQ(order({cost({{unreleased, 0.235}}), cost({{unreleased, 0.2}, {line, 0.5}})}), (Numbers{0, 1}));
+  EXPECT_EQ(order({cost({{unreleased, 0.245}}), cost({{unreleased, 0.2}, {line, 0.5}})}), (Numbers{1, 0}));
 }
 
 TEST(MoldRank, IsTheSameInWhateverOrderTheyCome) {
@@ -64,7 +82,7 @@ TEST(MoldRank, AddsToTheWeightWhatSideActionsFormAndDraftAndLine) {
   one.formed = 0.4;
   other.weight = 2.0;
   other.counts[static_cast<std::size_t>(ActionKind::slide)] = 2;
-  EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 1.0 + 40.0 * 0.15) << "it lies on its side";
+  EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 2.0 + 40.0 * 0.15) << "it lies on its side";
   EXPECT_DOUBLE_EQ(mold_effort(other), 2.0 + 1.0);
   EXPECT_EQ(rank_reasons(one, other),
             (std::vector<std::string>{"its side actions form 40 % of the surface more",

@@ -42,8 +42,7 @@ class CanonicalCosts {
   [[nodiscard]] bool costs_no_more(std::size_t which, const DirectionActions& than) {
     if (!costs_[which]) {
       const Classification split = classify_exact(*model_, {directions_[which], {}}, Progress{}, true);
-      costs_[which] =
-          direction_actions(find_actions(*model_, split, {}, Progress{}), split.lateral_tolerance);
+      costs_[which] = direction_actions(find_actions(*model_, split, {}, Progress{}), split);
     }
     return costs_[which]->totals.unreleased_area <= than.totals.unreleased_area &&
            costs_[which]->weight <= than.weight;

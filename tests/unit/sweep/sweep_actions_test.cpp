@@ -194,8 +194,8 @@ TEST(SweepActions, AreTheSameWhateverTheThreads) {
 TEST(DirectionActions, AreSummedUpByKinds) {
   ActionPlan plan;
   plan.unreleased_area = 2.5;
-  EXPECT_EQ(direction_actions(plan, 0.0).text(), "none");
-  EXPECT_EQ(direction_actions(plan, 0.0).weight, 0.0);
+  EXPECT_EQ(direction_actions(plan, {}).text(), "none");
+  EXPECT_EQ(direction_actions(plan, {}).weight, 0.0);
   for (const auto& [kind, travel] :
        {std::pair(ActionKind::lifter, 2.0), std::pair(ActionKind::slide, 7.0),
         std::pair(ActionKind::lifter, 3.0), std::pair(ActionKind::lifter, 1.0)}) {
@@ -204,11 +204,42 @@ TEST(DirectionActions, AreSummedUpByKinds) {
     action.travel = travel;
     plan.actions.push_back(action);
   }
-  const DirectionActions found = direction_actions(plan, 0.0);
+  const DirectionActions found = direction_actions(plan, {});
   EXPECT_EQ(found.text(), "1 slide, 3 lifters");
   EXPECT_EQ(found.weight, 4.6) << "to the last digit";
   EXPECT_EQ(found.travel, 7.0) << "the farthest";
   EXPECT_EQ(found.totals.unreleased_area, 2.5);
+}
+
+SideAction action(ActionKind kind, double area, std::vector<std::size_t> patches = {}) {
+  SideAction made;
+  made.kind = kind;
+  made.area = area;
+  made.patches = std::move(patches);
+  return made;
+}
+
+TEST(DirectionActions, CountInsertsForTriflesByWhatTheyForm) {
+  ActionPlan plan;
+  for (const double area : {0.25, 0.5, 1.0, 7.0}) plan.actions.push_back(action(ActionKind::insert, area));
+  plan.actions.push_back(action(ActionKind::slide, 0.25));
+  Classification split;
+  split.total_area = 1000.0;
+  const DirectionActions found = direction_actions(plan, split);
+  EXPECT_EQ(found.weight, 13.0);
+  EXPECT_DOUBLE_EQ(found.in_vain, 3.0 * (0.75 + 0.5));
+}
+
+TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
+  ActionPlan plan;
+  plan.patches.resize(2);
+  for (UndercutReport& patch : plan.patches) patch.undercut.area = 40.0;
+  plan.unreleased = {1};
+  plan.unreleased_areas = {30.0};
+  plan.actions = {action(ActionKind::slide, 45.0, {0, 1}), action(ActionKind::lifter, 5.0, {1})};
+  Classification split;
+  split.total_area = 1000.0;
+  EXPECT_DOUBLE_EQ(direction_actions(plan, split).in_vain, 0.75 * 1.2);
 }
 
 }  // namespace
