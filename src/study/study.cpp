@@ -1,6 +1,5 @@
 #include "study/study.hpp"
 
-#include "actions/body_figures.hpp"
 #include "parting/make_halves.hpp"
 
 namespace moldlight {
@@ -77,9 +76,7 @@ Asked<ActionPlan>::Inputs Asked<ActionPlan>::inputs(const Study& study) {
 }
 std::shared_ptr<const ActionPlan> Asked<ActionPlan>::find(Study& study, const Progress& progress) {
   const Classification& result = study.find<SplitRegions>(progress).result;
-  ActionPlan plan = find_actions(study.model(), result, study.questions().actions, progress);
-  measure_bodies(study.model(), result, progress, plan);
-  return shared(std::move(plan));
+  return shared(find_actions(study.model(), result, study.questions().actions, progress));
 }
 
 Asked<Changes>::Inputs Asked<Changes>::inputs(const Study& study) { return Asked<ActionPlan>::inputs(study); }

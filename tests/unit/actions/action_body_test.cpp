@@ -69,7 +69,8 @@ void expect_apart(const Planned& planned, const SideAction& action, const Triang
 }
 
 Planned measured(Planned planned) {
-  measure_bodies(*planned.model, planned.result, Progress(), planned.plan);
+  const Progress progress;
+  BodyPlayer(*planned.model, planned.result, progress).measure(planned.plan);
   return planned;
 }
 std::shared_ptr<const TriangleMesh> body_of(const Planned& planned) {
