@@ -214,6 +214,9 @@ class Player {
     const int turn = sequence_of(action.kind);
     const int its_turn = its != nullptr ? sequence_of(its->kind) : k_last_turn;
     const bool together = its != nullptr && its_turn == turn && turn < k_last_turn;
+    // Slides that go the same way are one steel where they overlap.
+    constexpr double k_same_way = 0.9998;
+    if (together && is_slide(action.kind) && glm::dot(action.direction, its->direction) > k_same_way) return;
     // Inserts are taken off one after the other.
     const bool has_left =
         its_turn < turn || (turn == k_last_turn && other != nullptr && other->action < body.action);
