@@ -142,6 +142,22 @@ TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
             std::string::npos);
 }
 
+TEST(BodyFigures, AreTheSameForFacetsInAnyOrderAndMirrored) {
+  const TriangleMesh mesh = laid(block_with_hole({.through = false}), 0.0);
+  std::vector<double> depths;
+  for (const TriangleMesh& each :
+       {mesh, test::permuted(mesh, 1), test::permuted(mesh, 2), test::mirrored(mesh)}) {
+    Planned planned = plan_of(each);
+    ASSERT_EQ(actions_text(planned.plan), "1 slide");
+    planned.plan.actions.front().direction *= -1.0;
+    planned = measured(planned);
+    const auto& body = planned.plan.actions.front().body;
+    ASSERT_TRUE(body && body->hit);
+    depths.push_back(body->hit->depth);
+  }
+  for (const double depth : depths) EXPECT_NEAR(depth, depths.front(), 1e-4);
+}
+
 TEST(ActionBody, OfEachActionIsAFileAndFormerOnesGo) {
   const test::ScratchFolder folder;
   const ActionSettings settings;
