@@ -22,26 +22,27 @@
 
 namespace moldlight {
 
-namespace {
-
-/// What was found of a body's first points.
-struct Found {
-  BodyHit hit = {};
-  std::size_t tested = 0;
-};
 /// In the part's unit and place, as all lengths here.
-struct Solid {
+struct PlayedBody {
+  /// What was found of its first points.
+  struct SoFar {
+    BodyHit hit = {};
+    std::size_t tested = 0;
+  };
   std::shared_ptr<const PartModel> model;
   std::vector<glm::dvec3> points = {};  // of its surface
   std::size_t few = 0;                  // that are spread evenly, at the beginning
-  mutable Found in_part = {};
+  mutable SoFar in_part = {};
   /// By whether the other moves first.
-  mutable std::map<std::pair<const Solid*, bool>, Found> in_others = {};
+  mutable std::map<std::pair<const PlayedBody*, bool>, SoFar> in_others = {};
 };
+
+namespace {
+
 /// As the body of an action.
 struct Placed {
   std::size_t action = 0;
-  const Solid* solid = nullptr;
+  const PlayedBody* solid = nullptr;
 };
 
 /// Of a closed solid's section across a direction (unit) by the plane at a height along it.
@@ -195,7 +196,8 @@ class Player {
   }
 
   /// By the first few points, and if it is to be fine and these are clear by all of them.
-  [[nodiscard]] const BodyHit& deepest_of(const Placed& body, const Placed* other, Found& found) const {
+  [[nodiscard]] const BodyHit& deepest_of(const Placed& body, const Placed* other,
+                                          PlayedBody::SoFar& found) const {
     const std::span<const glm::dvec3> points = body.solid->points;
     for (const std::size_t wanted : {body.solid->few, fine_ ? points.size() : body.solid->few}) {
       if (found.hit.depth > allowed_ || found.tested >= wanted) break;
@@ -283,7 +285,7 @@ class Player {
 /// Where lines of a lattice about the middle of the body's box, along its way and the parting direction, pass
 /// its surface, about `count` of them: the same in whatever order its facets are, and of its mirror image the
 /// mirrored ones. Every third line each way is among the first few.
-void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t count, Solid& solid) {
+void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t count, PlayedBody& solid) {
   const TriangleMesh& mesh = solid.model->part.mesh;
   const glm::dvec3 off = direction - glm::dot(direction, way) * way;
   const glm::dvec3 other = std::abs(way.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -353,12 +355,12 @@ std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
 
 struct BodyPlayer::Shape {
   BodyShaper shaper = {};
-  std::deque<Solid> solids = {};  // each half as thick as the one before
-  bool done = false;              // there is no thinner one
+  std::deque<PlayedBody> solids = {};  // each half as thick as the one before
+  bool done = false;                   // there is no thinner one
 
   /// The body of an action, so thin; null where there is none.
-  const Solid* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
-                       std::size_t points) {
+  const PlayedBody* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
+                            std::size_t points) {
     constexpr std::size_t k_most = 7;
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
@@ -369,7 +371,7 @@ struct BodyPlayer::Shape {
     if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
     Part part;
     part.mesh = *mesh;
-    Solid& solid = solids.emplace_back(Solid{prepare_part(std::move(part), Progress())});
+    PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
     add_points(way, direction, points, solid);
     return &solid;
@@ -396,7 +398,7 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   };
   tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
     if (!shapes[k]->shaper) shapes[k]->shaper = body_shaper(model_, split_, query_, plan, k);
-    for (std::size_t times = 0; const Solid* solid = thinned(k, times); ++times)
+    for (std::size_t times = 0; const PlayedBody* solid = thinned(k, times); ++times)
       if (player.depth_of_all({k, solid}, {}) == 0.0) break;
   });
   std::vector<std::size_t> order(plan.actions.size());
@@ -404,10 +406,10 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return sequence_of(plan.actions[k].kind); });
   std::vector<Placed> bodies;
   for (const std::size_t k : order) {
-    const Solid* best = nullptr;
+    const PlayedBody* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t times = 0; least > 0.0; ++times) {
-      const Solid* solid = thinned(k, times);
+      const PlayedBody* solid = thinned(k, times);
       if (solid == nullptr) break;
       const double depth = player.depth_of_all({k, solid}, bodies);
       if (depth < least) best = solid;
