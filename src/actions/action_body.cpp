@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -34,19 +35,14 @@ constexpr std::uint64_t k_cap_work = 2'000'000;
 
 class BodyMaker {
  public:
-  BodyMaker(const PartModel& model, const Classification& result, const ActionPlan& plan, std::size_t number,
-            double thickness)
-      : model_(model),
-        vertices_(result.split->vertices),
-        action_(plan.actions[number]),
-        thickness_(k_thickness * thickness),
-        release_(model, exact_query(model, result.query())) {
-    const SplitMesh& split = *result.split;
+  BodyMaker(const PartModel& model, const SplitMesh& split, const ExactQuery& query, const ActionPlan& plan,
+            std::size_t number)
+      : model_(model), vertices_(split.vertices), action_(plan.actions[number]), release_(model, query) {
     std::set<FacetIndex> formed;
     for (const std::size_t patch : action_.patches) {
       const UndercutReport& noted = plan.patches[patch];
       // What is formed with an undercut goes with the action that releases most of it.
-      if (!action_.about && action_of(plan, patch) == &action_)
+      if (!action_.about && action_of(plan, patch) == &plan.actions[number])
         formed.insert(noted.formed.begin(), noted.formed.end());
     }
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
@@ -57,19 +53,22 @@ class BodyMaker {
     if (!action_.about) leave_out_blocked();
   }
 
-  std::optional<TriangleMesh> make() {
+  std::optional<TriangleMesh> make(double thickness) {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
     OpenSurface surface = surface_of_triangles();
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
     const bool leaves = is_slide(action_.kind);
     const double diagonal = model_.frame.diagonal;
-    double length = thickness_ * diagonal;
+    thickness *= k_thickness * diagonal;
+    double length = thickness;
     if (leaves) {
       length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
     } else if (std::isfinite(action_.clear_to)) {
       length = std::clamp(action_.clear_to - action_.travel, k_least_thickness * diagonal, length);
     }
+    const std::size_t own = triangles_.size();
     if (leaves && close_far_ends(surface)) surface = surface_of_triangles();
+    triangles_.resize(own);
     const glm::dvec3 normal = mean_normal(surface.mesh);
     const glm::dvec3 way = length * (action_.direction + k_lean * normal);
     TriangleMesh solid = solid_between(surface, shifted(surface, way));
@@ -79,7 +78,7 @@ class BodyMaker {
     std::vector<glm::dvec3> image = surface.mesh.vertices;
     const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
     for (std::size_t k = 0; k < image.size(); ++k)
-      image[k] += thickness_ * diagonal * (normal != glm::dvec3(0.0) ? normal : curved[k]);
+      image[k] += thickness * (normal != glm::dvec3(0.0) ? normal : curved[k]);
     return solid_between(surface, image);
   }
 
@@ -303,17 +302,18 @@ class BodyMaker {
 
   const PartModel& model_;
   std::vector<glm::dvec3> vertices_;  // of the split mesh, and such as divide its pieces
-  const SideAction& action_;
-  double thickness_;  // at most of a body that does not leave sideways, share of the diagonal
+  SideAction action_;
   Release release_;
   std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
 };
 
 }  // namespace
 
-std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
-                                        const ActionPlan& plan, std::size_t action, double thickness) {
-  return BodyMaker(model, result, plan, action, thickness).make();
+BodyShaper body_shaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                       const ActionPlan& plan, std::size_t action) {
+  return [maker = std::make_shared<BodyMaker>(model, split, query, plan, action)](double thickness) {
+    return maker->make(thickness);
+  };
 }
 
 double turn_of(const SideAction& action, double share) {

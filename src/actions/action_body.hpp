@@ -1,6 +1,7 @@
 // The solid that an action moves to release what it forms, and how it moves.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include <glm/mat4x4.hpp>
@@ -15,9 +16,10 @@ namespace moldlight {
 /// does not free. A slide's goes as far out as the part reaches; what cannot leave sideways is a slice, with
 /// this share (0, 1] of the usual thickness. Through holes are stopped at their far end. Nothing for what is
 /// stripped off, which has no body of its own.
-[[nodiscard]] std::optional<TriangleMesh> shaped_body(const PartModel& model, const Classification& result,
-                                                      const ActionPlan& plan, std::size_t action,
-                                                      double thickness);
+using BodyShaper = std::function<std::optional<TriangleMesh>(double thickness)>;
+/// Model and split mesh must outlive it, the plan need not; it has its patches.
+[[nodiscard]] BodyShaper body_shaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                                     const ActionPlan& plan, std::size_t action);
 
 /// Where a body is at a share [0, 1] of its travel: points of the part's own unit and place.
 [[nodiscard]] glm::dmat4 action_motion(const SideAction& action, double share);

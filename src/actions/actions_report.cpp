@@ -125,7 +125,9 @@ Json rejected_json(const RejectedAction& rejected) {
           {"side", side_name(rejected.core_side)},
           {"reason", reject_text(rejected.reason)},
           {"place", point_json(rejected.place)},
-          {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()}};
+          {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()},
+          {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
+          {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()}};
 }
 
 /// Without the sign of what two decimals show as 0.
@@ -190,16 +192,21 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
-std::string lifter_room_text(const ActionPlan& plan, const std::string& unit) {
+std::string rejected_text(const ActionPlan& plan, const std::string& unit) {
   constexpr std::size_t k_most = 6;
+  const bool lifters = std::ranges::all_of(
+      plan.rejected, [](const RejectedAction& rejected) { return rejected.kind == ActionKind::lifter; });
   std::string rows;
   for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
     const RejectedAction& rejected = plan.rejected[k];
-    rows += fmt::format("{}{} ({:.3g} {}: {}, {:.2f} {})", k == 0 ? "" : ", ", rejected.patch + 1,
-                        rejected.travel, unit, reject_text(rejected.reason), rejected.room, unit);
+    const bool hits = rejected.depth > 0.0;
+    rows += fmt::format("{}{} ({}{:.3g} {}: {}, {:.2f} {}{})", k == 0 ? "" : ", ", rejected.patch + 1,
+                        lifters ? "" : fmt::format("{}, ", facts(rejected.kind).singular), rejected.travel,
+                        unit, reject_text(rejected.reason), hits ? rejected.depth : rejected.room, unit,
+                        hits ? fmt::format(" deep {}", stage_text(rejected.when)) : "");
   }
   if (rows.empty()) return "";
-  return fmt::format("Lifters that cannot be built, for undercuts: {}{}.", rows,
+  return fmt::format("{} that cannot be built, for undercuts: {}{}.", lifters ? "Lifters" : "Actions", rows,
                      plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
 }
 

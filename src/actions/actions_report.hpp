@@ -35,8 +35,8 @@ struct ActionsReport {
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
-/// Lifters without the room that they need, likewise.
-[[nodiscard]] std::string lifter_room_text(const ActionPlan& plan, const std::string& unit);
+/// Actions that cannot be built, likewise.
+[[nodiscard]] std::string rejected_text(const ActionPlan& plan, const std::string& unit);
 
 /// Of an action's body in the mold's sequence: "clear", "0.57 mm deep in the part at rest"; "-" without one.
 [[nodiscard]] std::string clear_text(const SideAction& action, const ActionPlan& plan,

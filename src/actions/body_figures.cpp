@@ -1,10 +1,12 @@
 // Points of a body are moved as the mold moves it, and are in another solid where two rays say so; how deep
-// is how far the solid's surface is from there. Where a body moves straight and nothing is in the way of a
-// point, only the ends of its way are asked for.
+// is how far the solid's surface is from there. Where a body moves straight, a ray says where on its way that
+// is to be asked.
 #include "actions/body_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -12,21 +14,35 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <tbb/parallel_for.h>
 
 #include "actions/action_body.hpp"
 #include "mesh/facet_geometry.hpp"
-#include "mold/surface_samples.hpp"
 
 namespace moldlight {
 
+/// In the part's unit and place, as all lengths here.
+struct PlayedBody {
+  /// What was found of its first points.
+  struct SoFar {
+    BodyHit hit = {};
+    std::size_t tested = 0;
+  };
+  std::shared_ptr<const PartModel> model;
+  std::vector<glm::dvec3> points = {};  // of its surface
+  std::size_t few = 0;                  // that are spread evenly, at the beginning
+  mutable SoFar in_part = {};
+  /// By whether the other moves first.
+  mutable std::map<std::pair<const PlayedBody*, bool>, SoFar> in_others = {};
+};
+
 namespace {
 
-/// In the part's unit and place, as all lengths here.
-struct Solid {
+/// As the body of an action.
+struct Placed {
   std::size_t action = 0;
-  std::shared_ptr<const PartModel> model;
-  std::vector<glm::dvec3> points;  // of its surface
+  const PlayedBody* solid = nullptr;
 };
 
 /// Of a closed solid's section across a direction (unit) by the plane at a height along it.
@@ -87,12 +103,14 @@ bool seems_inside(const PartModel& solid, const glm::vec3& point, const glm::dve
   return depth > 0;
 }
 
+bool is_in(const Bounds& box, const glm::dvec3& point) {
+  return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
+}
+
 /// From a point inside a solid to its surface; 0 outside.
 double depth_in(const PartModel& solid, const glm::dvec3& point) {
-  constexpr float k_first_reach = 0.02F, k_last_reach = 2.0F;
-  const Bounds& box = solid.health.bounds;
-  for (int k = 0; k < 3; ++k)
-    if (point[k] < box.min[k] || point[k] > box.max[k]) return 0.0;
+  constexpr float k_first_reach = 0.001F, k_last_reach = 2.0F;
+  if (!is_in(solid.health.bounds, point)) return 0.0;
   const glm::vec3 at = solid.frame.to_unit(point);
   for (const glm::dvec3& along : {glm::dvec3(0.3612, 0.6173, 0.6990), glm::dvec3(-0.5127, 0.4391, -0.7377)})
     if (!seems_inside(solid, at, glm::normalize(along))) return 0.0;
@@ -109,73 +127,135 @@ double depth_in(const PartModel& solid, const glm::dvec3& point) {
   return std::isfinite(nearest) ? nearest : 0.0;
 }
 
-bool meets_between(const PartModel& solid, const glm::dvec3& from, const glm::dvec3& to) {
+/// Where a point that moves straight is within a solid, shares of its way; but for so much of it at the
+/// beginning, where it may touch what it leaves.
+std::vector<std::pair<double, double>> within(const PartModel& solid, const glm::dvec3& from,
+                                              const glm::dvec3& to, double beginning) {
+  constexpr double k_past = 1e-6;  // of the diagonal
+  constexpr int k_most = 100;
   const double length = glm::distance(from, to);
-  if (length <= 0.0) return false;
-  const auto hit = solid.rays().first_hit(solid.frame.to_unit(from), glm::vec3((to - from) / length), false);
-  return hit && static_cast<double>(hit->distance) * solid.frame.diagonal <= length;
+  std::vector<std::pair<double, double>> found;
+  double entered = 0.0, gone = beginning;
+  bool inside = false;
+  for (int passes = 0; passes < k_most && gone < length; ++passes) {
+    const glm::dvec3 way = (to - from) / length;
+    const auto hit = solid.rays().first_hit(solid.frame.to_unit(from + gone * way), glm::vec3(way), false);
+    if (!hit) break;
+    gone += static_cast<double>(hit->distance) * solid.frame.diagonal;
+    if (gone > length) break;
+    inside = glm::dot(solid.geometry.normals[hit->facet], way) < 0.0;
+    if (inside) entered = gone / length;
+    if (!inside) found.emplace_back(entered, gone / length);
+    gone += k_past * solid.frame.diagonal;
+  }
+  if (inside) found.emplace_back(entered, 1.0);
+  return found;
 }
 
 class Player {
  public:
-  Player(const PartModel& model, const ExactQuery& query, const ActionPlan& plan, int steps,
+  Player(const PartModel& model, const ExactQuery& query, const ActionPlan& plan, int steps, bool fine,
          const Progress& progress)
       : model_(model),
         direction_(query.direction),
         plan_(plan),
         steps_(steps),
+        fine_(fine),
         progress_(progress),
         allowed_(2.0 * query.lateral * model.frame.diagonal) {}
 
   /// Of a body in the part and in others; none where that is within the tolerance.
-  [[nodiscard]] std::optional<BodyHit> deepest(const Solid& body, std::span<const Solid> others) const {
-    BodyHit hit;
-    if (model_.health.closed && model_.health.volume > 0.0) play_against(body, nullptr, hit);
-    for (const Solid& other : others) {
-      if (other.action != body.action) play_against(body, &other, hit);
+  [[nodiscard]] std::optional<BodyHit> deepest(const Placed& body, std::span<const Placed> others) const {
+    BodyHit hit = in_part(body);
+    for (const Placed& other : others) {
+      if (other.action == body.action || in_other(body, other).depth <= hit.depth) continue;
+      hit = in_other(body, other);
+      hit.action = other.action;
     }
     return hit.depth > allowed_ ? std::optional(hit) : std::nullopt;
   }
 
   /// How deep a body and others are in each other, and it in the part; 0 within the tolerance.
-  [[nodiscard]] double depth_of_all(const Solid& body, std::span<const Solid> others) const {
-    BodyHit hit = deepest(body, others).value_or(BodyHit());
-    for (const Solid& other : others) play_against(other, &body, hit);
-    return hit.depth > allowed_ ? hit.depth : 0.0;
+  [[nodiscard]] double depth_of_all(const Placed& body, std::span<const Placed> others) const {
+    double depth = in_part(body).depth;
+    for (const Placed& other : others) {
+      if (depth <= allowed_)
+        depth = std::max({depth, in_other(body, other).depth, in_other(other, body).depth});
+    }
+    return depth > allowed_ ? depth : 0.0;
+  }
+
+  [[nodiscard]] const BodyHit& in_part(const Placed& body) const {
+    const bool solid = model_.health.closed && model_.health.volume > 0.0;
+    return solid ? deepest_of(body, nullptr, body.solid->in_part) : body.solid->in_part.hit;
   }
 
  private:
+  [[nodiscard]] const BodyHit& in_other(const Placed& body, const Placed& other) const {
+    return deepest_of(body, &other, body.solid->in_others[{other.solid, other.action < body.action}]);
+  }
+
+  /// By the first few points, and if it is to be fine and these are clear by all of them.
+  [[nodiscard]] const BodyHit& deepest_of(const Placed& body, const Placed* other,
+                                          PlayedBody::SoFar& found) const {
+    const std::span<const glm::dvec3> points = body.solid->points;
+    for (const std::size_t wanted : {body.solid->few, fine_ ? points.size() : body.solid->few}) {
+      if (found.hit.depth > allowed_ || found.tested >= wanted) break;
+      play_against(body, points.subspan(found.tested, wanted - found.tested), other, found.hit);
+      found.tested = wanted;
+    }
+    return found.hit;
+  }
+
   /// Of a body in another one, or in the part where that is null.
-  void play_against(const Solid& body, const Solid* other, BodyHit& hit) const {
-    const PartModel& solid = other != nullptr ? *other->model : model_;
+  void play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
+                    BodyHit& hit) const {
+    const PartModel& solid = other != nullptr ? *other->solid->model : model_;
     const SideAction& action = plan_.actions[body.action];
     const SideAction* its = other != nullptr ? &plan_.actions[other->action] : nullptr;
     const int turn = sequence_of(action.kind);
     const int its_turn = its != nullptr ? sequence_of(its->kind) : k_last_turn;
     const bool together = its != nullptr && its_turn == turn && turn < k_last_turn;
+    // Slides that go the same way are one steel where they overlap.
+    constexpr double k_same_way = 0.9998;
+    if (together && is_slide(action.kind) && glm::dot(action.direction, its->direction) > k_same_way) return;
     // Inserts are taken off one after the other.
     const bool has_left =
         its_turn < turn || (turn == k_last_turn && other != nullptr && other->action < body.action);
     const bool straight = action.kind != ActionKind::unscrew && !(together && its->about);
-    const glm::dvec3 side = action.core_side ? direction_ : -direction_;
-    for (const glm::dvec3& point : body.points) {
+    const glm::dvec3 way_out =
+        turn == k_last_turn || together || has_left
+            ? glm::dvec3(0.0)
+            : 2.0 * model_.frame.diagonal * (action.core_side ? direction_ : -direction_);
+    const glm::dvec3 way = has_left ? glm::dvec3(0.0)
+                                    : action.travel * action.direction -
+                                          (together ? its->travel * its->direction : glm::dvec3(0.0));
+    const Bounds &box = solid.health.bounds, &own = body.solid->model->health.bounds;
+    const auto may_meet = [&](const glm::dvec3& low, const glm::dvec3& high) {
+      const glm::dvec3 out = way + way_out;
+      return !straight || (glm::all(glm::lessThanEqual(low + glm::min(glm::min(way, out), 0.0), box.max)) &&
+                           glm::all(glm::lessThanEqual(box.min, high + glm::max(glm::max(way, out), 0.0))));
+    };
+    if (!may_meet(own.min, own.max)) return;
+    for (const glm::dvec3& point : points) {
+      if (!may_meet(point, point)) continue;
       if (progress_.cancelled()) throw Cancelled();
       const auto take = [&](HitStage stage, double depth) {
         if (depth > hit.depth)
           hit = {other != nullptr ? std::optional(other->action) : std::nullopt, depth, point, stage};
       };
       take(HitStage::rest, depth_in(solid, point));
-      if (has_left) continue;
+      // Out of the part a slide is as narrow as another one beside it needs.
+      const bool shank = together && is_slide(action.kind) && !is_in(model_.health.bounds, point);
+      if (has_left || shank) continue;
       const auto on_its_way = [&](double share) {
         const glm::dvec4 at = action_motion(action, share) * glm::dvec4(point, 1.0);
         return glm::dvec3(together ? glm::inverse(action_motion(*its, share)) * at : at);
       };
       move(solid, straight, on_its_way, [&](double depth) { take(HitStage::way, depth); });
-      if (turn == k_last_turn || together) continue;
+      if (way_out == glm::dvec3(0.0)) continue;
       const glm::dvec3 from = on_its_way(1.0);
-      const auto on_its_way_out = [&](double share) {
-        return from + 2.0 * share * model_.frame.diagonal * side;
-      };
+      const auto on_its_way_out = [&](double share) { return from + share * way_out; };
       move(solid, true, on_its_way_out, [&](double depth) { take(HitStage::way_out, depth); });
     }
   }
@@ -183,7 +263,11 @@ class Player {
   template <typename Place, typename Take>
   void move(const PartModel& solid, bool straight, const Place& place, const Take& take) const {
     take(depth_in(solid, place(1.0)));
-    if (straight && !meets_between(solid, place(0.0), place(1.0))) return;
+    if (straight) {
+      for (const auto& [from, to] : within(solid, place(0.0), place(1.0), allowed_))
+        for (const double share : {0.25, 0.5, 0.75}) take(depth_in(solid, place(glm::mix(from, to, share))));
+      return;
+    }
     for (int step = 1; step < steps_; ++step)
       take(depth_in(solid, place(static_cast<double>(step) / steps_)));
   }
@@ -193,60 +277,156 @@ class Player {
   glm::dvec3 direction_;
   const ActionPlan& plan_;
   int steps_;
+  bool fine_;
   const Progress& progress_;
   double allowed_;
 };
 
-std::vector<glm::dvec3> points_of(const PartModel& body, std::size_t count) {
-  std::vector<glm::dvec3> points;
-  for (const SurfaceSample& sample :
-       sample_surface_evenly(body.part.mesh, body.geometry, body.frame, count).samples)
-    points.push_back(body.frame.center + body.frame.diagonal * glm::dvec3(sample.position));
-  return points;
+/// Where lines of a lattice about the middle of the body's box, along its way and the parting direction, pass
+/// its surface, about `count` of them: the same in whatever order its facets are, and of its mirror image the
+/// mirrored ones. Every third line each way is among the first few.
+void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t count, PlayedBody& solid) {
+  const TriangleMesh& mesh = solid.model->part.mesh;
+  const glm::dvec3 off = direction - glm::dot(direction, way) * way;
+  const glm::dvec3 other = std::abs(way.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 across = glm::normalize(glm::cross(way, glm::length(off) > 1e-3 ? off : other));
+  const glm::dmat3 to_frame = glm::transpose(glm::dmat3(way, across, glm::cross(way, across)));
+  Bounds box;
+  double passed = 0.0;
+  std::vector<std::array<glm::dvec3, 3>> facets;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    auto& corners = facets.emplace_back();
+    for (int k = 0; k < 3; ++k) box.add(corners[k] = to_frame * mesh.corner(facet, k));
+    const glm::dvec3 area = glm::abs(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    passed += 0.5 * (area.x + area.y + area.z);
+  }
+  const double step = std::sqrt(passed / static_cast<double>(count));
+  if (!(step > 0.0)) return;
+  const glm::dvec3 middle = box.center();
+  std::vector<glm::dvec3> others;
+  for (const auto& [a, b, c] : facets) {
+    const glm::dvec3 low = (glm::min(a, glm::min(b, c)) - middle) / step - 0.5;
+    const glm::dvec3 high = (glm::max(a, glm::max(b, c)) - middle) / step - 0.5;
+    for (int k = 0; k < 3; ++k) {
+      const int u = (k + 1) % 3, v = (k + 2) % 3;
+      const double twice = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+      if (twice == 0.0) continue;
+      for (double i = std::ceil(low[u]); i <= high[u]; ++i) {
+        for (double j = std::ceil(low[v]); j <= high[v]; ++j) {
+          const double x = middle[u] + (i + 0.5) * step - a[u], y = middle[v] + (j + 0.5) * step - a[v];
+          const double s = (x * (c[v] - a[v]) - y * (c[u] - a[u])) / twice;
+          const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;
+          if (s < 0.0 || t < 0.0 || s + t > 1.0) continue;
+          const bool first = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
+          (first ? solid.points : others)
+              .push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
+        }
+      }
+    }
+  }
+  solid.few = solid.points.size();
+  solid.points.insert(solid.points.end(), others.begin(), others.end());
+}
+
+/// Of what an action forms, and how it moves.
+std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
+  const SideAction& action = plan.actions[number];
+  std::vector<double> key = {static_cast<double>(action.kind),
+                             action.core_side ? 1.0 : 0.0,
+                             action.direction.x,
+                             action.direction.y,
+                             action.direction.z,
+                             action.travel,
+                             action.clear_to};
+  const std::size_t motion = key.size();
+  for (std::size_t piece = 0; piece < plan.action_of_piece.size(); ++piece)
+    if (plan.action_of_piece[piece] == static_cast<std::int32_t>(number))
+      key.push_back(static_cast<double>(piece));
+  if (key.size() == motion) key.push_back(-1.0 - static_cast<double>(number));
+  for (const std::size_t patch : action.patches) {
+    if (action_of(plan, patch) != &action) continue;
+    key.push_back(-1.0);
+    for (const FacetIndex facet : plan.patches[patch].formed) key.push_back(facet);
+  }
+  return key;
 }
 
 }  // namespace
 
-void measure_bodies(const PartModel& model, const Classification& result, const Progress& progress,
-                    ActionPlan& plan, const BodyPlay& play) {
-  constexpr double k_thinnest = 0.01;   // of what a body usually is
-  constexpr std::size_t k_coarser = 3;  // as long as its shape is looked for
-  const Player player(model, exact_query(model, result.query()), plan, play.steps, progress);
+struct BodyPlayer::Shape {
+  BodyShaper shaper = {};
+  std::deque<PlayedBody> solids = {};  // each half as thick as the one before
+  bool done = false;                   // there is no thinner one
+
+  /// The body of an action, so thin; null where there is none.
+  const PlayedBody* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
+                            std::size_t points) {
+    constexpr std::size_t k_most = 7;
+    if (times < solids.size()) return &solids[times];
+    if (done) return nullptr;
+    const auto mesh = shaper(std::exp2(-static_cast<double>(solids.size())));
+    // What reaches out of the mold, or round a thread, is as thick as it must be.
+    done = !mesh || solids.size() + 1 == k_most ||
+           (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
+    if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
+    Part part;
+    part.mesh = *mesh;
+    PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
+    const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
+    add_points(way, direction, points, solid);
+    return &solid;
+  }
+};
+
+BodyPlayer::BodyPlayer(const PartModel& model, const Classification& result, const Progress& progress,
+                       const BodyPlay& play)
+    : model_(model),
+      split_(*result.split),
+      query_(exact_query(model, result.query())),
+      progress_(progress),
+      play_(play) {}
+BodyPlayer::~BodyPlayer() = default;
+
+void BodyPlayer::measure(ActionPlan& plan, bool fine) {
+  progress_.report("shaping what moves", 0.95);
+  const Player player(model_, query_, plan, play_.steps, fine, progress_);
+  std::vector<Shape*> shapes;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k)]);
+  const auto thinned = [&](std::size_t k, std::size_t times) {
+    if (progress_.cancelled()) throw Cancelled();
+    return shapes[k]->thinned(times, plan.actions[k], query_.direction, play_.points);
+  };
+  tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+    if (!shapes[k]->shaper) shapes[k]->shaper = body_shaper(model_, split_, query_, plan, k);
+    for (std::size_t times = 0; const PlayedBody* solid = thinned(k, times); ++times)
+      if (player.depth_of_all({k, solid}, {}) == 0.0) break;
+  });
   std::vector<std::size_t> order(plan.actions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return sequence_of(plan.actions[k].kind); });
-  std::vector<Solid> bodies;
+  std::vector<Placed> bodies;
   for (const std::size_t k : order) {
-    progress.report("shaping what moves", 0.95);
-    std::optional<Solid> best;
-    double least = std::numeric_limits<double>::infinity(), volume = 0.0;
-    for (double thickness = 1.0; least > 0.0 && thickness > k_thinnest; thickness *= 0.5) {
-      auto mesh = shaped_body(model, result, plan, k, thickness);
-      if (!mesh) break;
-      Part part;
-      part.mesh = std::move(*mesh);
-      Solid tried{k, prepare_part(std::move(part), Progress(&progress)), {}};
-      // What reaches out of the mold is as long as it must be.
-      if (std::exchange(volume, tried.model->health.volume) == tried.model->health.volume) break;
-      tried.points = points_of(*tried.model, 1 + play.points / k_coarser);
-      const double depth = player.depth_of_all(tried, bodies);
-      if (depth >= least) continue;
-      least = depth;
-      best = std::move(tried);
+    const PlayedBody* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t times = 0; least > 0.0; ++times) {
+      const PlayedBody* solid = thinned(k, times);
+      if (solid == nullptr) break;
+      const double depth = player.depth_of_all({k, solid}, bodies);
+      if (depth < least) best = solid;
+      least = std::min(least, depth);
     }
-    if (best) bodies.push_back(std::move(*best));
+    if (best != nullptr) bodies.push_back({k, best});
   }
-  for (Solid& body : bodies) body.points = points_of(*body.model, play.points);
   std::vector<std::optional<BodyHit>> hits(bodies.size());
   tbb::parallel_for(std::size_t{0}, bodies.size(),
                     [&](std::size_t k) { hits[k] = player.deepest(bodies[k], bodies); });
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const TriangleMesh& mesh = bodies[k].model->part.mesh;
+    const std::shared_ptr<const PartModel>& model = bodies[k].solid->model;
     SideAction& action = plan.actions[bodies[k].action];
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
-    action.body = BodyFigures{.solid = {bodies[k].model, &mesh},
-                              .volume = bodies[k].model->health.volume,
-                              .least_section = least_section(mesh, way),
+    action.body = BodyFigures{.solid = {model, &model->part.mesh},
+                              .volume = model->health.volume,
+                              .least_section = least_section(model->part.mesh, way),
                               .hit = hits[k]};
   }
 }

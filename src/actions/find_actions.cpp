@@ -5,12 +5,14 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include "actions/action_feature.hpp"
+#include "actions/body_figures.hpp"
 #include "actions/chosen_action.hpp"
 #include "actions/least_set.hpp"
 #include "actions/revolved_options.hpp"
@@ -43,7 +45,8 @@ class Finder {
         undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
         pulls_(model, query_, undercuts_.axes, settings, progress),
         unit_per_mm_(unit_per_mm(model.part)),
-        detail_(detail) {}
+        detail_(detail),
+        bodies_(model, result, progress) {}
 
   ActionPlan run() {
     sample();
@@ -56,16 +59,19 @@ class Finder {
     find_inserts();
     std::vector<ActionOption> options = find_options();
     const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_, detail_};
-    ActionPlan plan = least_set(
-        context, undercut_parts_, std::move(options),
-        [&](std::size_t undercut_part) { return alternatives(undercut_part); }, progress_);
+    ActionPlan plan =
+        least_set(context, undercut_parts_, std::move(options),
+                  {.alternatives = [&](std::size_t undercut_part) { return alternatives(undercut_part); },
+                   .measure = [&](ActionPlan& draft, bool fine) { measure(draft, fine); }},
+                  progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
-    if (detail_ == PlanDetail::whole) {
-      add_rejected(plan);
-      report(plan);
-    } else {
+    if (detail_ == PlanDetail::rough) {
       for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
+    }
+    if (detail_ == PlanDetail::whole) {
+      keep_rejected(plan);
+      report(plan);
     }
     return plan;
   }
@@ -199,7 +205,21 @@ class Finder {
            });
   }
 
-  void add_rejected(ActionPlan& plan) const {
+  /// Of what was tried for undercuts that nothing releases well: the shortest lifter without its room, then
+  /// what of each kind hits.
+  void keep_rejected(ActionPlan& plan) const {
+    std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
+    add_lifters_without_room(plan);
+    for (RejectedAction& rejected : hitting) {
+      const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
+        return other.patch == rejected.patch && other.kind == rejected.kind;
+      });
+      if (!known && !is_well_released(plan, rejected.patch)) plan.rejected.push_back(rejected);
+    }
+    std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::patch);
+  }
+
+  void add_lifters_without_room(ActionPlan& plan) const {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
     std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
@@ -354,12 +374,20 @@ class Finder {
     std::ranges::copy_if(more, std::back_inserter(pulls), [](const Pull& pull) { return !pull.lack; });
   }
 
+  void measure(ActionPlan& plan, bool fine) {
+    if (!faces_) faces_ = part_faces(model_.part, model_.geometry, model_.adjacency);
+    plan.patches.resize(undercuts_.patches.size());
+    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+      plan.patches[k].undercut = undercuts_.patches[k];
+      add_formed_surface({model_, split_, *faces_, pulls_.release()}, action_of(plan, k), plan.patches[k]);
+    }
+    bodies_.measure(plan, fine);
+  }
+
   void report(ActionPlan& plan) const {
-    const Faces faces = part_faces(model_.part, model_.geometry, model_.adjacency);
     for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
-      UndercutReport noted;
-      noted.undercut = undercuts_.patches[k];
+      UndercutReport& noted = plan.patches[k];
       noted.blocked_by = blockers(model_, split_, noted.undercut, query_.direction);
       place(k, noted);
       const SideAction* action = action_of(plan, k);
@@ -367,8 +395,6 @@ class Finder {
         noted.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
         noted.core_side = action->core_side;
       }
-      add_formed_surface({model_, split_, faces, pulls_.release()}, action, noted);
-      plan.patches.push_back(std::move(noted));
     }
     for (SideAction& action : plan.actions)
       action.feature = feature_text({model_, split_, pulls_.release()}, plan, action);
@@ -403,6 +429,8 @@ class Finder {
   std::vector<UndercutPart> undercut_parts_;
   std::vector<ActionOption> revolved_;  // threads and rings
   std::vector<ActionOption> crowded_;   // lifters without the room that they need
+  std::optional<Faces> faces_;
+  BodyPlayer bodies_;
 };
 
 }  // namespace

@@ -32,20 +32,94 @@ constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a
 struct Draft {
   ActionPlan plan;
   std::vector<std::size_t> options;
+  std::vector<std::vector<std::size_t>> undercut_parts;  // of each action
 };
 
 class LeastSet {
  public:
   LeastSet(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
-           const Alternatives& alternatives, const Progress& progress)
-      : context_(context),
-        undercut_parts_(undercut_parts),
-        alternatives_(alternatives),
-        progress_(progress) {}
+           const LeastSetQuestions& ask, const Progress& progress)
+      : context_(context), undercut_parts_(undercut_parts), ask_(ask), progress_(progress) {}
 
   ActionPlan run(std::vector<ActionOption> options) {
+    constexpr int k_most_others = 6;  // rounds in which others are looked for
     add(std::move(options));
-    std::optional<ActionPlan> best;
+    bool fine = false;
+    for (int round = 0;; ++round) {
+      Draft draft = cheapest();
+      if (context_.detail == PlanDetail::rough) return std::move(draft.plan);
+      const bool others = round < k_most_others;
+      ask_.measure(draft.plan, fine);
+      std::vector<std::size_t> lost = without_hits(draft, others);
+      if (lost.empty() && !std::exchange(fine, true)) {
+        ask_.measure(draft.plan, true);
+        lost = without_hits(draft, others);
+      }
+      if (lost.empty()) {
+        draft.plan.optimal = draft.plan.optimal && round <= k_most_others;
+        draft.plan.rejected = std::move(rejected_);
+        return std::move(draft.plan);
+      }
+      if (others) {
+        go_round(lost);
+        continue;
+      }
+      for (std::size_t c = 0; c < options_.size(); ++c) {
+        std::erase_if(options_[c].undercut_parts, [&](std::size_t undercut_part) {
+          return std::ranges::find(lost, undercut_part) != lost.end();
+        });
+        priced_[c].undercut_parts = options_[c].undercut_parts;
+      }
+    }
+  }
+
+ private:
+  /// Gives up the options of a draft whose bodies hit; of two that hit each other the one that releases less,
+  /// but for the first time where they may be `spared`, as they are not chosen together again if that can be
+  /// helped. What they would have released.
+  std::vector<std::size_t> without_hits(const Draft& draft, bool spared) {
+    std::set<std::size_t> gone;
+    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    std::vector<std::size_t> lost;
+    const std::vector<SideAction>& actions = draft.plan.actions;
+    for (std::size_t k = 0; k < actions.size(); ++k) {
+      // Facets of a thread leave their helix by more than the tolerance.
+      if (!actions[k].body || !actions[k].body->hit || actions[k].kind == ActionKind::unscrew) continue;
+      const BodyHit& hit = *actions[k].body->hit;
+      std::size_t loser = k;
+      if (hit.action) {
+        const std::pair<std::size_t, std::size_t> both = std::minmax(k, *hit.action);
+        if (spared && take_down(draft.options[k], draft.options[*hit.action])) {
+          pairs.insert(both);
+          for (const std::size_t one : {both.first, both.second})
+            lost.insert(lost.end(), draft.undercut_parts[one].begin(), draft.undercut_parts[one].end());
+        }
+        if (pairs.contains(both) || gone.contains(both.first)) continue;
+        loser = both.second;
+      }
+      if (!gone.insert(loser).second) continue;
+      const SideAction& its = actions[loser];
+      lost.insert(lost.end(), draft.undercut_parts[loser].begin(), draft.undercut_parts[loser].end());
+      options_[draft.options[loser]].undercut_parts.clear();
+      priced_[draft.options[loser]].undercut_parts.clear();
+      for (const std::size_t patch : its.patches)
+        rejected_.push_back({.patch = patch,
+                             .kind = its.kind,
+                             .direction = its.direction,
+                             .travel = its.travel,
+                             .core_side = its.core_side,
+                             .reason = hit.action ? RejectReason::hits_body : RejectReason::hits_part,
+                             .place = hit.place,
+                             .room = std::numeric_limits<double>::infinity(),
+                             .depth = hit.depth,
+                             .when = hit.stage});
+    }
+    return lost;
+  }
+
+  /// Of the options that are left.
+  Draft cheapest() {
+    std::optional<Draft> best;
     double best_cost = std::numeric_limits<double>::infinity();
     int unproved = 0;
     for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
@@ -55,7 +129,7 @@ class LeastSet {
       unproved += cover.optimal ? 0 : 1;
       // Clashes that are not known yet would only make it dearer.
       if (best && cover.cost >= best_cost) {
-        best->optimal = cover.optimal;
+        best->plan.optimal = cover.optimal;
         break;
       }
       Draft draft = draft_of(cover);
@@ -63,17 +137,16 @@ class LeastSet {
       const double its_cost = cover.cost + k_meeting_cost * static_cast<double>(found);
       if (its_cost < best_cost) {
         best_cost = its_cost;
-        best = std::move(draft.plan);
-        best->optimal = false;
+        best = std::move(draft);
+        best->plan.optimal = false;
       }
       if (found > 0) continue;
-      best->optimal = cover.optimal;
+      best->plan.optimal = cover.optimal;
       break;
     }
     return std::move(*best);
   }
 
- private:
   void add(std::vector<ActionOption> options) {
     for (ActionOption& option : options) {
       priced_.push_back({option.undercut_parts, pull_cost(option.pull, context_.settings.prices)});
@@ -134,6 +207,7 @@ class LeastSet {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
       draft.options.push_back(cover.options[k]);
+      draft.undercut_parts.push_back(chosen[k].second);
     }
     for (std::int32_t& action : of_atom)
       action = action < 0 ? action : place[static_cast<std::size_t>(action)];
@@ -218,7 +292,7 @@ class LeastSet {
     progress_.report("looking for alternatives to actions that meet", 0.85);
     std::vector<std::vector<ActionOption>> ways(undercut_parts.size());
     tbb::parallel_for(std::size_t{0}, undercut_parts.size(), [&](std::size_t k) {
-      if (!progress_.cancelled()) ways[k] = alternatives_(undercut_parts[k]);
+      if (!progress_.cancelled()) ways[k] = ask_.alternatives(undercut_parts[k]);
     });
     if (progress_.cancelled()) throw Cancelled();
     for (std::vector<ActionOption>& options : ways) add(std::move(options));
@@ -226,7 +300,7 @@ class LeastSet {
 
   const ChosenContext& context_;
   const std::vector<UndercutPart>& undercut_parts_;
-  const Alternatives& alternatives_;
+  const LeastSetQuestions& ask_;
   const Progress& progress_;
   std::vector<ActionOption> options_;
   std::vector<CoverOption> priced_;
@@ -237,14 +311,15 @@ class LeastSet {
       looked_ahead_;                         // undercut parts of pairs
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
   std::map<Left, SideAction> known_;
+  std::vector<RejectedAction> rejected_;
 };
 
 }  // namespace
 
 ActionPlan least_set(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
-                     std::vector<ActionOption> options, const Alternatives& alternatives,
+                     std::vector<ActionOption> options, const LeastSetQuestions& ask,
                      const Progress& progress) {
-  return LeastSet(context, undercut_parts, alternatives, progress).run(std::move(options));
+  return LeastSet(context, undercut_parts, ask, progress).run(std::move(options));
 }
 
 }  // namespace moldlight

@@ -377,6 +377,11 @@ std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samp
       estimate_travel(part.samples, best);
     }
     part.pulls = {best};
+    if (!lifts) {
+      // As it was tried, if the middle of what is free will not do.
+      part.pulls.push_back(best);
+      part.pulls.back().for_sharing = true;
+    }
     parts.push_back(std::move(part));
   }
   if (!parts.empty() && area_of(rest) > k_blocked_share * whole)

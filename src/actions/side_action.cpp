@@ -14,8 +14,10 @@ bool has_room(const SideAction& action) {
 }
 
 std::string_view reject_text(RejectReason reason) {
-  return reason == RejectReason::no_room ? "no room for its thickness beyond its travel"
-                                         : "no way out along its half after its travel";
+  constexpr std::array<std::string_view, 4> k_texts = {"no room for its thickness beyond its travel",
+                                                       "no way out along its half after its travel",
+                                                       "its body hits the part", "its body hits another one"};
+  return k_texts[static_cast<std::size_t>(reason)];
 }
 
 std::string_view stage_text(HitStage stage) {

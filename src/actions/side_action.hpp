@@ -30,8 +30,8 @@ struct Revolution {
 
 /// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel.
-enum class RejectReason : std::uint8_t { no_room, no_way_out };
+/// travel. Its body hits the part, or another action's.
+enum class RejectReason : std::uint8_t { no_room, no_way_out, hits_part, hits_body };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
 
@@ -74,7 +74,7 @@ struct SideAction {
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
   std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
   std::string feature = {};                     // what it forms: "8 vents"
-  std::optional<BodyFigures> body = {};         // where measure_bodies() was asked, of what has one
+  std::optional<BodyFigures> body = {};         // of what has one, but in rough plans
 };
 
 /// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
@@ -88,8 +88,10 @@ struct RejectedAction {
   double travel = 0.0;
   bool core_side = true;
   RejectReason reason = RejectReason::no_room;
-  glm::dvec3 place{0.0};  // on the undercut, from where it fails
-  double room = 0.0;      // beyond the travel from there; what is needed is the lifter's
+  glm::dvec3 place{0.0};  // on the undercut, from where it fails; of a body that hits, its deepest point
+  double room = 0.0;      // of a lifter: beyond the travel from there; what is needed is the lifter's
+  double depth = 0.0;     // of a body that hits
+  HitStage when = HitStage::rest;  // likewise
 };
 
 /// An undercut and what was found out about it.
@@ -108,11 +110,12 @@ struct UndercutReport {
 inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
-  std::vector<UndercutReport> patches;        // the largest first
-  std::vector<Speck> specks;                  // what counts as no undercut, the largest first
-  std::vector<SideAction> actions;            // the largest area first
-  std::vector<RejectedAction> rejected;       // of each undercut that nothing else releases well the shortest
-                                              // lifter that fails, also where it was taken for want of others
+  std::vector<UndercutReport> patches;  // the largest first
+  std::vector<Speck> specks;            // what counts as no undercut, the largest first
+  std::vector<SideAction> actions;      // the largest area first
+  /// Of each undercut that nothing else releases well the shortest lifter that fails, also where it was taken
+  /// for want of others, and what of each kind was not taken since its body hits.
+  std::vector<RejectedAction> rejected;
   std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
   double unreleased_area = 0.0;               // of all

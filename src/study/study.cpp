@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "actions/body_figures.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
 #include "parting/draft/draft_check.hpp"
@@ -99,9 +98,7 @@ Asked<ActionPlan>::Inputs Asked<ActionPlan>::inputs(const Study& study) {
 }
 std::shared_ptr<const ActionPlan> Asked<ActionPlan>::find(Study& study, const Progress& progress) {
   const Classification& result = study.find<SplitRegions>(progress).result;
-  ActionPlan plan = find_actions(study.model(), result, study.questions().actions, progress);
-  measure_bodies(study.model(), result, progress, plan);
-  return shared(std::move(plan));
+  return shared(find_actions(study.model(), result, study.questions().actions, progress));
 }
 
 std::shared_ptr<const Changes> Asked<Changes>::find(Study& study, const Progress& progress) {

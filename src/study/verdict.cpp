@@ -172,34 +172,28 @@ class Judge {
                                     : verdict_.undercuts == 2
                                         ? "both undercuts"
                                         : fmt::format("all {} undercuts", verdict_.undercuts);
-      const std::string what =
-          fmt::format("{} ({}){}", undercuts, area(verdict_.undercut_area),
-                      actions.crowded > 0 ? ", but " + room_text(actions.crowded) : std::string());
-      set(VerdictState::side_actions,
-          number > k_most_actions
-              ? fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts),
-                            what)
-              : fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
+      const std::string what = fmt::format("{} ({})", undercuts, area(verdict_.undercut_area));
+      if (actions.crowded > 0) {
+        set(VerdictState::not_releasable,
+            fmt::format("Not releasable: {}; {} would release {}.", room_text(actions.crowded),
+                        listed(actions.counts), what));
+      } else if (number > k_most_actions) {
+        set(VerdictState::side_actions,
+            fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts), what));
+      } else {
+        set(VerdictState::side_actions,
+            fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
+      }
     }
     if (actions.stuck > 0 && actions.crowded > 0) add(room_text(actions.crowded) + ".");
     if (facts_.plan != nullptr) add_plan(*facts_.plan);
   }
 
   void add_plan(const ActionPlan& plan) {
-    std::size_t meeting = 0, hitting = 0;
-    double deepest = 0.0;
-    for (const SideAction& action : plan.actions) {
-      meeting += action.meets.empty() ? 0 : 1;
-      if (!action.body || !action.body->hit) continue;
-      ++hitting;
-      deepest = std::max(deepest, action.body->hit->depth);
-    }
-    if (meeting > 0) add(fmt::format("The ways of {} cross.", plural(meeting, "action")));
-    if (hitting > 0)
-      add(fmt::format(
-          "{} not clear of the part or of each other, by up to {} {}.",
-          hitting == 1 ? "The body of 1 action is" : fmt::format("The bodies of {} actions are", hitting),
-          rounded(deepest), length_unit(facts_.model.part)));
+    const auto meeting =
+        std::ranges::count_if(plan.actions, [](const SideAction& action) { return !action.meets.empty(); });
+    if (meeting > 0)
+      add(fmt::format("The ways of {} cross.", plural(static_cast<std::size_t>(meeting), "action")));
   }
 
   [[nodiscard]] static std::string room_text(std::size_t lifters) {

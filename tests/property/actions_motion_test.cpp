@@ -173,7 +173,8 @@ Played play(const PartModel& model, const Query& query) {
   constexpr double k_thread_play = 0.04;  // of the pitch: threads of facets leave their helix by so much
   const Classification result = classify_exact(model, query, Progress(), true);
   ActionPlan plan = find_actions(model, result, {}, Progress());
-  measure_bodies(model, result, Progress(), plan);
+  const Progress progress;
+  BodyPlayer(model, result, progress).measure(plan);
   const ExactQuery exact = exact_query(model, query);
   std::vector<Undercut> surfaces(plan.actions.size());
   for (std::uint32_t piece = 0; piece < result.split->pieces.size(); ++piece) {

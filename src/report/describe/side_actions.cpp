@@ -39,7 +39,7 @@ Section plan_section(const ActionsReport& found) {
   }
   if (!plan.actions.empty()) section.blocks.emplace_back(actions_table(found.model, plan, "/actions"));
   for (const std::string& notice :
-       {meetings_text(plan), lifter_room_text(plan, length_unit(found.model.part))}) {
+       {meetings_text(plan), rejected_text(plan, length_unit(found.model.part))}) {
     if (!notice.empty()) section.blocks.emplace_back(Text{notice, TextLook::notice});
   }
   if (!plan.unreleased.empty())

@@ -69,7 +69,8 @@ void expect_apart(const Planned& planned, const SideAction& action, const Triang
 }
 
 Planned measured(Planned planned) {
-  measure_bodies(*planned.model, planned.result, Progress(), planned.plan);
+  const Progress progress;
+  BodyPlayer(*planned.model, planned.result, progress).measure(planned.plan);
   return planned;
 }
 std::shared_ptr<const TriangleMesh> body_of(const Planned& planned) {
@@ -139,6 +140,22 @@ TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
   EXPECT_EQ(json["actions"][0]["body"]["volume"], body->volume);
   EXPECT_NE(clear_text(planned.plan.actions.front(), planned.plan, "mm").find("deep in the part on its way"),
             std::string::npos);
+}
+
+TEST(BodyFigures, AreTheSameForFacetsInAnyOrderAndMirrored) {
+  const TriangleMesh mesh = laid(block_with_hole({.through = false}), 0.0);
+  std::vector<double> depths;
+  for (const TriangleMesh& each :
+       {mesh, test::permuted(mesh, 1), test::permuted(mesh, 2), test::mirrored(mesh)}) {
+    Planned planned = plan_of(each);
+    ASSERT_EQ(actions_text(planned.plan), "1 slide");
+    planned.plan.actions.front().direction *= -1.0;
+    planned = measured(planned);
+    const auto& body = planned.plan.actions.front().body;
+    ASSERT_TRUE(body && body->hit);
+    depths.push_back(body->hit->depth);
+  }
+  for (const double depth : depths) EXPECT_NEAR(depth, depths.front(), 1e-4);
 }
 
 TEST(ActionBody, OfEachActionIsAFileAndFormerOnesGo) {

@@ -38,20 +38,29 @@ TriangleMesh angle_with_pockets(double a, double b) {
   return solid.mesh();
 }
 
-/// Pinned to slides, nothing else is left to choose.
-TEST(Meetings, AreOfSlidesWhoseWaysCross) {
+/// Pinned to slides, nothing else is left to choose: one of them cannot be built.
+TEST(Meetings, OfSlidesWhoseBodiesHitEachOtherLeaveOne) {
   ActionSettings settings;
   for (const UndercutReport& patch : plan_of(angle_with_pockets(10, 10)).plan.patches)
     settings.pins.push_back({patch.point, patch.undercut.area, ActionKind::slide});
   const Planned planned = plan_of(angle_with_pockets(10, 10), settings);
-  ASSERT_EQ(actions_text(planned.plan), "2 slides");
-  ASSERT_EQ(planned.plan.actions[0].meets, std::vector<std::size_t>{1});
-  ASSERT_EQ(planned.plan.actions[1].meets, std::vector<std::size_t>{0});
-  EXPECT_TRUE(planned.plan.optimal);
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  ASSERT_EQ(planned.plan.unreleased.size(), 1U);
+  const std::size_t left = planned.plan.unreleased.front();
+  EXPECT_NEAR(planned.plan.unreleased_area, planned.plan.patches[left].undercut.area, 1e-6);
+  ASSERT_EQ(planned.plan.rejected.size(), 1U);
+  const RejectedAction& rejected = planned.plan.rejected.front();
+  EXPECT_EQ(rejected.patch, left);
+  EXPECT_EQ(rejected.kind, ActionKind::slide);
+  EXPECT_EQ(rejected.reason, RejectReason::hits_body);
+  EXPECT_GT(rejected.depth, 1.0) << "a square of 8 and more";
   const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
-  EXPECT_EQ(actions_json(report)["actions"][0]["meets"], nlohmann::ordered_json::array({2}));
-  EXPECT_EQ(meetings_text(planned.plan),
-            "The ways of slides cross, and no alternative was found: rows 1 and 2.");
+  const nlohmann::ordered_json json = actions_json(report)["rejected"][0];
+  EXPECT_EQ(json["reason"], "its body hits another one");
+  EXPECT_EQ(json["depth"], rejected.depth);
+  EXPECT_EQ(json["when"], stage_text(rejected.when));
+  EXPECT_TRUE(json["room"].is_null());
+  EXPECT_TRUE(rejected_text(planned.plan, "mm").starts_with("Actions that cannot be built, for undercuts: "));
 }
 
 /// A lifter within the angle does without the way of a slide.
