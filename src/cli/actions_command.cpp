@@ -31,7 +31,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
                  {"--mesh", flags.mesh},
                  {"--mesh (its colours)", material_library_path(flags.mesh)}},
                 {"--bodies", flags.bodies});
-  Baseline baseline(flags.baseline, flags.command);
+  Baseline baseline(flags.baseline, flags.command, flags.part.part);
   // Before long work, which would be for nothing where there is none.
   const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
   Study study = asked_study(flags, {.with_actions = true, .actions = flags.settings}, console, progress);

@@ -50,7 +50,7 @@ struct StatusFlags {
 struct MergeFlags {
   std::string folder, baseline;
   MergeFiles files;
-  std::vector<Criterion> fail_on;
+  Gate gate;
 };
 
 Shard parse_shard(const std::string& text) {
@@ -256,10 +256,13 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
   const NamedPath manifest_file{"the batch's manifest",
                                 (fs::path(manifest.folder) / k_manifest_name).string()};
   check_outputs({.inputs = {manifest_file, {"--baseline", flags.baseline}},
-                 .files = {{"--csv", files.csv}, {"--sqlite", files.sqlite}, {"--html", files.html}}});
+                 .files = {{"--csv", files.csv},
+                           {"--sqlite", files.sqlite},
+                           {"--html", files.html},
+                           {"--junit", flags.gate.junit}}});
   set_parts_progress(console, "merge");
   std::optional<BatchBaseline> baseline;
-  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.fail_on);
+  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.gate.criteria);
   const ReadingCounts counts = merge(manifest, files, progress, baseline ? &*baseline : nullptr);
   console.set_progress_text({});
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", plural(manifest.rows, "part"),
@@ -271,6 +274,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
                                                         ? "1 part has"
                                                         : fmt::format("{} parts have", counts.missing)));
   // What has failed stays so, whatever is still to come.
+  if (baseline) write_junit(flags.gate, baseline->cases());
   if (baseline && baseline->failure_count() > 0) {
     for (const std::string& sentence : baseline->failures()) console.failure(sentence);
     if (baseline->failure_count() > baseline->failures().size())
@@ -361,7 +365,7 @@ void add_merge(CLI::App& batch, Request& request) {
       add_file_flag(*command, flags->baseline,
                     {"--baseline", "FILE.csv",
                      "Compare with an earlier table of --csv: new parts, missing parts and changed figures"});
-  add_criteria_flag(*command, flags->fail_on, batch_figure_names())->needs(baseline);
+  add_gate_flags(*command, flags->gate, batch_figure_names())->needs(baseline);
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_merge);
 }

@@ -258,10 +258,10 @@ void BatchBaseline::apply(std::string_view path, std::span<const ComparedFigure>
         figures.end())
       continue;
     applied_[k] = true;
-    for (const std::string& sentence : met_criteria(criteria_.subspan(k, 1), figures)) {
-      if (++failure_count_ > k_most_told) continue;
-      failures_.push_back(path.empty() ? sentence : one_line(path) + ": " + sentence);
-    }
+    const GateCase& tried = cases_.emplace_back(
+        gate_cases(path.empty() ? "all parts" : path, criteria_.subspan(k, 1), figures).front());
+    if (tried.failure.empty() || ++failure_count_ > k_most_told) continue;
+    failures_.push_back(path.empty() ? tried.failure : one_line(path) + ": " + tried.failure);
   }
 }
 

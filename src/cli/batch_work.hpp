@@ -13,7 +13,7 @@
 #include "batch/merge.hpp"
 #include "batch/plan.hpp"
 #include "cli/command.hpp"
-#include "compare/criteria.hpp"
+#include "cli/gate.hpp"
 
 namespace moldlight::cli {
 
@@ -56,6 +56,8 @@ class BatchBaseline : public batch::MergeSink {
   /// A sentence for each criterion that a part meets, the first of them; and how many there are.
   [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
   [[nodiscard]] std::size_t failure_count() const { return failure_count_; }
+  /// Every criterion on every part that has its figure, then those on the batch as a whole.
+  [[nodiscard]] const std::vector<GateCase>& cases() const { return cases_; }
 
  private:
   struct Row {
@@ -80,6 +82,7 @@ class BatchBaseline : public batch::MergeSink {
   std::size_t fresh_ = 0, gone_ = 0, changed_ = 0, same_ = 0, failed_before_ = 0, failed_ = 0, noted_ = 0;
   std::string changes_;
   std::vector<std::string> failures_;
+  std::vector<GateCase> cases_;
   std::size_t failure_count_ = 0;
 };
 

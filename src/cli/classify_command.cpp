@@ -52,7 +52,7 @@ void log_result(const Classification& result, Console& console) {
 int run(const ClassifyFlags& flags, Console& console, const Progress& progress) {
   validate(flags.query.method);
   check_files(flags);
-  Baseline baseline(flags.baseline, flags.command);
+  Baseline baseline(flags.baseline, flags.command, flags.part.part);
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
   if (flags.looks_at_maps() || flags.drawn()) context = create_context(flags.query.method.backend);

@@ -28,7 +28,7 @@ struct CompareFlags {
   DirectionChoice choice = DirectionChoice::best;
   MethodSettings method;
   CompareSettings settings;
-  std::vector<Criterion> fail_on;
+  Gate gate;
   std::string image;
   ReportFlags report;
   StillSettings still;
@@ -37,6 +37,7 @@ struct CompareFlags {
 void check_files(const CompareFlags& flags) {
   std::vector<NamedPath> written = {{"--json", flags.a.json_file()}, {"--image", flags.image}};
   std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  written.push_back({"--junit", flags.gate.junit});
   check_outputs({.inputs = {{"A", flags.a.part}, {"B", flags.b}}, .files = written});
 }
 
@@ -66,23 +67,23 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
       console.warning(fmt::format("{}: {}", name, warning));
   // Before anything is put out: a criterion may ask for what these parts do not have.
   const std::vector<ComparedFigure> figures = comparison_figures(comparison);
-  const std::vector<std::string> failed = met_criteria(flags.fail_on, figures);
+  const std::vector<GateCase> cases = gate_cases(part_name(b->part), flags.gate.criteria, figures);
   if (!flags.image.empty())
     write_png(flags.image, comparison_picture(*context, comparison, flags.still, progress));
   if (flags.report.any()) {
     const auto for_report =
         report_context(flags.report, *context, comparison.b.model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::compare_report(for_report, comparison, {flags.fail_on, figures}));
+    write_reports(flags.report,
+                  report::compare_report(for_report, comparison, {flags.gate.criteria, figures}));
   }
   put_report(
       console, flags.a.json, [&] { return compare_json(comparison); },
       [&] {
         const report::ReportContext for_text{comparison.b.model, progress};
-        return to_text(report::compare_report(for_text, comparison, {flags.fail_on, figures}),
+        return to_text(report::compare_report(for_text, comparison, {flags.gate.criteria, figures}),
                        {.colour = console.colour()});
       });
-  for (const std::string& sentence : failed) console.failure(sentence);
-  return failed.empty() ? 0 : k_criterion_failed;
+  return gate_outcome(flags.gate, cases, console);
 }
 
 void add_compare_command(CLI::App& program, Request& request) {
@@ -104,7 +105,7 @@ void add_compare_command(CLI::App& program, Request& request) {
                     flags->direction = parse_direction({text, "--direction"});
                 });
   add_option_flags(*command, compare_options(), flags->settings);
-  add_criteria_flag(*command, flags->fail_on, comparison_figure_names());
+  add_gate_flags(*command, flags->gate, comparison_figure_names());
   add_option_flags(*command, action_options(), flags->settings.actions);
   add_report_flags(*command, flags->report, request);
   CLI::Option* image = add_file_flag(

@@ -113,16 +113,4 @@ void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* pi
     add_option_flag(command, option_named(look_options(), key), settings.look)->needs(picture);
 }
 
-CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
-                               const std::vector<std::string_view>& figures) {
-  const std::string help = fmt::format(
-      "Exit with 3 if one of these criteria holds, such as \"undercut > +1%, actions > 0\". A value with a "
-      "sign limits the change, without a sign the figure itself. Per cent is of the old figure, or of the "
-      "part's surface. Figures: {}",
-      fmt::join(figures, ", "));
-  return add_text_flag(
-      command, {"--fail-on", "CRITERIA", help},
-      [&criteria, figures](const std::string& text) { criteria = parse_criteria(text, figures); });
-}
-
 }  // namespace moldlight::cli

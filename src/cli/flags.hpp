@@ -15,7 +15,6 @@
 #include "classify/option.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
-#include "compare/criteria.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -149,9 +148,5 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, st
 /// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
 /// refused.
 void add_method_flags(CLI::App& command, MethodSettings& settings);
-
-/// --fail-on, for these figures.
-CLI::Option* add_criteria_flag(CLI::App& command, std::vector<Criterion>& criteria,
-                               const std::vector<std::string_view>& figures);
 
 }  // namespace moldlight::cli

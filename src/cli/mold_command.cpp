@@ -31,7 +31,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     lines.push_back({"--lines", path});
   }
   check_outputs(flags, lines, {"--out", flags.folder});
-  Baseline baseline(flags.baseline, flags.command);
+  Baseline baseline(flags.baseline, flags.command, flags.part.part);
   // Before long work, which would be for nothing where there is none.
   const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
   Study study =

@@ -1,6 +1,7 @@
 #include "cli/report_flags.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -64,22 +65,22 @@ void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_vie
   add_file_flag(
       command, flags.file,
       {"--baseline", "FILE.json", "Compare the figures with an earlier --json report of this command"});
-  add_criteria_flag(command, flags.fail_on, report_figure_names(name));
+  add_gate_flags(command, flags.gate, report_figure_names(name));
 }
 
-Baseline::Baseline(const BaselineFlags& flags, std::string command)
-    : flags_(flags), command_(std::move(command)) {
+Baseline::Baseline(const BaselineFlags& flags, std::string command, const std::string& part)
+    : flags_(flags), command_(std::move(command)), part_(std::filesystem::path(part).filename().string()) {
   if (!flags.file.empty()) before_ = read_report(flags.file);
 }
 
 void Baseline::compare(const std::function<Json()>& report) {
-  if (flags_.file.empty() && flags_.fail_on.empty()) return;
-  for (const Criterion& criterion : flags_.fail_on)
+  if (flags_.file.empty() && flags_.gate.criteria.empty()) return;
+  for (const Criterion& criterion : flags_.gate.criteria)
     if (criterion.of_change && flags_.file.empty())
       throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
   const Json now = report();
   figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
-  failed_ = met_criteria(flags_.fail_on, figures_);
+  cases_ = gate_cases(part_, flags_.gate.criteria, figures_);
 }
 
 std::string Baseline::table() const {
@@ -93,7 +94,10 @@ void Baseline::add_to(Json& report) const {
   for (const ComparedFigure& figure : figures_)
     figures[std::string(figure.name)] = {
         {"was", figure.before}, {"is", figure.after}, {"error", figure.error}};
-  report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed_}};
+  Json failed = Json::array();
+  for (const GateCase& one : cases_)
+    if (!one.failure.empty()) failed.push_back(one.failure);
+  report["baseline"] = {{"file", flags_.file}, {"figures", figures}, {"failed", failed}};
 }
 
 void Baseline::put_report(Console& console, const std::string& json_path, const std::function<Json()>& json,
@@ -108,10 +112,7 @@ void Baseline::put_report(Console& console, const std::string& json_path, const 
       [&] { return text() + table(); });
 }
 
-int Baseline::exit_code(Console& console) const {
-  for (const std::string& sentence : failed_) console.failure(sentence);
-  return failed_.empty() ? 0 : k_criterion_failed;
-}
+int Baseline::exit_code(Console& console) const { return gate_outcome(flags_.gate, cases_, console); }
 
 void add_study_flags(CLI::App& command, StudyFlags& flags, Request& request) {
   flags.command = command.get_name();
@@ -133,6 +134,7 @@ void check_outputs(const StudyFlags& flags, const std::vector<NamedPath>& files,
   std::ranges::copy(files, std::back_inserter(written));
   written.push_back({"--image", flags.image});
   std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  written.push_back({"--junit", flags.baseline.gate.junit});
   check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
                  .files = written,
                  .folder = folder});

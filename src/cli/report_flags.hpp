@@ -13,7 +13,7 @@
 #include "classify/json.hpp"
 #include "cli/command.hpp"
 #include "cli/flags.hpp"
-#include "compare/criteria.hpp"
+#include "cli/gate.hpp"
 #include "report/describe/describe.hpp"
 #include "report/writers.hpp"
 #include "study/study.hpp"
@@ -43,16 +43,17 @@ void write_reports(const ReportFlags& flags, const report::Report& report);
 
 struct BaselineFlags {
   std::string file;  // empty: none
-  std::vector<Criterion> fail_on;
+  Gate gate;
 };
-/// Adds both, the second for figures of reports of this command; nothing for one whose report has none.
+/// Adds --baseline, and the gate for figures of reports of this command; nothing for one whose report has
+/// none.
 void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name);
 
 /// An earlier report, and what has changed since.
 class Baseline {
  public:
-  /// Reads the report, if one is named. Throws FileError.
-  Baseline(const BaselineFlags& flags, std::string command);
+  /// Reads the report, if one is named; `part` is the path of the part. Throws FileError.
+  Baseline(const BaselineFlags& flags, std::string command, const std::string& part);
 
   /// Compares, where there is a baseline or a criterion. Throws UsageError for a report of something else,
   /// for criteria on figures that the reports do not have, and for those of a change without a baseline.
@@ -62,7 +63,7 @@ class Baseline {
   /// after) and a table of what changed below the text, where there is one.
   void put_report(Console& console, const std::string& json_path, const std::function<Json()>& json,
                   const std::function<std::string()>& text) const;
-  /// Says which criteria failed: the exit code, or 0.
+  /// Says which criteria failed, and writes what --junit asks for: the exit code, or 0.
   [[nodiscard]] int exit_code(Console& console) const;
 
  private:
@@ -70,10 +71,10 @@ class Baseline {
   void add_to(Json& report) const;
 
   const BaselineFlags& flags_;
-  std::string command_;
+  std::string command_, part_;
   Json before_;
   std::vector<ComparedFigure> figures_;
-  std::vector<std::string> failed_;
+  std::vector<GateCase> cases_;
 };
 
 struct StudyFlags {

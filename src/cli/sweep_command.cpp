@@ -166,13 +166,14 @@ bool is_proved(const SweepResult& result, Console& console) {
 int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   std::vector<NamedPath> written = {{"--json", flags.part.json_file()}, {"--csv", flags.csv}};
   std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  written.push_back({"--junit", flags.baseline.gate.junit});
   check_outputs({.inputs = {{"PART", flags.part.part},
                             {"--directions-file", flags.directions_file},
                             {"--baseline", flags.baseline.file}},
                  .files = written,
                  .folder = {"--image-dir", flags.image_folder}});
   const SweepSettings settings = sweep_settings(flags, progress);
-  Baseline baseline(flags.baseline, "sweep");
+  Baseline baseline(flags.baseline, "sweep", flags.part.part);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   // Before the sweep, so that a backend that is not there is reported at once.
   const auto context = flags.drawn() ? create_context(settings.method.backend) : nullptr;

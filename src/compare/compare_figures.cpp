@@ -100,7 +100,8 @@ struct ReportRow {
   bool area = false;  // has a share of the part's, and its doubt
 };
 
-constexpr std::array<ReportRow, 24> k_report_rows = {{
+constexpr std::array<ReportRow, 25> k_report_rows = {{
+    {k_verdict_figure, {"/verdict/state", "/verdict/state", "/verdict/state", "/verdict/state"}},
     {"undercut",
      {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/assignment/action"},
      true},
@@ -143,6 +144,7 @@ std::optional<double> number_at(const Json& json, std::string_view path) {
     for (const Json& each : found) sum += each.is_number() ? each.get<double>() : 0.0;
     return sum;
   }
+  if (found.is_string()) return verdict_number(found.get<std::string>());
   return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
 }
 

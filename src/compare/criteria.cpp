@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "actions/verdict_state.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/shown_text.hpp"
@@ -46,7 +47,11 @@ Criterion parse_criterion(std::string_view text, std::span<const std::string_vie
   if (value.starts_with('+')) value.remove_prefix(1);
   criterion.per_cent = value.ends_with('%');
   if (criterion.per_cent) value = trimmed(value.substr(0, value.size() - 1));
-  const auto number = number_from<double>(value);
+  const bool of_state = criterion.name == k_verdict_figure;
+  const auto number = of_state ? verdict_number(value) : number_from<double>(value);
+  if (of_state && !number)
+    throw UsageError(fmt::format("{}: “{}” is no verdict; there are {}", k_flag, shown(value),
+                                 fmt::join(k_verdict_states, ", ")));
   if (!number || !std::isfinite(*number))
     throw UsageError(
         fmt::format("{}: “{}” has no value; write a number, with + for a change, with % for a share", k_flag,
@@ -65,12 +70,25 @@ const ComparedFigure& figure_of(const Criterion& criterion, std::span<const Comp
   return *found;
 }
 
+std::string value_text(const ComparedFigure& compared, double value) {
+  return compared.name == k_verdict_figure ? std::string(k_verdict_states[static_cast<std::size_t>(value)])
+                                           : figure(value);
+}
+
 std::string percent_text(const ComparedFigure& figure) {
+  if (figure.name == k_verdict_figure) return {};
   const std::string change = change_percent(figure.before, figure.after);
   return change.empty() ? change : fmt::format(" ({})", change);
 }
 
 }  // namespace
+
+std::optional<double> verdict_number(std::string_view state) {
+  const auto found = std::ranges::find(k_verdict_states, state);
+  return found == k_verdict_states.end()
+             ? std::nullopt
+             : std::optional(static_cast<double>(found - k_verdict_states.begin()));
+}
 
 std::string change_percent(double before, double after) {
   const double change = before > 0.0 ? 100.0 * (after - before) / before : 0.0;
@@ -110,7 +128,8 @@ std::vector<std::string> met_criteria(std::span<const Criterion> criteria,
     const ComparedFigure& found = figure_of(criterion, figures);
     if (!criterion.is_met_by(found)) continue;
     sentences.push_back(fmt::format("criterion failed: {}: {} was {}, is {}{}", criterion.text, found.name,
-                                    figure(found.before), figure(found.after), percent_text(found)));
+                                    value_text(found, found.before), value_text(found, found.after),
+                                    percent_text(found)));
   }
   return sentences;
 }
@@ -120,8 +139,11 @@ std::string figure_changes_table(std::span<const ComparedFigure> figures) {
   for (const ComparedFigure& one : figures) {
     const double change = one.after - one.before;
     if (std::abs(change) <= one.error) continue;
-    text += fmt::format("{:<20} {:>12} {:>12} {:>12}{}\n", one.name, figure(one.before), figure(one.after),
-                        fmt::format("{:+.6g}", change), percent_text(one));
+    text += fmt::format("{:<20} {:>12} {:>12} {:>12}{}\n", one.name, value_text(one, one.before),
+                        value_text(one, one.after),
+                        one.name == k_verdict_figure ? std::string(change > 0.0 ? "worse" : "better")
+                                                     : fmt::format("{:+.6g}", change),
+                        percent_text(one));
   }
   if (text.empty()) return "No figure changed.\n";
   return fmt::format("{:<20} {:>12} {:>12} {:>12}\n", "figure", "was", "is", "change") + text;

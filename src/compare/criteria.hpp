@@ -1,6 +1,7 @@
 // Criteria on what changed, for a script: "undercut > +1%, actions > 0".
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,12 +17,17 @@ struct ComparedFigure {
   double whole = 0.0;  // what per cent without a sign are of; 0: it has none
 };
 
+/// A figure whose value is the state of a verdict: its number in k_verdict_states.
+inline constexpr std::string_view k_verdict_figure = "verdict";
+/// None for what is no state.
+[[nodiscard]] std::optional<double> verdict_number(std::string_view state);
+
 /// "+2.01 %" of what it was; empty where that was nothing, and where two decimals show no change.
 [[nodiscard]] std::string change_percent(double before, double after);
 
 /// NAME > VALUE or NAME >= VALUE. A value with a sign is that of the change, in the figure's own unit or in
 /// per cent of what it was before; one without is that of the figure now, in its unit or in per cent of the
-/// part's.
+/// part's. The value of `verdict` is a state, which is greater the worse it is.
 struct Criterion {
   std::string text;  // as given
   std::string name;

@@ -14,9 +14,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> k_state_names = {"two-plate", "side-actions", "not-releasable",
-                                                           "undercuts", "unknown"};
-
 /// "2 slides and 1 lifter".
 std::string listed(const std::array<std::size_t, k_action_kinds>& counts) {
   std::string text = actions_text(counts);
@@ -225,8 +222,6 @@ class Judge {
 };
 
 }  // namespace
-
-std::string_view state_name(VerdictState state) { return k_state_names[static_cast<std::size_t>(state)]; }
 
 Verdict verdict_of(const VerdictFacts& facts) { return Judge(facts).judged(); }
 

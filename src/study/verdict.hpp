@@ -9,22 +9,13 @@
 #include <vector>
 
 #include "actions/side_action.hpp"
+#include "actions/verdict_state.hpp"
 #include "classify/classification.hpp"
 #include "classify/json.hpp"
 #include "classify/part_model.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
-
-enum class VerdictState : std::uint8_t {
-  two_plate,       // no undercut, and the mesh is in order
-  side_actions,    // undercuts, and the side actions that were found release all of them
-  not_releasable,  // of some undercut more is left than is_stuck() allows
-  undercuts,       // there are some, and side actions were not asked for
-  unknown,         // the mesh does not decide
-};
-/// "two-plate", "side-actions", …
-[[nodiscard]] std::string_view state_name(VerdictState state);
 
 /// Areas are in the part's unit squared.
 struct Verdict {

@@ -77,6 +77,33 @@ TEST(Gates, HoldOfWhatIsNowWithoutABaseline) {
   EXPECT_EQ(run("mold", "slopes > 1").exit_code, 2) << "no figure of that name";
 }
 
+TEST(Gates, TakeAVerdictAndWriteJUnit) {
+  const SmallPart part;
+  const std::string file = part.output("gate.xml");
+  const auto run = [&](const std::string& criteria) {
+    return run_moldlight({"classify", part.file(), "-d", "x", "-q", "--fail-on", criteria, "--junit", file});
+  };
+  const auto undercut = run("verdict > side-actions, undercut > 100%");
+  EXPECT_EQ(undercut.exit_code, 3) << undercut.err;
+  EXPECT_NE(undercut.err.find("verdict > side-actions: verdict was undercuts, is undercuts"),
+            std::string::npos)
+      << undercut.err;
+  const std::string xml = test::file_bytes(file);
+  EXPECT_NE(xml.find("<testsuites name=\"moldlight\" tests=\"2\" failures=\"1\">"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"undercut &gt; 100%\"/>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"verdict &gt; side-actions\"><failure message=\"criterion failed"),
+            std::string::npos)
+      << xml;
+  EXPECT_EQ(run("verdict > undercuts").exit_code, 0);
+  EXPECT_EQ(run("verdict > bad").exit_code, 2);
+  EXPECT_EQ(run_moldlight({"classify", part.file(), "-d", "x", "--junit", file}).exit_code, 2) << "of what?";
+  EXPECT_EQ(
+      run_moldlight({"classify", part.file(), "-d", "x", "--fail-on", "undercut > 0", "--junit", part.file()})
+          .exit_code,
+      2)
+      << "would be overwritten";
+}
+
 TEST(Gates, CompareSideActionsAndMoldsWithEarlierOnes) {
   const SmallPart part;
   for (const std::string command : {"actions", "mold"}) {

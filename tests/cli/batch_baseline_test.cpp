@@ -52,8 +52,14 @@ TEST_F(BatchBaseline, TellsWhatIsNewAndGone) {
   rows_.pop_back();
   rows_.push_back(rows_.back());
   field(3, "path") = "was there once.off";
-  const auto run = merge({"--fail-on", "new-parts > 0"});
+  const std::string junit = parts_.path("gate.xml");
+  const auto run = merge({"--fail-on", "new-parts > 0, undercut > +0", "--junit", junit});
   EXPECT_EQ(run.exit_code, 3);
+  const std::string xml = test::file_bytes(junit);
+  EXPECT_NE(xml.find("tests=\"3\" failures=\"1\">\n"), std::string::npos) << xml << "two parts and the batch";
+  EXPECT_NE(xml.find("<testcase classname=\"all parts\" name=\"new-parts &gt; 0\"><failure "),
+            std::string::npos)
+      << xml;
   EXPECT_NE(run.out.find("1 part new, 1 gone, 0 changed, 2 as before"), std::string::npos) << run.out;
   EXPECT_NE(run.err.find("new-parts was 0, is 1"), std::string::npos) << run.err;
   EXPECT_EQ(merge({"--fail-on", "gone-parts > 1"}).exit_code, 0);
