@@ -38,6 +38,7 @@ install(FILES ${package_folder}/moldlight.bash DESTINATION ${CMAKE_INSTALL_DATAD
 install(FILES ${package_folder}/_moldlight DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES ${package_folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY docs/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/moldlight FILES_MATCHING PATTERN "*.json")
 if(TARGET docs)
   install(DIRECTORY ${CMAKE_BINARY_DIR}/share/doc/moldlight/html DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endif()

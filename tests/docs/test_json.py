@@ -1,14 +1,10 @@
 """The tables of the page on JSON schemas against reports: no key is missing, and none is made up."""
 
-import json
-import re
 import unittest
 
-import documents
-import blocks
+import documents  # noqa: F401, finds the tools
+import json_page
 import runs
-
-PAGE = documents.ROOT / "docs" / "json.md"
 
 
 def paths(value, before=""):
@@ -23,18 +19,6 @@ def paths(value, before=""):
         yield before
 
 
-def sections():
-    """Heading, console blocks and keys with their meaning of each section."""
-    lines = blocks.read(PAGE)
-    starts = [number for number, line in enumerate(lines) if line.startswith("## ")] + [len(lines)]
-    for first, last in zip(starts, starts[1:]):
-        part = lines[first:last]
-        rows = [re.split(r"(?<!\\)\|", line)[1:3] for line in part if line.startswith("| `")]
-        keys = {key: meaning.strip() for cell, meaning in rows for key in re.findall(r"`([^`]+)`", cell)}
-        consoles = [block for block in blocks.blocks(part) if block.kind == "console"]
-        yield lines[first].removeprefix("## ").strip("`"), consoles, keys
-
-
 def covers(key, path):
     """`a.*` is all below a; a list may be empty, an object null."""
     return path == key or (key.endswith(".*") and path.startswith(key[:-1]))
@@ -45,20 +29,11 @@ class Schemas(unittest.TestCase):
         self.session = runs.Session()
         self.addCleanup(self.session.close)
 
-    def reports(self, consoles):
-        files = []
-        for block in consoles:
-            for command in blocks.commands(block):
-                self.session.command(command.text)
-                self.assertEqual(self.session.status, 0, self.session.errors)
-                files += re.findall(r"--json (\S+)", command.text)
-        return [json.loads((self.session.folder / file).read_text(encoding="utf-8")) for file in files]
-
     def test_tables(self):
-        found = list(sections())
+        found = list(json_page.sections())
         self.assertEqual(len(found), 7)
         for heading, consoles, keys in found:
-            reports = self.reports(consoles)
+            reports = json_page.reports(self.session, consoles)
             self.assertTrue(reports, heading)
             if heading.startswith("moldlight."):
                 self.assertEqual({report["schema"] for report in reports}, {heading})
