@@ -66,12 +66,11 @@ class Finder {
                   progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
-    if (detail_ == PlanDetail::rough) {
-      for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
-    }
     if (detail_ == PlanDetail::whole) {
       keep_rejected(plan);
       report(plan);
+    } else {
+      for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
     }
     return plan;
   }

@@ -47,7 +47,7 @@ class LeastSet {
     bool fine = false;
     for (int round = 0;; ++round) {
       Draft draft = cheapest();
-      if (context_.detail == PlanDetail::rough) return std::move(draft.plan);
+      if (context_.detail != PlanDetail::whole) return std::move(draft.plan);
       const bool others = round < k_most_others;
       ask_.measure(draft.plan, fine);
       std::vector<std::size_t> lost = without_hits(draft, others);

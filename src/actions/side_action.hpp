@@ -123,8 +123,8 @@ struct ActionPlan {
   bool optimal = true;  // no cheaper set of the actions that were found releases as much
 };
 
-/// What is found of a plan: for a rank among directions no more than what it comes to, without how far
-/// lifters may turn, what the undercuts are blocked by and what forms them.
+/// What is found of a plan: for a rank among directions no more than what it comes to, without whether the
+/// bodies are clear, how far lifters may turn, what the undercuts are blocked by and what forms them.
 /// Roughly: from few samples, as if actions that meet did not.
 enum class PlanDetail : std::uint8_t { whole, rank, rough };
 /// `result` is a classification of the model that has its split mesh. Throws Cancelled.

@@ -62,12 +62,12 @@ bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
 }
 
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
-                                                                const ActionLimit& limit,
+                                                                const ActionLimit& limit, PlanDetail detail,
                                                                 const Progress& progress) const {
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
-    const auto found = [&](PlanDetail detail) {
-      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), detail), split);
+    const auto found = [&](PlanDetail asked) {
+      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), asked), split);
     };
     if (std::isfinite(limit.most) || limit.beside) {
       Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
@@ -82,7 +82,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
         return DirectionActions{
             .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
     }
-    return found(PlanDetail::rank);
+    return found(detail);
   } catch (const Cancelled&) {
     return std::nullopt;
   }
@@ -90,7 +90,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
 
 std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
     std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const Progress& progress,
-    const std::function<bool()>& stop, const std::function<void()>& done) {
+    const std::function<bool()>& stop, const std::function<void()>& done, PlanDetail detail) {
   std::vector<std::optional<DirectionActions>> found(directions.size());
   const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
   const std::size_t together =
@@ -108,7 +108,7 @@ std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
       tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, [&](const std::size_t& k) {
         // A thread that waits for parts of this direction begins no other one.
         tbb::this_task_arena::isolate([&] {
-          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], progress);
+          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], detail, progress);
         });
         done();
       });

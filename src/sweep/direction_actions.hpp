@@ -64,16 +64,17 @@ class DirectionActionFinder {
 
   /// In the order of the directions, whatever the number of threads; nothing for what is not begun when
   /// `stop` says so, and for what `progress` cancels. `done` is called after each, from any thread. `limits`:
-  /// of each, or none.
+  /// of each, or none. Bodies are moved where the detail is `whole`.
   [[nodiscard]] std::vector<std::optional<DirectionActions>> find(std::span<const glm::dvec3> directions,
                                                                   std::span<const ActionLimit> limits,
                                                                   const Progress& progress,
                                                                   const std::function<bool()>& stop,
-                                                                  const std::function<void()>& done);
+                                                                  const std::function<void()>& done,
+                                                                  PlanDetail detail = PlanDetail::rank);
 
  private:
   [[nodiscard]] std::optional<DirectionActions> find_one(const glm::dvec3& direction,
-                                                         const ActionLimit& limit,
+                                                         const ActionLimit& limit, PlanDetail detail,
                                                          const Progress& progress) const;
 
   const PartModel& model_;

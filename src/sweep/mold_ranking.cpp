@@ -252,6 +252,21 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   return list;
 }
 
+void MoldRanking::confirm_first(Listed& list) {
+  if (list.contenders.empty() || !list.contenders.front().cost) return;
+  Contender& first = list.contenders.front();
+  if (first.actions->weight <= 0.0) return;
+  const auto found = actions_.find(
+      std::array{first.candidate.direction}, {}, clock_.until_cancelled(),
+      [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
+  if (!found.front()) return;
+  first.actions = found.front();
+  first.figures = rating_.measured(first.candidate, *first.measured, *first.actions);
+  first.cost = cost(first);
+  if (list.contenders.size() > 1 && list.contenders[1].cost)
+    list.reasons[1] = rank_reasons(*list.contenders[1].cost, *first.cost);
+}
+
 void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const {
   Contender contender = contenders[which];
   if (!contender.canonical() && contender.cost) {

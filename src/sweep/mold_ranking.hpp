@@ -55,6 +55,10 @@ class MoldRanking {
   };
   [[nodiscard]] Listed listed(std::vector<Contender> contenders) const;
 
+  /// Finds the side actions of the first again, by what their bodies allow. Its place stays: the others are
+  /// ranked without their bodies, too, which take longer than all else.
+  void confirm_first(Listed& list);
+
  private:
   /// A canonical direction of which side actions release all of its undercuts, but for what ties.
   struct Released {

@@ -182,6 +182,7 @@ void SweepRun::list_as_molds(bool best_alone) {
   contenders.insert(contenders.begin(), search_.named().begin(), search_.named().end());
   drop_unmeasured();
   MoldRanking::Listed listed = molds_.listed(std::move(contenders));
+  molds_.confirm_first(listed);
   if (best_alone) listed.cut_to(2);
   tools_.clock.report(sweep_stage::k_final, 0.0);
   result_.candidates = listed_as_molds(tools_, std::move(listed), !best_alone);
