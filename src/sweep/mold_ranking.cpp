@@ -252,19 +252,23 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   return list;
 }
 
-void MoldRanking::confirm_first(Listed& list) {
-  if (list.contenders.empty() || !list.contenders.front().cost) return;
-  Contender& first = list.contenders.front();
-  if (first.actions->weight <= 0.0) return;
-  const auto found = actions_.find(
-      std::array{first.candidate.direction}, {}, clock_.until_cancelled(),
-      [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
-  if (!found.front()) return;
-  first.actions = found.front();
-  first.figures = rating_.measured(first.candidate, *first.measured, *first.actions);
-  first.cost = cost(first);
-  if (list.contenders.size() > 1 && list.contenders[1].cost)
-    list.reasons[1] = rank_reasons(*list.contenders[1].cost, *first.cost);
+void MoldRanking::confirm(Listed& list, std::size_t most) {
+  std::vector<Contender>& contenders = list.contenders;
+  for (std::size_t k = 0; k < std::min(most, contenders.size()); ++k) {
+    Contender& contender = contenders[k];
+    if (!contender.cost || contender.actions->weight <= 0.0) continue;
+    const auto found = actions_.find(
+        std::array{contender.candidate.direction}, {}, clock_.until_cancelled(),
+        [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
+    if (!found.front()) return;
+    contender.actions = found.front();
+    contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
+    contender.cost = cost(contender);
+    for (const std::size_t place : {k, k + 1}) {
+      if (place == 0 || place >= contenders.size() || !contenders[place].cost) continue;
+      list.reasons[place] = rank_reasons(*contenders[place].cost, *contenders[place - 1].cost);
+    }
+  }
 }
 
 void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const {

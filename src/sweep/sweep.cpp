@@ -182,7 +182,7 @@ void SweepRun::list_as_molds(bool best_alone) {
   contenders.insert(contenders.begin(), search_.named().begin(), search_.named().end());
   drop_unmeasured();
   MoldRanking::Listed listed = molds_.listed(std::move(contenders));
-  molds_.confirm_first(listed);
+  molds_.confirm(listed, seeks_actions(settings_) ? listed.contenders.size() : 1);
   if (best_alone) listed.cut_to(2);
   tools_.clock.report(sweep_stage::k_final, 0.0);
   result_.candidates = listed_as_molds(tools_, std::move(listed), !best_alone);
@@ -226,7 +226,8 @@ void SweepRun::find_side_actions() {
         const std::lock_guard lock(mutex);
         tools_.clock.report(sweep_stage::k_actions,
                             static_cast<double>(++done) / static_cast<double>(directions.size()));
-      });
+      },
+      PlanDetail::whole);
   for (std::size_t k = 0; k < measured.size(); ++k) {
     if (!found[k]) continue;
     Contender& contender = *measured[k];

@@ -31,7 +31,7 @@ TEST_F(Mold, TellsThePartingLineInATable) {
   EXPECT_NE(run.out.find("  add up, core "), std::string::npos) << run.out;
   // What is nothing stands in no row.
   EXPECT_EQ(run.out.find("\nReverse draft"), std::string::npos) << run.out;
-  EXPECT_EQ(run.out.find("\nInserts"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("\nSlides"), std::string::npos) << run.out;
 }
 
 TEST_F(Mold, TellsThePartingLineInJson) {
