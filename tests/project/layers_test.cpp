@@ -31,7 +31,7 @@ const std::map<std::string, Layers>& allowed_layers() {
                       k_sweep = with(with(k_parting, "parting"), "proof"), k_study = with(k_sweep, "sweep"),
                       k_python = with(k_study, "study"), k_entry = with(with(k_python, "compare"), "batch"),
                       k_report = with(with(k_python, "compare"), "page"),
-                      k_program = with(with(k_entry, "gui"), "report");
+                      k_program = with(with(with(k_entry, "gui"), "report"), "page");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
