@@ -15,8 +15,8 @@ enum class VerdictState : std::uint8_t {
   not_releasable,  // some undercut is released by nothing that was tried
   unknown,         // the mesh does not decide
 };
-inline constexpr std::array<std::string_view, 5> k_verdict_states = {
-    "two-plate", "side-actions", "undercuts", "not-releasable", "unknown"};
+inline constexpr std::array<std::string_view, 5> k_verdict_states = {"two-plate", "side-actions", "undercuts",
+                                                                     "not-releasable", "unknown"};
 
 [[nodiscard]] constexpr std::string_view state_name(VerdictState state) {
   return k_verdict_states[static_cast<std::size_t>(state)];

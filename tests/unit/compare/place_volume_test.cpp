@@ -63,8 +63,7 @@ TEST(PlaceVolume, OfARaisedBossIsTheDifferenceOfTheBodies) {
 }
 
 TEST(PlaceVolume, OfAScaledPartAddUp) {
-  const TriangleMesh a = plate_mesh({.hole_radius = 3.0, .rib = 2.0}),
-                     b = test::scaled(a, 1.01);
+  const TriangleMesh a = plate_mesh({.hole_radius = 3.0, .rib = 2.0}), b = test::scaled(a, 1.01);
   const Laid pair = laid(a, b);
   EXPECT_FALSE(pair.change.places.empty());
   EXPECT_NEAR(sum(pair.change), difference(a, b), 1e-9 * signed_volume(a));

@@ -78,8 +78,7 @@ struct Laid {
   SurfaceChange change;
 };
 
-inline Laid laid(const TriangleMesh& a, const TriangleMesh& b,
-                 const glm::dvec3& direction = {0, 0, 1}) {
+inline Laid laid(const TriangleMesh& a, const TriangleMesh& b, const glm::dvec3& direction = {0, 0, 1}) {
   Laid pair;
   pair.a = test::model_of(a);
   pair.b = test::model_of(b);

@@ -1,6 +1,4 @@
 // Cells must tile the half-sphere, and their caps hold them.
-#include "proof/certain_undercut.hpp"
-
 #include <algorithm>
 #include <vector>
 
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mold/direction.hpp"
+#include "proof/certain_undercut.hpp"
 #include "support/proof_model.hpp"
 
 namespace moldlight {
