@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a JSON Schema of each kind of report into docs/schemas: make_schemas.py
+"""Writes a JSON Schema of each kind of report into docs/schemas: make_schemas.py [KIND…]
 
 What a key may hold is found from reports: those of the commands of docs/json.md, and of the shipped parts along several
 directions, with a part that is open, one without a unit and one that overlaps itself among them. What it means is taken
@@ -103,12 +103,14 @@ def schema_of(values, path, keys):
     return schema
 
 
-def main():
+def main(kinds):
     FOLDER.mkdir(exist_ok=True)
     part_keys = {}
     for heading, consoles, keys in json_page.sections():
         if not heading.startswith("moldlight."):
             part_keys = {f"part.{key}": meaning for key, meaning in keys.items()}
+            continue
+        if kinds and heading.split(".")[1].split("/")[0] not in kinds:
             continue
         session = runs.Session()
         found = all_reports(session, heading, consoles)
@@ -122,4 +124,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))
