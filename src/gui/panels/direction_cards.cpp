@@ -1,7 +1,6 @@
 #include "gui/panels/direction_cards.hpp"
 
 #include <algorithm>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,9 +9,6 @@
 
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/panels/option_row.hpp"
-#include "gui/panels/panels.hpp"
-#include "gui/panels/table_bar.hpp"
 
 namespace moldlight::gui {
 
@@ -88,24 +84,6 @@ void draw_direction_cards(const PanelContext& context, std::span<const unsigned>
   for (std::size_t k = 0; k < cards.size(); ++k) {
     if (k > 0) ImGui::SameLine(0.0F, gap);
     draw_card(context, k, width, cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
-  }
-}
-
-void draw_sweep_options(const PanelContext& context) {
-  // Most of them range over many powers of ten, some from 0 on.
-  const RowOptions numbers = typed_numbers(context);
-  SweepSettings& settings = context.edits.sweep_choices.options;
-  // In a low window there is no room for what is seldom set.
-  constexpr float k_low_window = 680.0F;
-  const bool low = ImGui::GetIO().DisplaySize.y < context.ui.px(k_low_window);
-  static const std::vector<Option<SweepSettings>> k_usual = [] {
-    std::vector<Option<SweepSettings>> usual(sweep_options().begin(), sweep_options().end());
-    std::erase_if(usual, [](const auto& option) { return option.key == "worth_pct"; });
-    return usual;
-  }();
-  option_table<SweepSettings>(context.ui, low ? std::span(k_usual) : sweep_options(), settings, numbers);
-  for (const Option<SweepSettings>& option : sweep_options()) {
-    if (is_wide(option)) option_row(context.ui, option, settings, numbers);
   }
 }
 
