@@ -14,6 +14,7 @@
 #include "batch/merge.hpp"
 #include "batch/part_result.hpp"
 #include "batch/runner.hpp"
+#include "cli/batch_baseline.hpp"
 #include "cli/batch_work.hpp"
 #include "cli/console.hpp"
 #include "cli/flags.hpp"
@@ -262,7 +263,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
                            {"--junit", flags.gate.junit}}});
   set_parts_progress(console, "merge");
   std::optional<BatchBaseline> baseline;
-  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.gate.criteria);
+  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.gate);
   const ReadingCounts counts = merge(manifest, files, progress, baseline ? &*baseline : nullptr);
   console.set_progress_text({});
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", plural(manifest.rows, "part"),

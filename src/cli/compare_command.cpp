@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/headless.hpp"
+#include "classify/number_format.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "compare/compare_figures.hpp"
