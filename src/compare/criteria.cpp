@@ -127,9 +127,11 @@ std::vector<std::string> met_criteria(std::span<const Criterion> criteria,
   for (const Criterion& criterion : criteria) {
     const ComparedFigure& found = figure_of(criterion, figures);
     if (!criterion.is_met_by(found)) continue;
-    sentences.push_back(fmt::format("criterion failed: {}: {} was {}, is {}{}", criterion.text, found.name,
-                                    value_text(found, found.before), value_text(found, found.after),
-                                    percent_text(found)));
+    const std::string was = found.before == found.after
+                                ? std::string()
+                                : fmt::format("was {}, ", value_text(found, found.before));
+    sentences.push_back(fmt::format("criterion failed: {}: {} {}is {}{}", criterion.text, found.name, was,
+                                    value_text(found, found.after), percent_text(found)));
   }
   return sentences;
 }

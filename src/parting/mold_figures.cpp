@@ -112,7 +112,7 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
      "of the block's volume", details},
     {"surfaces/parting", "Parting surface", Kind::area,
      member<&MoldHalves::surface, &SurfaceFigures::parting_area>},
-    {"surface/shelf/share", "of it in one plane", Kind::share,
+    {"surface/shelf/share", "Parting surface in one plane", Kind::share,
      member<&MoldHalves::surface, &SurfaceFigures::shelf_share>},
     {"surface/shelf/height", "", Kind::length, member<&MoldHalves::surface, &SurfaceFigures::shelf_height>},
     {"surface/ramps", "", Kind::area, member<&MoldHalves::surface, &SurfaceFigures::ramp_area>},
@@ -131,9 +131,9 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
      member<&MoldHalves::surface, &SurfaceFigures::too_steep_area>, "", unless_nothing},
     {"surfaces/contact", "Steel on steel without draft", Kind::area, member<&MoldHalves::contact_area>, "",
      unless_nothing},
-    {"surfaces/contact_places", "in places", Kind::count,
+    {"surfaces/contact_places", "Places of steel on steel", Kind::count,
      [](const MoldHalves& h) -> Found { return number_of(h.contacts.size()); }, "", unless_nothing},
-    {"surfaces/contact_height", "as high as", Kind::length,
+    {"surfaces/contact_height", "Highest steel on steel", Kind::length,
      [](const MoldHalves& h) {
        return h.contacts.empty() ? std::nullopt
                                  : Found(std::ranges::max(h.contacts, {}, &ContactWall::height).height);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -196,13 +197,18 @@ void add_piece_remarks(const ActionPlan& plan, const MoldPieces& pieces, std::ve
                                         of_insert.unreleased > 0 ? "; nothing releases the rest of it" : "")
                           : fmt::format("{} is {}.", body.name, movers));
   }
-  std::map<std::string, std::size_t> unmade;  // by what is said of them
-  for (const UnmadeAction& one : pieces.unmade)
-    ++unmade[fmt::format("{} along {} stays an insert: {}", facts(plan.actions[one.action].kind).singular,
-                         direction_words(plan.actions[one.action].direction), one.why)];
-  for (const auto& [text, number] : unmade)
-    remarks.push_back(number == 1 ? fmt::format("The {}.", text)
-                                  : fmt::format("{} times: the {}.", number, text));
+  std::map<std::tuple<ActionKind, std::string, std::string>, std::size_t> unmade;
+  for (const UnmadeAction& one : pieces.unmade) {
+    const SideAction& action = plan.actions[one.action];
+    ++unmade[{action.kind, direction_words(action.direction), one.why}];
+  }
+  for (const auto& [what, number] : unmade) {
+    const auto& [kind, direction, why] = what;
+    remarks.push_back(
+        number == 1
+            ? fmt::format("The {} along {} stays an insert: {}.", facts(kind).singular, direction, why)
+            : fmt::format("{} {} along {} stay inserts: {}.", number, facts(kind).plural, direction, why));
+  }
 }
 
 }  // namespace
