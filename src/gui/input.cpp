@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include <GLFW/glfw3.h>
