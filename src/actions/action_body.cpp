@@ -39,10 +39,10 @@ class BodyMaker {
             std::size_t number)
       : model_(model), vertices_(split.vertices), action_(plan.actions[number]), release_(model, query) {
     std::set<FacetIndex> formed;
-    for (const std::size_t patch : action_.patches) {
-      const UndercutReport& noted = plan.patches[patch];
+    for (const std::size_t undercut : action_.undercuts) {
+      const UndercutReport& noted = plan.undercuts[undercut];
       // What is formed with an undercut goes with the action that releases most of it.
-      if (!action_.about && action_of(plan, patch) == &plan.actions[number])
+      if (!action_.about && action_of(plan, undercut) == &plan.actions[number])
         formed.insert(noted.formed.begin(), noted.formed.end());
     }
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {

@@ -17,7 +17,7 @@ namespace moldlight {
 /// this share (0, 1] of the usual thickness. Through holes are stopped at their far end. Nothing for what is
 /// stripped off, which has no body of its own.
 using BodyShaper = std::function<std::optional<TriangleMesh>(double thickness)>;
-/// Model and split mesh must outlive it, the plan need not; it has its patches.
+/// Model and split mesh must outlive it, the plan need not; it has its undercuts.
 [[nodiscard]] BodyShaper body_shaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
                                      const ActionPlan& plan, std::size_t action);
 

@@ -42,15 +42,15 @@ class FeatureFinder {
     upright_ = glm::cross(action.direction, level_);
   }
 
-  [[nodiscard]] Feature feature_of(const Undercut& patch) const {
-    const auto samples = sample_undercut(context_.model, context_.split, patch, k_shape_samples);
+  [[nodiscard]] Feature feature_of(const Undercut& undercut) const {
+    const auto samples = sample_undercut(context_.model, context_.split, undercut, k_shape_samples);
     Feature feature{.wide = extent(samples, level_), .high = extent(samples, upright_)};
     const double longer = std::max(feature.wide, feature.high),
                  shorter = std::min(feature.wide, feature.high);
     const auto leaves = [&](const glm::dvec3& way, double length) {
-      return context_.release.free_area(samples, way, length) >= k_most_of * patch.area;
+      return context_.release.free_area(samples, way, length) >= k_most_of * undercut.area;
     };
-    if (is_round(patch)) {
+    if (is_round(undercut)) {
       feature.shape = Shape::hole;
     } else if (leaves(action_.direction, k_never) && leaves(-action_.direction, k_never)) {
       feature.shape = longer > k_slot_ratio * shorter ? Shape::slot : Shape::window;
@@ -77,11 +77,11 @@ class FeatureFinder {
   }
 
   /// Whether most of its larger facets are of round walls along the pull.
-  [[nodiscard]] bool is_round(const Undercut& patch) const {
+  [[nodiscard]] bool is_round(const Undercut& undercut) const {
     constexpr std::size_t k_asked = 12;
     constexpr double k_along = 0.996;  // cosine
     std::map<FacetIndex, double> areas;
-    for (const std::uint32_t piece : patch.pieces)
+    for (const std::uint32_t piece : undercut.pieces)
       areas[context_.split.pieces[piece].facet] += piece_area(context_.split, context_.split.pieces[piece]);
     std::vector<std::pair<double, FacetIndex>> order;
     for (const auto& [facet, area] : areas) order.emplace_back(area, facet);
@@ -115,8 +115,8 @@ std::string feature_text(const FeatureContext& context, const ActionPlan& plan, 
   } else {
     const FeatureFinder finder(context, action);
     std::vector<Feature> found;
-    for (const std::size_t patch : action.patches)
-      found.push_back(finder.feature_of(plan.patches[patch].undercut));
+    for (const std::size_t undercut : action.undercuts)
+      found.push_back(finder.feature_of(plan.undercuts[undercut].undercut));
     for (const Feature& feature : found) {
       const bool opening = feature.shape == Shape::slot || feature.shape == Shape::window;
       const auto alike = static_cast<std::size_t>(

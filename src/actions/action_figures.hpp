@@ -6,7 +6,7 @@
 
 namespace moldlight {
 
-/// Keys are relative to "/actions/k" and "/patches/k".
+/// Keys are relative to "/actions/k" and "/undercuts/k".
 [[nodiscard]] std::span<const FigureRow<SideAction>> action_figures();
 /// Of the solid that it moves.
 [[nodiscard]] std::span<const FigureRow<SideAction>> body_figures();

@@ -60,15 +60,15 @@ Json change_json(const Part& part, const DesignChange& change) {
           {"window", change.window ? window_json(part, *change.window) : Json()}};
 }
 
-Json patch_json(const Part& part, const UndercutReport& patch, std::size_t number) {
+Json undercut_json(const Part& part, const UndercutReport& noted, std::size_t number) {
   Json json = {{"id", number},
-               {"centre", point_json(patch.undercut.centre)},
-               {"side", side_name(patch.core_side)},
-               {"blocked_by", facets_json(part, patch.blocked_by)},
-               {"point", point_json(patch.point)},
-               {"pinned", patch.pin ? Json(pin_name(*patch.pin)) : Json()}};
-  put_figures(found_figures(undercut_sizes(), patch.undercut), json);
-  put_figures(found_figures(undercut_figures(), patch), json);
+               {"centre", point_json(noted.undercut.centre)},
+               {"side", side_name(noted.core_side)},
+               {"blocked_by", facets_json(part, noted.blocked_by)},
+               {"point", point_json(noted.point)},
+               {"pinned", noted.pin ? Json(pin_name(*noted.pin)) : Json()}};
+  put_figures(found_figures(undercut_sizes(), noted.undercut), json);
+  put_figures(found_figures(undercut_figures(), noted), json);
   return json;
 }
 
@@ -91,7 +91,7 @@ Json action_json(const SideAction& action) {
                {"direction", point_json(action.direction)},
                {"interval_deg", {action.interval.from_deg, action.interval.to_deg}},
                {"axis", axis},
-               {"patches", numbers_json(action.patches)},
+               {"undercuts", numbers_json(action.undercuts)},
                {"side", side_name(action.core_side)},
                {"has_room", has_room(action)},
                {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
@@ -106,19 +106,19 @@ Json action_json(const SideAction& action) {
 /// Each with what would have to be done to its undercuts, where that was looked for.
 Json saving_json(const SavingChange& change, const ActionsReport& report) {
   Json todo = Json::array();
-  for (const std::size_t patch : change.patches) {
-    if (patch < report.changes.size())
-      todo.push_back(mouth_text(report.model, report.settings, report.plan, patch) +
-                     change_text(report.model, report.changes[patch]));
+  for (const std::size_t undercut : change.undercuts) {
+    if (undercut < report.changes.size())
+      todo.push_back(mouth_text(report.model, report.settings, report.plan, undercut) +
+                     change_text(report.model, report.changes[undercut]));
   }
-  return {{"patches", numbers_json(change.patches)},
+  return {{"undercuts", numbers_json(change.undercuts)},
           {"actions", numbers_json(change.actions)},
           {"saves", change.saves},
           {"to_be_free", todo}};
 }
 
 Json rejected_json(const RejectedAction& rejected) {
-  return {{"patch", rejected.patch + 1},
+  return {{"undercut", rejected.undercut + 1},
           {"kind", facts(rejected.kind).name},
           {"direction", point_json(rejected.direction)},
           {"travel", rejected.travel},
@@ -150,8 +150,8 @@ std::string change_text(const PartModel& model, const DesignChange& change) {
 }
 
 std::string mouth_text(const PartModel& model, const ActionSettings& settings, const ActionPlan& plan,
-                       std::size_t patch) {
-  const auto found = std::ranges::find(plan.rejected, patch, &RejectedAction::patch);
+                       std::size_t undercut) {
+  const auto found = std::ranges::find(plan.rejected, undercut, &RejectedAction::undercut);
   if (found == plan.rejected.end() || found->reason != RejectReason::no_room) return "";
   const std::string unit = length_unit(model.part);
   const double needed = settings.lifter_room_mm * unit_per_mm(model.part);
@@ -200,7 +200,7 @@ std::string rejected_text(const ActionPlan& plan, const std::string& unit) {
   for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
     const RejectedAction& rejected = plan.rejected[k];
     const bool hits = rejected.depth > 0.0;
-    rows += fmt::format("{}{} ({}{:.3g} {}: {}, {:.2f} {}{})", k == 0 ? "" : ", ", rejected.patch + 1,
+    rows += fmt::format("{}{} ({}{:.3g} {}: {}, {:.2f} {}{})", k == 0 ? "" : ", ", rejected.undercut + 1,
                         lifters ? "" : fmt::format("{}, ", facts(rejected.kind).singular), rejected.travel,
                         unit, reject_text(rejected.reason), hits ? rejected.depth : rejected.room, unit,
                         hits ? fmt::format(" deep {}", stage_text(rejected.when)) : "");
@@ -221,6 +221,20 @@ std::string clear_text(const SideAction& action, const ActionPlan& plan, const s
       stage_text(hit->stage));
 }
 
+namespace {
+
+/// Undercuts were "patches" once; scripts that ask for these find them until the schema's number rises.
+void add_former_names(Json& json) {
+  const auto add = [](Json& owner) { owner["patches"] = owner["undercuts"]; };
+  add(json);
+  add(json["unreleased"]);
+  for (const char* const list : {"actions", "changes"})
+    for (Json& one : json[list]) add(one);
+  for (Json& one : json["rejected"]) one["patch"] = one["undercut"];
+}
+
+}  // namespace
+
 nlohmann::ordered_json actions_json(const ActionsReport& report) {
   const auto& [model, result, settings, plan, changes] = report;
   Json json;
@@ -229,10 +243,11 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   json["direction"] = point_json(result.direction);
   json["settings"] = options_json(method_options(), result.settings);
   json["settings"].update(options_json(action_options(), settings));
-  json["patches"] = Json::array();
-  for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-    json["patches"].push_back(patch_json(model.part, plan.patches[k], k + 1));
-    json["patches"].back()["to_be_free"] = k < changes.size() ? change_json(model.part, changes[k]) : Json();
+  json["undercuts"] = Json::array();
+  for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
+    json["undercuts"].push_back(undercut_json(model.part, plan.undercuts[k], k + 1));
+    json["undercuts"].back()["to_be_free"] =
+        k < changes.size() ? change_json(model.part, changes[k]) : Json();
   }
   json["actions"] = Json::array();
   for (const SideAction& action : plan.actions) json["actions"].push_back(action_json(action));
@@ -241,25 +256,27 @@ nlohmann::ordered_json actions_json(const ActionsReport& report) {
   json["changes"] = Json::array();
   for (const SavingChange& change : best_changes(plan, settings.prices))
     json["changes"].push_back(saving_json(change, report));
-  json["unreleased"] = {{"area", plan.unreleased_area}, {"patches", numbers_json(plan.unreleased)}};
+  json["unreleased"] = {{"area", plan.unreleased_area}, {"undercuts", numbers_json(plan.unreleased)}};
   json["dropped"] = {{"number", speck_count(plan)}, {"area", speck_area(plan)}};
   json["specks"] = Json::array();
   for (const Speck& speck : plan.specks)
     json["specks"].push_back(
         {{"area", speck.area}, {"place", point_json(speck.place)}, {"reason", speck_text(speck.reason)}});
   json["optimal"] = plan.optimal;
+  add_former_names(json);
   return json;
 }
 
 std::string actions_csv(const ActionsReport& report) {
-  std::string text = "patch,area,formed_area,x,y,z,size_across,size_along,depth,side,kind,dx,dy,dz,travel\n";
+  std::string text =
+      "undercut,area,formed_area,x,y,z,size_across,size_along,depth,side,kind,dx,dy,dz,travel\n";
   const auto out = std::back_inserter(text);
-  for (std::size_t k = 0; k < report.plan.patches.size(); ++k) {
-    const UndercutReport& patch = report.plan.patches[k];
-    const Undercut& undercut = patch.undercut;
-    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", k + 1, undercut.area, patch.formed_area,
+  for (std::size_t k = 0; k < report.plan.undercuts.size(); ++k) {
+    const UndercutReport& noted = report.plan.undercuts[k];
+    const Undercut& undercut = noted.undercut;
+    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", k + 1, undercut.area, noted.formed_area,
                    undercut.centre.x, undercut.centre.y, undercut.centre.z, undercut.size_across,
-                   undercut.size_along, patch.depth, side_name(patch.core_side));
+                   undercut.size_along, noted.depth, side_name(noted.core_side));
     if (const SideAction* action = action_of(report.plan, k)) {
       fmt::format_to(out, ",{},{},{},{},{}\n", facts(action->kind).name, action->direction.x,
                      action->direction.y, action->direction.z, action->travel);

@@ -17,11 +17,11 @@ struct ActionsReport {
   const Classification& result;
   const ActionSettings& settings;
   const ActionPlan& plan;
-  std::span<const DesignChange> changes = {};  // of each patch; empty where they were not looked for
+  std::span<const DesignChange> changes = {};  // of each undercut; empty where they were not looked for
 };
 
 /// Schema `moldlight.actions/2`. Lengths and areas are in the part's unit, angles in degrees; what does not
-/// apply or is without end is null. Patches are numbered from 1, the largest first.
+/// apply or is without end is null. Undercuts are numbered from 1, the largest first.
 [[nodiscard]] nlohmann::ordered_json actions_json(const ActionsReport& report);
 
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
@@ -31,7 +31,7 @@ struct ActionsReport {
 /// What goes before that for an undercut whose lifter lacks room: "recess 3 mm deep with a 1 mm mouth: widen
 /// the mouth to 6 mm, or "; else empty.
 [[nodiscard]] std::string mouth_text(const PartModel& model, const ActionSettings& settings,
-                                     const ActionPlan& plan, std::size_t patch);
+                                     const ActionPlan& plan, std::size_t undercut);
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
@@ -42,7 +42,7 @@ struct ActionsReport {
 [[nodiscard]] std::string clear_text(const SideAction& action, const ActionPlan& plan,
                                      const std::string& unit);
 
-/// A line a patch, with the action that releases it; a heading line names the options.
+/// A line an undercut, with the action that releases it; a heading line names the options.
 [[nodiscard]] std::string actions_csv(const ActionsReport& report);
 
 }  // namespace moldlight

@@ -9,10 +9,10 @@ std::vector<SavingChange> best_changes(const ActionPlan& plan, const ActionPrice
   constexpr std::size_t k_most = 3;
   std::vector<SavingChange> all;
   for (const SideAction& freed : plan.actions) {
-    SavingChange change{.patches = freed.patches, .actions = {}};
+    SavingChange change{.undercuts = freed.undercuts, .actions = {}};
     for (std::size_t k = 0; k < plan.actions.size(); ++k) {
       const SideAction& action = plan.actions[k];
-      if (!std::ranges::includes(freed.patches, action.patches)) continue;
+      if (!std::ranges::includes(freed.undercuts, action.undercuts)) continue;
       change.actions.push_back(k);
       change.saves += prices[static_cast<std::size_t>(action.kind)];
     }
@@ -20,7 +20,7 @@ std::vector<SavingChange> best_changes(const ActionPlan& plan, const ActionPrice
   }
   std::ranges::stable_sort(all, [](const SavingChange& a, const SavingChange& b) {
     if (a.saves != b.saves) return a.saves > b.saves;
-    return a.patches.size() < b.patches.size();
+    return a.undercuts.size() < b.undercuts.size();
   });
   std::vector<SavingChange> best;
   for (SavingChange& change : all) {

@@ -13,7 +13,7 @@ inline constexpr std::size_t k_most_actions = 8;
 
 /// Undercuts that are freed together, and the actions that this saves: numbers in the plan, rising.
 struct SavingChange {
-  std::vector<std::size_t> patches, actions;
+  std::vector<std::size_t> undercuts, actions;
   double saves = 0.0;  // prices of the actions
 };
 

@@ -343,10 +343,10 @@ std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
     if (plan.action_of_piece[piece] == static_cast<std::int32_t>(number))
       key.push_back(static_cast<double>(piece));
   if (key.size() == motion) key.push_back(-1.0 - static_cast<double>(number));
-  for (const std::size_t patch : action.patches) {
-    if (action_of(plan, patch) != &action) continue;
+  for (const std::size_t undercut : action.undercuts) {
+    if (action_of(plan, undercut) != &action) continue;
     key.push_back(-1.0);
-    for (const FacetIndex facet : plan.patches[patch].formed) key.push_back(facet);
+    for (const FacetIndex facet : plan.undercuts[undercut].formed) key.push_back(facet);
   }
   return key;
 }

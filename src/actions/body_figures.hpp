@@ -24,7 +24,7 @@ class BodyPlayer {
              const BodyPlay& play = {});
   ~BodyPlayer();
 
-  /// Fills in `body` of every action that has a body, of a plan with its patches; by a tenth of the points
+  /// Fills in `body` of every action that has a body, of a plan with its undercuts; by a tenth of the points
   /// unless it is to be `fine`. Throws Cancelled.
   void measure(ActionPlan& plan, bool fine = true);
 

@@ -25,8 +25,8 @@ std::vector<UndercutSample> deepest(const ChosenContext& context,
   std::vector<UndercutSample> chosen(samples.begin(), samples.begin() + some);
   for (const std::size_t k : option.undercut_parts) {
     if (!undercut_parts[k].whole) continue;
-    const auto corners = deepest_corners(context.model, context.split,
-                                         context.undercuts.patches[undercut_parts[k].patch], pull, k_corners);
+    const auto corners = deepest_corners(
+        context.model, context.split, context.undercuts.counted[undercut_parts[k].undercut], pull, k_corners);
     chosen.insert(chosen.end(), corners.begin(), corners.end());
   }
   return chosen;
@@ -69,11 +69,12 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Undercu
   Pull pull = option.pull;
   SideAction action;
   for (const std::size_t k : option.undercut_parts) {
-    action.patches.push_back(undercut_parts[k].patch);
+    action.undercuts.push_back(undercut_parts[k].undercut);
     action.area += undercut_parts[k].area();
   }
-  std::ranges::sort(action.patches);
-  action.patches.erase(std::unique(action.patches.begin(), action.patches.end()), action.patches.end());
+  std::ranges::sort(action.undercuts);
+  action.undercuts.erase(std::unique(action.undercuts.begin(), action.undercuts.end()),
+                         action.undercuts.end());
   action.kind = pull.kind;
   action.about = pull.about;
   if (pull.kind == ActionKind::lifter) {

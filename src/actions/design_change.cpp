@@ -226,9 +226,9 @@ std::vector<DesignChange> find_changes(const PartModel& model, const Classificat
                                        const Progress& progress) {
   progress.report("looking for changes of the part", 0.9);
   const Changes changes(model, result, settings, progress);
-  std::vector<DesignChange> found(plan.patches.size());
+  std::vector<DesignChange> found(plan.undercuts.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
-    if (!progress.cancelled()) found[k] = changes.of(plan.patches[k], action_of(plan, k));
+    if (!progress.cancelled()) found[k] = changes.of(plan.undercuts[k], action_of(plan, k));
   });
   if (progress.cancelled()) throw Cancelled();
   return found;

@@ -70,7 +70,7 @@ class Finder {
       keep_rejected(plan);
       report(plan);
     } else {
-      for (const Undercut& patch : undercuts_.patches) plan.patches.emplace_back().undercut = patch;
+      for (const Undercut& undercut : undercuts_.counted) plan.undercuts.emplace_back().undercut = undercut;
     }
     return plan;
   }
@@ -78,14 +78,14 @@ class Finder {
  private:
   void sample() {
     double total = 0.0;
-    for (const Undercut& patch : undercuts_.patches) total += patch.area;
-    for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
-      const Undercut& patch = undercuts_.patches[k];
+    for (const Undercut& undercut : undercuts_.counted) total += undercut.area;
+    for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
+      const Undercut& undercut = undercuts_.counted[k];
       const double wanted = (detail_ == PlanDetail::rough ? k_rough : 1.0) *
-                            std::clamp(k_samples * patch.area / total, k_least_samples, k_most_samples);
+                            std::clamp(k_samples * undercut.area / total, k_least_samples, k_most_samples);
       undercut_parts_.push_back(
-          {k, sample_undercut(model_, split_, patch, static_cast<std::size_t>(wanted))});
-      undercut_parts_.back().pin = pin_of(settings_.pins, {undercut_parts_.back().samples, patch.area},
+          {k, sample_undercut(model_, split_, undercut, static_cast<std::size_t>(wanted))});
+      undercut_parts_.back().pin = pin_of(settings_.pins, {undercut_parts_.back().samples, undercut.area},
                                           model_.frame, k_pin_reach * model_.frame.diagonal);
     }
     if (model_.health.components > 1) set_covered_apart();
@@ -94,7 +94,7 @@ class Finder {
   /// Bodies of a part may overlap. What of an undercut lies within another body becomes an undercut part of
   /// its own.
   void set_covered_apart() {
-    for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
+    for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
       const auto is_covered = [&](const UndercutSample& sample) {
         return pulls_.release().is_covered(sample);
       };
@@ -114,7 +114,8 @@ class Finder {
   /// where they are too few for one, or all of it.
   template <typename Goes>
   [[nodiscard]] std::optional<UndercutPart> taken_out(UndercutPart& undercut_part, const Goes& goes) const {
-    UndercutPart taken{.patch = undercut_part.patch, .samples = {}, .whole = false, .pin = undercut_part.pin};
+    UndercutPart taken{
+        .undercut = undercut_part.undercut, .samples = {}, .whole = false, .pin = undercut_part.pin};
     std::vector<UndercutSample> rest;
     for (const UndercutSample& sample : undercut_part.samples)
       (goes(sample) ? taken.samples : rest).push_back(sample);
@@ -154,14 +155,14 @@ class Finder {
 
   void find_candidates() {
     const auto fan = pull_fan(undercuts_.axes);
-    tried_.resize(undercuts_.patches.size());
+    tried_.resize(undercuts_.counted.size());
     tbb::parallel_for(std::size_t{0}, tried_.size(), [&](std::size_t k) {
-      tried_[k] = own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[k], settings_);
+      tried_[k] = own_pulls({model_, split_, undercuts_.axes}, undercuts_.counted[k], settings_);
       tried_[k].insert(tried_[k].end(), fan.begin(), fan.end());
     });
   }
   [[nodiscard]] const std::vector<PullCandidate>& candidates(const UndercutPart& undercut_part) const {
-    return tried_[undercut_part.patch];
+    return tried_[undercut_part.undercut];
   }
 
   /// Calls `work` for every undercut part, several at a time. Throws Cancelled.
@@ -196,10 +197,10 @@ class Finder {
   }
 
   /// Whether actions of the mold that can be built release all of an undercut.
-  [[nodiscard]] static bool is_well_released(const ActionPlan& plan, std::size_t patch) {
-    return std::ranges::find(plan.unreleased, patch) == plan.unreleased.end() &&
+  [[nodiscard]] static bool is_well_released(const ActionPlan& plan, std::size_t undercut) {
+    return std::ranges::find(plan.unreleased, undercut) == plan.unreleased.end() &&
            std::ranges::all_of(plan.actions, [&](const SideAction& action) {
-             return std::ranges::find(action.patches, patch) == action.patches.end() ||
+             return std::ranges::find(action.undercuts, undercut) == action.undercuts.end() ||
                     (action.kind != ActionKind::insert && has_room(action));
            });
   }
@@ -211,25 +212,25 @@ class Finder {
     add_lifters_without_room(plan);
     for (RejectedAction& rejected : hitting) {
       const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
-        return other.patch == rejected.patch && other.kind == rejected.kind;
+        return other.undercut == rejected.undercut && other.kind == rejected.kind;
       });
-      if (!known && !is_well_released(plan, rejected.patch)) plan.rejected.push_back(rejected);
+      if (!known && !is_well_released(plan, rejected.undercut)) plan.rejected.push_back(rejected);
     }
-    std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::patch);
+    std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::undercut);
   }
 
   void add_lifters_without_room(ActionPlan& plan) const {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
-    std::vector<const Pull*> first(undercuts_.patches.size(), nullptr);
+    std::vector<const Pull*> first(undercuts_.counted.size(), nullptr);
     for (const UndercutPart& undercut_part : undercut_parts_) {
-      if (!undercut_part.rejected.empty() && first[undercut_part.patch] == nullptr)
-        first[undercut_part.patch] = &undercut_part.rejected.front();
+      if (!undercut_part.rejected.empty() && first[undercut_part.undercut] == nullptr)
+        first[undercut_part.undercut] = &undercut_part.rejected.front();
     }
-    for (std::size_t patch = 0; patch < first.size(); ++patch) {
-      if (first[patch] == nullptr || is_well_released(plan, patch)) continue;
-      const Pull& pull = *first[patch];
-      plan.rejected.push_back({.patch = patch,
+    for (std::size_t undercut = 0; undercut < first.size(); ++undercut) {
+      if (first[undercut] == nullptr || is_well_released(plan, undercut)) continue;
+      const Pull& pull = *first[undercut];
+      plan.rejected.push_back({.undercut = undercut,
                                .kind = pull.kind,
                                .direction = pull.direction,
                                .travel = pull.travel * diagonal,
@@ -295,10 +296,10 @@ class Finder {
       if (revolved[k] != 0 || !undercut_part.pulls.empty() || !undercut_part.allows(ActionKind::insert))
         return;
       auto tried =
-          own_pulls({model_, split_, undercuts_.axes}, undercuts_.patches[undercut_part.patch], all_round);
+          own_pulls({model_, split_, undercuts_.axes}, undercuts_.counted[undercut_part.undercut], all_round);
       tried.insert(tried.end(), sphere.begin(), sphere.end());
       parts[k] =
-          pulls_.find_inserts(undercut_part.samples, tried, undercuts_.patches[undercut_part.patch].area);
+          pulls_.find_inserts(undercut_part.samples, tried, undercuts_.counted[undercut_part.undercut].area);
     });
     take_parts(parts);
   }
@@ -311,7 +312,7 @@ class Finder {
       const bool whole = undercut_parts_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
         UndercutPart undercut_part{
-            .patch = undercut_parts_[k].patch,
+            .undercut = undercut_parts_[k].undercut,
             .samples = std::move(parts[k][part].samples),
             .pulls = std::move(parts[k][part].pulls),
             .rejected = part == 0 ? std::move(undercut_parts_[k].rejected) : std::vector<Pull>(),
@@ -375,18 +376,18 @@ class Finder {
 
   void measure(ActionPlan& plan, bool fine) {
     if (!faces_) faces_ = part_faces(model_.part, model_.geometry, model_.adjacency);
-    plan.patches.resize(undercuts_.patches.size());
-    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-      plan.patches[k].undercut = undercuts_.patches[k];
-      add_formed_surface({model_, split_, *faces_, pulls_.release()}, action_of(plan, k), plan.patches[k]);
+    plan.undercuts.resize(undercuts_.counted.size());
+    for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
+      plan.undercuts[k].undercut = undercuts_.counted[k];
+      add_formed_surface({model_, split_, *faces_, pulls_.release()}, action_of(plan, k), plan.undercuts[k]);
     }
     bodies_.measure(plan, fine);
   }
 
   void report(ActionPlan& plan) const {
-    for (std::size_t k = 0; k < undercuts_.patches.size(); ++k) {
+    for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
-      UndercutReport& noted = plan.patches[k];
+      UndercutReport& noted = plan.undercuts[k];
       noted.blocked_by = blockers(model_, split_, noted.undercut, query_.direction);
       place(k, noted);
       const SideAction* action = action_of(plan, k);
@@ -400,11 +401,11 @@ class Finder {
   }
 
   /// Where a pin finds it, and the pin that did.
-  void place(std::size_t patch, UndercutReport& noted) const {
+  void place(std::size_t undercut, UndercutReport& noted) const {
     const glm::vec3 centre = model_.frame.to_unit(noted.undercut.centre);
     float nearest = std::numeric_limits<float>::infinity();
     for (const UndercutPart& undercut_part : undercut_parts_) {
-      if (undercut_part.patch != patch) continue;
+      if (undercut_part.undercut != undercut) continue;
       if (undercut_part.pin != nullptr) noted.pin = *undercut_part.pin;
       for (const UndercutSample& sample : undercut_part.samples) {
         const float distance = glm::distance(sample.position, centre);
@@ -424,7 +425,7 @@ class Finder {
   PullFinder pulls_;
   double unit_per_mm_;
   PlanDetail detail_;
-  std::vector<std::vector<PullCandidate>> tried_;  // by patch
+  std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
   std::vector<ActionOption> revolved_;  // threads and rings
   std::vector<ActionOption> crowded_;   // lifters without the room that they need

@@ -102,8 +102,8 @@ class LeastSet {
       lost.insert(lost.end(), draft.undercut_parts[loser].begin(), draft.undercut_parts[loser].end());
       options_[draft.options[loser]].undercut_parts.clear();
       priced_[draft.options[loser]].undercut_parts.clear();
-      for (const std::size_t patch : its.patches)
-        rejected_.push_back({.patch = patch,
+      for (const std::size_t undercut : its.undercuts)
+        rejected_.push_back({.undercut = undercut,
                              .kind = its.kind,
                              .direction = its.direction,
                              .travel = its.travel,
@@ -175,16 +175,16 @@ class LeastSet {
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
     std::vector<std::int32_t> of_atom(undercut_parts_.size(), k_unreleased_piece);
-    std::map<std::size_t, double> left_of;  // by patch
+    std::map<std::size_t, double> left_of;  // by undercut
     for (const std::size_t undercut_part : cover.uncovered) {
       if (undercut_parts_[undercut_part].shallow) {
         of_atom[undercut_part] = k_no_action_of_piece;
       } else {
-        left_of[undercut_parts_[undercut_part].patch] += undercut_parts_[undercut_part].area();
+        left_of[undercut_parts_[undercut_part].undercut] += undercut_parts_[undercut_part].area();
       }
     }
-    for (const auto& [patch, area] : left_of) {
-      draft.plan.unreleased.push_back(patch);
+    for (const auto& [undercut, area] : left_of) {
+      draft.plan.unreleased.push_back(undercut);
       draft.plan.unreleased_areas.push_back(area);
       draft.plan.unreleased_area += area;
     }

@@ -16,21 +16,21 @@ namespace moldlight {
 
 namespace {
 
-/// How a patch lies about its centre.
+/// How an undercut lies about its centre.
 struct Spread {
   double radius = 0.0;    // of the ball around it
   bool is_round = false;  // it goes all the way round the direction through its centre
 };
 
-Spread spread(const SplitMesh& split, const Undercut& patch, const glm::dvec3& direction) {
+Spread spread(const SplitMesh& split, const Undercut& undercut, const glm::dvec3& direction) {
   constexpr double k_least_hole = 0.2;  // of the greatest distance
   const MapFrame frame = map_frame(direction);
   Spread found;
   unsigned quarters = 0;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
-  for (const std::uint32_t piece : patch.pieces) {
+  for (const std::uint32_t piece : undercut.pieces) {
     for (const VertexIndex corner : split.pieces[piece].corners) {
-      const glm::dvec3 off = split.vertices[corner] - patch.centre;
+      const glm::dvec3 off = split.vertices[corner] - undercut.centre;
       found.radius = std::max(found.radius, glm::length(off));
       const double x = glm::dot(off, frame.x), y = glm::dot(off, frame.y), across = std::hypot(x, y);
       nearest = std::min(nearest, across);
@@ -46,16 +46,15 @@ Spread spread(const SplitMesh& split, const Undercut& patch, const glm::dvec3& d
 
 double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
                     const glm::dvec3& direction, const ActionSettings& settings) {
-  const std::vector<Undercut>& patches = undercuts.patches;
+  const std::vector<Undercut>& all = undercuts.counted;
   const double reach =
       std::hypot(settings.bundle_across_mm, settings.bundle_along_mm) * unit_per_mm(model.part);
   std::vector<Spread> spreads;
-  for (const Undercut& patch : patches) spreads.push_back(spread(split, patch, direction));
-  UnionFind near(patches.size());
-  for (std::uint32_t b = 0; b < patches.size(); ++b) {
+  for (const Undercut& undercut : all) spreads.push_back(spread(split, undercut, direction));
+  UnionFind near(all.size());
+  for (std::uint32_t b = 0; b < all.size(); ++b) {
     for (std::uint32_t a = 0; a < b; ++a) {
-      const double gap =
-          glm::distance(patches[a].centre, patches[b].centre) - spreads[a].radius - spreads[b].radius;
+      const double gap = glm::distance(all[a].centre, all[b].centre) - spreads[a].radius - spreads[b].radius;
       if (gap <= reach) near.join(a, b);
     }
   }
@@ -63,8 +62,8 @@ double least_weight(const PartModel& model, const SplitMesh& split, const Underc
   const double straight = std::min({price(ActionKind::slide), price(ActionKind::inclined),
                                     price(ActionKind::lifter), price(ActionKind::insert)});
   const double round = std::min({straight, price(ActionKind::unscrew), price(ActionKind::strip)});
-  std::vector<double> weights(patches.size(), 0.0);  // of groups, at their first patches
-  for (std::uint32_t k = 0; k < patches.size(); ++k) {
+  std::vector<double> weights(all.size(), 0.0);  // of groups, at their first undercuts
+  for (std::uint32_t k = 0; k < all.size(); ++k) {
     const double own = spreads[k].is_round ? round : straight;
     double& weight = weights[near.find(k)];
     weight = weight > 0.0 ? std::min(weight, own) : own;

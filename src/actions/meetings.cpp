@@ -107,7 +107,7 @@ class Meetings {
 
   /// Whether a slide goes through the undercut that another action forms.
   [[nodiscard]] bool passes_through(const Way& one, const Way& other) const {
-    if (!is_slide(one.kind) || share_patch(one, other)) return false;
+    if (!is_slide(one.kind) || share_undercut(one, other)) return false;
     const glm::dvec3 level = glm::normalize(glm::cross(release_.direction(), one.direction));
     const glm::dvec3 upright = glm::cross(one.direction, level);
     const WayReach along = other.extent(one.direction), wide = other.extent(level),
@@ -130,10 +130,10 @@ class Meetings {
 
   /// What forms an undercut together stands in one space: where the one ends and the other begins is a
   /// choice.
-  [[nodiscard]] bool share_patch(const Way& one, const Way& other) const {
-    const std::vector<std::size_t>& patches = plan_.actions[other.action].patches;
-    return std::ranges::any_of(plan_.actions[one.action].patches, [&](std::size_t patch) {
-      return std::ranges::find(patches, patch) != patches.end();
+  [[nodiscard]] bool share_undercut(const Way& one, const Way& other) const {
+    const std::vector<std::size_t>& undercuts = plan_.actions[other.action].undercuts;
+    return std::ranges::any_of(plan_.actions[one.action].undercuts, [&](std::size_t undercut) {
+      return std::ranges::find(undercuts, undercut) != undercuts.end();
     });
   }
 

@@ -22,19 +22,19 @@ class PieceActions {
         of_atom_(of_atom),
         actions_(actions) {}
 
-  std::vector<std::int32_t> of(const std::vector<Undercut>& patches) const {
-    std::vector<std::vector<std::size_t>> undercut_parts(patches.size());
+  std::vector<std::int32_t> of(const std::vector<Undercut>& undercuts) const {
+    std::vector<std::vector<std::size_t>> undercut_parts(undercuts.size());
     for (std::size_t k = 0; k < undercut_parts_.size(); ++k)
-      undercut_parts[undercut_parts_[k].patch].push_back(k);
+      undercut_parts[undercut_parts_[k].undercut].push_back(k);
     std::vector<std::int32_t> of_piece(split_.pieces.size(), k_no_action_of_piece);
-    for (std::size_t patch = 0; patch < undercut_parts.size(); ++patch) {
-      const bool alike = std::ranges::all_of(undercut_parts[patch], [&](std::size_t k) {
-        return of_atom_[k] == of_atom_[undercut_parts[patch].front()];
+    for (std::size_t undercut = 0; undercut < undercut_parts.size(); ++undercut) {
+      const bool alike = std::ranges::all_of(undercut_parts[undercut], [&](std::size_t k) {
+        return of_atom_[k] == of_atom_[undercut_parts[undercut].front()];
       });
-      const std::vector<std::uint32_t>& pieces = patches[patch].pieces;
+      const std::vector<std::uint32_t>& pieces = undercuts[undercut].pieces;
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
-        of_piece[pieces[k]] =
-            alike ? of_atom_[undercut_parts[patch].front()] : action_for(pieces[k], undercut_parts[patch]);
+        of_piece[pieces[k]] = alike ? of_atom_[undercut_parts[undercut].front()]
+                                    : action_for(pieces[k], undercut_parts[undercut]);
       });
     }
     return of_piece;
@@ -106,7 +106,7 @@ std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context,
                                             const std::vector<UndercutPart>& undercut_parts,
                                             std::span<const std::int32_t> of_atom,
                                             const std::vector<SideAction>& actions) {
-  return PieceActions(context, undercut_parts, of_atom, actions).of(context.undercuts.patches);
+  return PieceActions(context, undercut_parts, of_atom, actions).of(context.undercuts.counted);
 }
 
 }  // namespace moldlight

@@ -12,7 +12,8 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_least_revolved = 1e-4;  // of the part's area: a smaller patch is neither thread nor ring
+constexpr double k_least_revolved =
+    1e-4;  // of the part's area: a smaller undercut is neither thread nor ring
 
 class RevolvedFinder {
  public:
@@ -71,7 +72,7 @@ class RevolvedFinder {
   [[nodiscard]] std::vector<FacetIndex> facets_of(const std::vector<std::size_t>& undercut_parts) const {
     std::vector<FacetIndex> facets;
     for (const std::size_t k : undercut_parts) {
-      for (const std::uint32_t piece : undercuts_.patches[undercut_parts_[k].patch].pieces)
+      for (const std::uint32_t piece : undercuts_.counted[undercut_parts_[k].undercut].pieces)
         facets.push_back(split_.pieces[piece].facet);
     }
     std::ranges::sort(facets);

@@ -16,8 +16,8 @@ struct RevolvedContext {
   const Progress& progress;
 };
 
-/// Threads and rings among what no pull releases: all of it together, as the turns of a thread are patches of
-/// their own, then each. What a pull would release goes with a thread as well if it lies about as far from
+/// Threads and rings among what no pull releases: all of it together, as the turns of a thread are undercuts
+/// of their own, then each. What a pull would release goes with a thread as well if it lies about as far from
 /// the axis, faces it alike and gets away by the same turning. Throws Cancelled.
 [[nodiscard]] std::vector<ActionOption> revolved_options(const RevolvedContext& context,
                                                          const std::vector<UndercutPart>& undercut_parts);

@@ -26,19 +26,19 @@ std::string_view stage_text(HitStage stage) {
                                   : "as the part leaves its half";
 }
 
-const SideAction* action_of(const ActionPlan& plan, std::size_t patch) {
+const SideAction* action_of(const ActionPlan& plan, std::size_t undercut) {
   const auto found = std::ranges::find_if(plan.actions, [&](const SideAction& action) {
-    return std::ranges::find(action.patches, patch) != action.patches.end();
+    return std::ranges::find(action.undercuts, undercut) != action.undercuts.end();
   });
   return found == plan.actions.end() ? nullptr : &*found;
 }
 
-std::string unreleased_text(const ActionPlan& plan, std::size_t patch) {
-  const std::optional<ActionPin>& pin = plan.patches[patch].pin;
+std::string unreleased_text(const ActionPlan& plan, std::size_t undercut) {
+  const std::optional<ActionPin>& pin = plan.undercuts[undercut].pin;
   if (pin && !pin->kind) return "left as it is";
   return fmt::format("{} releases {}",
                      pin ? fmt::format("no {}", facts(*pin->kind).singular) : "nothing that was tried",
-                     action_of(plan, patch) == nullptr ? "it" : "the rest of it");
+                     action_of(plan, undercut) == nullptr ? "it" : "the rest of it");
 }
 
 std::size_t speck_count(const ActionPlan& plan) {
@@ -64,7 +64,7 @@ ActionTotals totals_of(const ActionPlan& plan, double lateral) {
   }
   for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
     const double left = plan.unreleased_areas[k];
-    if (!is_stuck(left, plan.patches[plan.unreleased[k]].undercut.area, lateral)) continue;
+    if (!is_stuck(left, plan.undercuts[plan.unreleased[k]].undercut.area, lateral)) continue;
     ++totals.stuck;
     totals.stuck_area += left;
   }
@@ -73,8 +73,8 @@ ActionTotals totals_of(const ActionPlan& plan, double lateral) {
 
 UndercutTotals undercut_totals(const ActionPlan& plan) {
   UndercutTotals totals{
-      .count = plan.patches.size(), .specks = speck_count(plan), .speck_area = speck_area(plan)};
-  for (const UndercutReport& patch : plan.patches) totals.area += patch.undercut.area;
+      .count = plan.undercuts.size(), .specks = speck_count(plan), .speck_area = speck_area(plan)};
+  for (const UndercutReport& noted : plan.undercuts) totals.area += noted.undercut.area;
   return totals;
 }
 

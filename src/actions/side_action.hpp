@@ -63,11 +63,11 @@ struct SideAction {
   TurnInterval interval;  // to which the direction may turn about the parting direction; of a lifter if it
                           // may travel a tenth more
   double travel = 0.0;    // with the clearance, for what moves straight
-  std::optional<double> stroke;      // of the ejector, for a lifter
-  std::optional<Revolution> about;   // of what is unscrewed or stripped
-  std::vector<std::size_t> patches;  // numbers among the undercuts, rising
-  double area = 0.0;                 // undercut area that it releases
-  bool core_side = true;             // the half that it belongs to: the core's, along +d
+  std::optional<double> stroke;        // of the ejector, for a lifter
+  std::optional<Revolution> about;     // of what is unscrewed or stripped
+  std::vector<std::size_t> undercuts;  // numbers among the undercuts, rising
+  double area = 0.0;                   // undercut area that it releases
+  bool core_side = true;               // the half that it belongs to: the core's, along +d
   double clear_to =
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
@@ -82,7 +82,7 @@ struct SideAction {
 
 /// Lengths are in the part's unit.
 struct RejectedAction {
-  std::size_t patch = 0;  // number among the undercuts
+  std::size_t undercut = 0;  // number among the undercuts
   ActionKind kind = ActionKind::lifter;
   glm::dvec3 direction{1, 0, 0};  // unit
   double travel = 0.0;
@@ -110,13 +110,13 @@ struct UndercutReport {
 inline constexpr std::int32_t k_no_action_of_piece = -1, k_unreleased_piece = -2;
 
 struct ActionPlan {
-  std::vector<UndercutReport> patches;  // the largest first
-  std::vector<Speck> specks;            // what counts as no undercut, the largest first
-  std::vector<SideAction> actions;      // the largest area first
+  std::vector<UndercutReport> undercuts;  // the largest first
+  std::vector<Speck> specks;              // what counts as no undercut, the largest first
+  std::vector<SideAction> actions;        // the largest area first
   /// Of each undercut that nothing else releases well the shortest lifter that fails, also where it was taken
   /// for want of others, and what of each kind was not taken since its body hits.
   std::vector<RejectedAction> rejected;
-  std::vector<std::size_t> unreleased;        // patches that nothing releases, or not all of, rising
+  std::vector<std::size_t> unreleased;        // undercuts that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
   double unreleased_area = 0.0;               // of all
   std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
@@ -156,9 +156,9 @@ struct ActionTotals {
 [[nodiscard]] std::string actions_text(const ActionPlan& plan);
 
 /// The action that releases an undercut, or the largest part of it; null for none.
-[[nodiscard]] const SideAction* action_of(const ActionPlan& plan, std::size_t patch);
+[[nodiscard]] const SideAction* action_of(const ActionPlan& plan, std::size_t undercut);
 /// Why an undercut among the unreleased is left, or the rest of it: "no slide releases it", "left as it is",
 /// …
-[[nodiscard]] std::string unreleased_text(const ActionPlan& plan, std::size_t patch);
+[[nodiscard]] std::string unreleased_text(const ActionPlan& plan, std::size_t undercut);
 
 }  // namespace moldlight

@@ -72,41 +72,41 @@ struct Box {
   }
 };
 
-/// Boxes around patches, by where they begin along x.
-class PatchBoxes {
+/// Boxes around undercuts, by where they begin along x.
+class UndercutBoxes {
  public:
-  PatchBoxes(const std::vector<Box>& boxes, std::vector<std::uint32_t> patches)
-      : boxes_(boxes), patches_(std::move(patches)) {
-    std::ranges::sort(patches_, {}, [&](std::uint32_t patch) { return boxes_[patch].low.x; });
-    for (const std::uint32_t patch : patches_)
-      highest_.push_back(std::max(boxes_[patch].high.x, highest_.empty() ? -k_infinite : highest_.back()));
+  UndercutBoxes(const std::vector<Box>& boxes, std::vector<std::uint32_t> undercuts)
+      : boxes_(boxes), boxed_(std::move(undercuts)) {
+    std::ranges::sort(boxed_, {}, [&](std::uint32_t undercut) { return boxes_[undercut].low.x; });
+    for (const std::uint32_t undercut : boxed_)
+      highest_.push_back(std::max(boxes_[undercut].high.x, highest_.empty() ? -k_infinite : highest_.back()));
   }
 
-  /// Of the other patches that come as near as `reach` to the patch's box.
-  [[nodiscard]] std::vector<Box> near(std::uint32_t patch, double reach) const {
-    const Box& own = boxes_[patch];
+  /// Of the other undercuts that come as near as `reach` to the undercut's box.
+  [[nodiscard]] std::vector<Box> near(std::uint32_t undercut, double reach) const {
+    const Box& own = boxes_[undercut];
     std::vector<Box> found;
-    auto place = std::ranges::upper_bound(patches_, own.high.x + reach, {},
+    auto place = std::ranges::upper_bound(boxed_, own.high.x + reach, {},
                                           [&](std::uint32_t other) { return boxes_[other].low.x; }) -
-                 patches_.begin();
+                 boxed_.begin();
     while (place-- > 0 && highest_[static_cast<std::size_t>(place)] >= own.low.x - reach) {
-      const std::uint32_t other = patches_[static_cast<std::size_t>(place)];
-      if (other != patch && boxes_[other].meets(own, reach)) found.push_back(boxes_[other]);
+      const std::uint32_t other = boxed_[static_cast<std::size_t>(place)];
+      if (other != undercut && boxes_[other].meets(own, reach)) found.push_back(boxes_[other]);
     }
     return found;
   }
 
  private:
   const std::vector<Box>& boxes_;
-  std::vector<std::uint32_t> patches_;
-  std::vector<double> highest_;  // of this patch's end along x and those before
+  std::vector<std::uint32_t> boxed_;
+  std::vector<double> highest_;  // of this undercut's end along x and those before
 };
 
-/// Places in `pieces` of those that come as near as `reach` to the box around another patch: only they may
+/// Places in `pieces` of those that come as near as `reach` to the box around another undercut: only they may
 /// join two of them.
 std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const PieceIndex> pieces,
                                        double reach, UnionFind& joined, const Progress& progress) {
-  std::vector<Box> boxes(pieces.size());  // of patches, at their roots
+  std::vector<Box> boxes(pieces.size());  // of undercuts, at their roots
   std::vector<std::uint32_t> root_of, roots, order(pieces.size());
   for (std::uint32_t place = 0; place < pieces.size(); ++place) {
     root_of.push_back(static_cast<std::uint32_t>(joined.find(place)));
@@ -115,12 +115,13 @@ std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const P
     order[place] = place;
   }
   std::ranges::stable_sort(order, {}, [&](std::uint32_t place) { return root_of[place]; });
-  const PatchBoxes patches(boxes, std::move(roots));
+  const UndercutBoxes undercuts(boxes, std::move(roots));
   std::vector<Box> others;
   std::vector<std::uint32_t> near;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (progress.cancelled()) throw Cancelled();
-    if (k == 0 || root_of[order[k]] != root_of[order[k - 1]]) others = patches.near(root_of[order[k]], reach);
+    if (k == 0 || root_of[order[k]] != root_of[order[k - 1]])
+      others = undercuts.near(root_of[order[k]], reach);
     Box own;
     for (std::size_t c = 0; c < 3; ++c) own.take(corner(split, pieces[order[k]], c));
     if (std::ranges::any_of(others, [&](const Box& other) { return other.meets(own, reach); }))
@@ -154,7 +155,7 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
       const glm::dvec3 at = corner(split, pieces[place], k);
       const GridCell cell = cell_of(at);
       std::vector<Corner>& here = grid[cell];
-      // One of a patch in a place, facing one way, is enough.
+      // One of an undercut in a place, facing one way, is enough.
       const bool known = std::ranges::any_of(here, [&](const Corner& other) {
         return glm::distance(other.at, at) <= k_same_place * reach &&
                glm::dot(other.facing, normal) > k_same_facing &&
@@ -175,53 +176,53 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
   }
 }
 
-void measure_area(const SplitMesh& split, Undercut& patch) {
+void measure_area(const SplitMesh& split, Undercut& undercut) {
   glm::dvec3 sum(0.0);
-  for (const PieceIndex piece : patch.pieces) {
+  for (const PieceIndex piece : undercut.pieces) {
     const double area = piece_area(split, split.pieces[piece]);
-    patch.area += area;
+    undercut.area += area;
     sum += area * (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
   }
-  const glm::dvec3 any = corner(split, patch.pieces.front(), 0);
-  patch.centre = patch.area > 0.0 ? sum / patch.area : any;
+  const glm::dvec3 any = corner(split, undercut.pieces.front(), 0);
+  undercut.centre = undercut.area > 0.0 ? sum / undercut.area : any;
 }
 
-void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Undercut& patch) {
+void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Undercut& undercut) {
   const MapFrame frame = map_frame(direction);
   const auto extent = [&](const glm::dvec3& along) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const PieceIndex piece : patch.pieces) {
+    for (const PieceIndex piece : undercut.pieces) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double at = glm::dot(corner(split, piece, k) - patch.centre, along);
+        const double at = glm::dot(corner(split, piece, k) - undercut.centre, along);
         least = std::min(least, at);
         greatest = std::max(greatest, at);
       }
     }
     return greatest - least;
   };
-  patch.size_along = extent(direction);
+  undercut.size_along = extent(direction);
   constexpr int k_turns = 36;
   for (int k = 0; k < k_turns; ++k) {
     const double angle = std::numbers::pi * k / k_turns;
-    patch.size_across =
-        std::max(patch.size_across, extent(std::cos(angle) * frame.x + std::sin(angle) * frame.y));
+    undercut.size_across =
+        std::max(undercut.size_across, extent(std::cos(angle) * frame.x + std::sin(angle) * frame.y));
   }
 }
 
 /// Whether all of it is within `radius` of its centre.
-bool fits(const SplitMesh& split, const Undercut& patch, double radius) {
-  return std::ranges::all_of(patch.pieces, [&](PieceIndex piece) {
+bool fits(const SplitMesh& split, const Undercut& undercut, double radius) {
+  return std::ranges::all_of(undercut.pieces, [&](PieceIndex piece) {
     bool within = true;
     for (std::size_t k = 0; k < 3; ++k)
-      within = within && glm::distance(corner(split, piece, k), patch.centre) <= radius;
+      within = within && glm::distance(corner(split, piece, k), undercut.centre) <= radius;
     return within;
   });
 }
 
 /// Length of the edges that one of its pieces alone has.
-double border_length(const SplitMesh& split, const Undercut& patch) {
+double border_length(const SplitMesh& split, const Undercut& undercut) {
   std::vector<std::pair<VertexIndex, VertexIndex>> edges;
-  for (const PieceIndex piece : patch.pieces) {
+  for (const PieceIndex piece : undercut.pieces) {
     const auto& corners = split.pieces[piece].corners;
     for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(std::minmax(corners[k], corners[(k + 1) % 3]));
   }
@@ -237,18 +238,18 @@ double border_length(const SplitMesh& split, const Undercut& patch) {
 }
 
 /// The corner of its pieces that is nearest to its centre.
-glm::dvec3 place_on(const SplitMesh& split, const Undercut& patch) {
-  glm::dvec3 nearest = corner(split, patch.pieces.front(), 0);
-  for (const PieceIndex piece : patch.pieces) {
+glm::dvec3 place_on(const SplitMesh& split, const Undercut& undercut) {
+  glm::dvec3 nearest = corner(split, undercut.pieces.front(), 0);
+  for (const PieceIndex piece : undercut.pieces) {
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 at = corner(split, piece, k);
-      if (glm::distance(at, patch.centre) < glm::distance(nearest, patch.centre)) nearest = at;
+      if (glm::distance(at, undercut.centre) < glm::distance(nearest, undercut.centre)) nearest = at;
     }
   }
   return nearest;
 }
 
-/// What decides whether a patch counts; lengths in the part's unit, but for the depth.
+/// What decides whether an undercut counts; lengths in the part's unit, but for the depth.
 struct Floors {
   double width = 0.0;
   double area = 0.0;
@@ -256,8 +257,8 @@ struct Floors {
 };
 
 /// A strip's width is twice its area by the length of its border.
-bool is_narrow(const SplitMesh& split, const Undercut& patch, double width) {
-  return 2.0 * patch.area < width * border_length(split, patch);
+bool is_narrow(const SplitMesh& split, const Undercut& undercut, double width) {
+  return 2.0 * undercut.area < width * border_length(split, undercut);
 }
 
 /// Whether no more of it is deeper than what would be a speck by itself.
@@ -282,12 +283,12 @@ void put_in_order(const SplitMesh& split, const PartAxes& axes, std::vector<Piec
 }
 
 /// The largest first; of those that rounding alone distinguishes the lower one, and so on.
-template <typename Patch, typename Place>
-void put_in_order(const PartAxes& axes, std::vector<Patch>& patches, const Place& place) {
+template <typename Ordered, typename Place>
+void put_in_order(const PartAxes& axes, std::vector<Ordered>& all, const Place& place) {
   constexpr double k_steps = 1e6;  // of the logarithm of an area
-  std::ranges::stable_sort(patches, {}, [&](const Patch& patch) {
-    return std::pair(-std::llround(k_steps * std::log(std::max(patch.area, 1e-300))),
-                     place_key(axes, place(patch)));
+  std::ranges::stable_sort(all, {}, [&](const Ordered& one) {
+    return std::pair(-std::llround(k_steps * std::log(std::max(one.area, 1e-300))),
+                     place_key(axes, place(one)));
   });
 }
 
@@ -315,22 +316,22 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
   const double lateral = query.lateral * model.frame.diagonal;
   join_near(model, split, pieces, 2.0 * lateral, joined, progress);
 
-  std::vector<std::uint32_t> number(pieces.size(), k_none);  // of the patch, at its root
+  std::vector<std::uint32_t> number(pieces.size(), k_none);  // of the undercut, at its root
   std::vector<Undercut> all;
   for (std::uint32_t place = 0; place < pieces.size(); ++place) {
-    std::uint32_t& patch = number[joined.find(place)];
-    if (patch == k_none) {
-      patch = static_cast<std::uint32_t>(all.size());
+    std::uint32_t& undercut = number[joined.find(place)];
+    if (undercut == k_none) {
+      undercut = static_cast<std::uint32_t>(all.size());
       all.emplace_back();
     }
-    all[patch].pieces.push_back(pieces[place]);
+    all[undercut].pieces.push_back(pieces[place]);
   }
-  Undercuts found{.patches = {}, .specks = {}, .axes = part_axes(model, query.direction)};
+  Undercuts found{.counted = {}, .specks = {}, .axes = part_axes(model, query.direction)};
   double total = 0.0;
-  for (Undercut& patch : all) {
-    put_in_order(split, found.axes, patch.pieces);
-    measure_area(split, patch);
-    total += patch.area;
+  for (Undercut& undercut : all) {
+    put_in_order(split, found.axes, undercut.pieces);
+    measure_area(split, undercut);
+    total += undercut.area;
   }
   const double depth = least_depth(model, query, least_travel_mm), width = depth * model.frame.diagonal;
   const Floors floors{.width = width,
@@ -340,12 +341,12 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
   const Release release(model, query, &progress);
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
     constexpr std::size_t k_asked = 48;
-    const Undercut& patch = all[k];
-    if (patch.area <= floors.area || fits(split, patch, floors.width)) {
+    const Undercut& undercut = all[k];
+    if (undercut.area <= floors.area || fits(split, undercut, floors.width)) {
       specks[k] = SpeckReason::small;
-    } else if (is_narrow(split, patch, floors.width)) {
+    } else if (is_narrow(split, undercut, floors.width)) {
       specks[k] = SpeckReason::narrow;
-    } else if (is_shallow(release, sample_undercut(model, split, patch, k_asked), floors)) {
+    } else if (is_shallow(release, sample_undercut(model, split, undercut, k_asked), floors)) {
       specks[k] = SpeckReason::shallow;
     }
   });
@@ -353,10 +354,10 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
     if (specks[k]) {
       found.specks.push_back({all[k].area, place_on(split, all[k]), *specks[k]});
     } else {
-      found.patches.push_back(std::move(all[k]));
+      found.counted.push_back(std::move(all[k]));
     }
   }
-  put_in_order(found.axes, found.patches, [](const Undercut& patch) { return patch.centre; });
+  put_in_order(found.axes, found.counted, [](const Undercut& undercut) { return undercut.centre; });
   put_in_order(found.axes, found.specks, [](const Speck& speck) { return speck.place; });
   return found;
 }
@@ -389,16 +390,16 @@ double least_depth(const PartModel& model, const ExactQuery& query, double least
 Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
                          const Progress& progress, double least_travel_mm) {
   Undercuts found = join_undercuts(model, split, query, progress, least_travel_mm);
-  for (Undercut& patch : found.patches) {
+  for (Undercut& undercut : found.counted) {
     if (progress.cancelled()) throw Cancelled();
-    measure_extents(split, query.direction, patch);
+    measure_extents(split, query.direction, undercut);
   }
   return found;
 }
 
 UndercutTotals totals_of(const Undercuts& undercuts) {
-  UndercutTotals totals{.count = undercuts.patches.size(), .specks = undercuts.specks.size()};
-  for (const Undercut& patch : undercuts.patches) totals.area += patch.area;
+  UndercutTotals totals{.count = undercuts.counted.size(), .specks = undercuts.specks.size()};
+  for (const Undercut& undercut : undercuts.counted) totals.area += undercut.area;
   for (const Speck& speck : undercuts.specks) totals.speck_area += speck.area;
   return totals;
 }

@@ -16,7 +16,7 @@
 
 namespace moldlight {
 
-/// A connected patch of undercut surface. Lengths and areas are in the part's unit.
+/// A connected piece of undercut surface. Lengths and areas are in the part's unit.
 struct Undercut {
   std::vector<std::uint32_t> pieces;  // of the split mesh, in the order of their places
   double area = 0.0;
@@ -25,14 +25,14 @@ struct Undercut {
   double size_along = 0.0;
 };
 
-/// Why a patch counts as no undercut. Small: it fits into a disc of the least depth, or is a thousandth of
+/// Why a piece counts as no undercut. Small: it fits into a disc of the least depth, or is a thousandth of
 /// all undercut at most. Narrow: than the least depth. Shallow: a move across d by the least depth clears it,
 /// or it is in a slit of such a width.
 enum class SpeckReason : std::uint8_t { small, narrow, shallow };
 /// "smaller than a thousandth of the undercut", …
 [[nodiscard]] std::string_view speck_text(SpeckReason reason);
 
-/// A patch, or a part of one, that counts as no undercut. In the part's unit.
+/// A connected piece, or a part of one, that counts as no undercut. In the part's unit.
 struct Speck {
   double area = 0.0;
   glm::dvec3 place{0.0};  // on it
@@ -41,7 +41,7 @@ struct Speck {
 };
 
 struct Undercuts {
-  std::vector<Undercut> patches;  // the largest first
+  std::vector<Undercut> counted;  // the largest first
   std::vector<Speck> specks;      // the largest first
   PartAxes axes;                  // by which places are put into an order
 };

@@ -12,7 +12,7 @@ namespace moldlight {
 
 /// An undercut, or a part of one that nothing releases whole, while actions are looked for.
 struct UndercutPart {
-  std::size_t patch = 0;
+  std::size_t undercut = 0;
   std::vector<UndercutSample> samples;
   std::vector<Pull> pulls = {};
   std::vector<Pull> rejected = {};  // lifters that cannot be built, the shortest first

@@ -41,7 +41,7 @@ std::ptrdiff_t action_count(const ActionPlan& plan) {
 
 bool any_action(ActionKind) { return true; }
 bool is_lifter(ActionKind kind) { return kind == ActionKind::lifter; }
-std::size_t undercut_count(const ActionPlan& plan) { return plan.patches.size(); }
+std::size_t undercut_count(const ActionPlan& plan) { return plan.undercuts.size(); }
 double longest_travel(const ActionPlan& plan) {
   double most = 0.0;
   for (const SideAction& action : plan.actions) most = std::max(most, action.travel);
@@ -100,7 +100,7 @@ struct ReportRow {
   bool area = false;  // has a share of the part's, and its doubt
 };
 
-constexpr std::array<ReportRow, 25> k_report_rows = {{
+constexpr std::array<ReportRow, 24> k_report_rows = {{
     {k_verdict_figure, {"/verdict/state", "/verdict/state", "/verdict/state", "/verdict/state"}},
     {"undercut",
      {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/assignment/action"},
@@ -110,7 +110,7 @@ constexpr std::array<ReportRow, 25> k_report_rows = {{
     {"both", {"/areas/both", "/areas/both", "", ""}, true},
     {"total", {"/part/area", "", "/part/area", "/part/area"}, true},
     {"volume", {"/part/volume", "", "/part/volume", "/part/volume"}},
-    {"near-vertical", {"/areas/near_vertical", "", "", ""}, true},
+    {"near-vertical", {"/areas/near_vertical", "/undraughted_area", "", ""}, true},
     {"projected-area", {"/projected_area", "/projected_area", "", ""}},
     {"projected-undercut", {"/projected_undercut", "/projected_undercut", "", ""}},
     {"reverse-draft", {"/draft/reverse/area", "/reverse_draft", "", "/assignment/reverse_draft"}, true},
@@ -120,7 +120,6 @@ constexpr std::array<ReportRow, 25> k_report_rows = {{
     {"slides", {"", "/verdict/actions/slide", "/verdict/actions/slide", "/verdict/actions/slide"}},
     {"lifters", {"", "/verdict/actions/lifter", "/verdict/actions/lifter", "/verdict/actions/lifter"}},
     {"draw-depth", {"", "/draw_depth", "", ""}},
-    {"undraughted-area", {"", "/undraughted_area", "", ""}, true},
     {"parting-climb", {"", "/parting_climb", "", "/loops/0/climb"}},
     {"parting-length", {"", "/parting_length", "", "/loops/0/length"}},
     {"steel-on-steel", {"", "", "", "/surfaces/contact"}},

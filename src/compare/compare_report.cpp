@@ -121,7 +121,7 @@ Json compare_json(const Comparison& comparison) {
   json["undercuts"] = nullptr;
   json["actions"] = nullptr;
   if (a.plan && b.plan) {
-    json["undercuts"] = changes_json(undercuts, a.plan->patches, b.plan->patches, undercut_json);
+    json["undercuts"] = changes_json(undercuts, a.plan->undercuts, b.plan->undercuts, undercut_json);
     json["actions"] = changes_json(actions, a.plan->actions, b.plan->actions, action_json);
   }
   json["remarks"] = remarks;

@@ -18,8 +18,8 @@ constexpr double k_same_direction_deg = 2.0, k_same_travel = 0.01;
 /// Number of the undercut that each piece is part of.
 std::vector<std::uint32_t> undercut_of_piece(const PlannedSide& side) {
   std::vector<std::uint32_t> undercut_of(side.side.count(), k_no_undercut);
-  for (std::uint32_t undercut = 0; undercut < side.plan.patches.size(); ++undercut)
-    for (const std::uint32_t piece : side.plan.patches[undercut].undercut.pieces)
+  for (std::uint32_t undercut = 0; undercut < side.plan.undercuts.size(); ++undercut)
+    for (const std::uint32_t piece : side.plan.undercuts[undercut].undercut.pieces)
       undercut_of[piece] = undercut;
   return undercut_of;
 }
@@ -50,8 +50,8 @@ struct Touched {
 
 Touched touched_undercuts(const PlannedSide& a, const PlannedSide& b, const SurfaceChange& surface) {
   const auto of_a = undercut_of_piece(a), of_b = undercut_of_piece(b);
-  Touched touched{std::vector<bool>(a.plan.patches.size(), false),
-                  std::vector<bool>(b.plan.patches.size(), false)};
+  Touched touched{std::vector<bool>(a.plan.undercuts.size(), false),
+                  std::vector<bool>(b.plan.undercuts.size(), false)};
   const auto touch = [](std::vector<bool>& undercuts, std::uint32_t undercut) {
     if (undercut != k_no_undercut) undercuts[undercut] = true;
   };
@@ -81,9 +81,9 @@ std::vector<Match> shared_surface(const PlannedSide& a, const PlannedSide& b, co
 
 std::vector<Match> near_centres(const PlannedSide& a, const PlannedSide& b) {
   std::vector<Match> fits;
-  for (std::size_t i = 0; i < a.plan.patches.size(); ++i) {
-    for (std::size_t j = 0; j < b.plan.patches.size(); ++j) {
-      const Undercut &one = a.plan.patches[i].undercut, &other = b.plan.patches[j].undercut;
+  for (std::size_t i = 0; i < a.plan.undercuts.size(); ++i) {
+    for (std::size_t j = 0; j < b.plan.undercuts.size(); ++j) {
+      const Undercut &one = a.plan.undercuts[i].undercut, &other = b.plan.undercuts[j].undercut;
       const double apart = glm::distance(one.centre, other.centre);
       if (apart <= 0.5 * std::min(size_of(one), size_of(other))) fits.push_back({i, j, -apart});
     }
@@ -112,14 +112,14 @@ std::string_view change_name(ChangeKind kind) {
 
 std::vector<MatchedChange> match_undercuts(const PlannedSide& a, const PlannedSide& b,
                                            const SurfaceChange& surface) {
-  std::vector<std::optional<std::size_t>> of_a(a.plan.patches.size());
-  std::vector<bool> taken(b.plan.patches.size(), false);
+  std::vector<std::optional<std::size_t>> of_a(a.plan.undercuts.size());
+  std::vector<bool> taken(b.plan.undercuts.size(), false);
   match_best(shared_surface(a, b, surface), of_a, taken);
   match_best(near_centres(a, b), of_a, taken);
   const Touched touched = touched_undercuts(a, b, surface);
   return changes_of(of_a, taken, [&](std::size_t i, std::size_t j) {
     if (!touched.a[i] && !touched.b[j]) return ChangeKind::same;
-    const Undercut &one = a.plan.patches[i].undercut, &other = b.plan.patches[j].undercut;
+    const Undercut &one = a.plan.undercuts[i].undercut, &other = b.plan.undercuts[j].undercut;
     // A rim as wide as the tolerance around it.
     const double rim = 2.0 * surface.tolerance.apart * (one.size_across + one.size_along);
     if (std::abs(other.area - one.area) <= rim) return ChangeKind::same;
@@ -130,7 +130,7 @@ std::vector<MatchedChange> match_undercuts(const PlannedSide& a, const PlannedSi
 std::vector<MatchedChange> match_actions(const PlannedSide& a, const PlannedSide& b,
                                          const std::vector<MatchedChange>& undercuts,
                                          const SurfaceChange& surface) {
-  std::vector<std::optional<std::size_t>> now(a.plan.patches.size());
+  std::vector<std::optional<std::size_t>> now(a.plan.undercuts.size());
   for (const MatchedChange& undercut : undercuts)
     if (undercut.a) now[*undercut.a] = undercut.b;
   const auto& actions_a = a.plan.actions;
@@ -139,9 +139,9 @@ std::vector<MatchedChange> match_actions(const PlannedSide& a, const PlannedSide
   for (std::size_t i = 0; i < actions_a.size(); ++i) {
     for (std::size_t j = 0; j < actions_b.size(); ++j) {
       double shared = 0.0;
-      for (const std::size_t undercut : actions_a[i].patches)
-        if (now[undercut] && std::ranges::count(actions_b[j].patches, *now[undercut]) > 0)
-          shared += a.plan.patches[undercut].undercut.area;
+      for (const std::size_t undercut : actions_a[i].undercuts)
+        if (now[undercut] && std::ranges::count(actions_b[j].undercuts, *now[undercut]) > 0)
+          shared += a.plan.undercuts[undercut].undercut.area;
       if (shared <= 0.0) continue;
       // Of several actions of one undercut those alike belong together.
       const double alike = glm::dot(actions_a[i].direction, actions_b[j].direction) +

@@ -51,7 +51,7 @@ void App::find_actions(bool moving) {
   settle_frames_ = k_settle_frames;
   if (choices.chosen)
     choices.chosen = actions.plan && former
-                         ? nearest_undercut(*actions.plan, former->patches[*choices.chosen].undercut)
+                         ? nearest_undercut(*actions.plan, former->undercuts[*choices.chosen].undercut)
                          : std::nullopt;
   if (actions.revision == revision) return;
   const auto wish = std::exchange(choices.wish, std::nullopt);

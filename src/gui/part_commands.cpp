@@ -79,8 +79,8 @@ void Commands::look_at_undercuts() {
 void Commands::look_at_undercut(std::size_t undercut) {
   const auto& split = app.state_.figures.split;
   const auto& plan = app.state_.actions.plan;
-  if (!split || !plan || undercut >= plan->patches.size()) return;
-  const Undercut& found = plan->patches[undercut].undercut;
+  if (!split || !plan || undercut >= plan->undercuts.size()) return;
+  const Undercut& found = plan->undercuts[undercut].undercut;
   SplitMesh alone{.vertices = split->vertices, .pieces = {}};
   for (const std::uint32_t piece : found.pieces) alone.pieces.push_back(split->pieces[piece]);
   app.look_at(std::move(alone), surroundings(app.state_, undercut));

@@ -226,9 +226,9 @@ std::vector<InsertActions> actions_of_inserts(const MoldHalves& halves, const Sp
       }
     }
   }
-  for (std::size_t undercut = 0; undercut < plan.patches.size(); ++undercut) {
+  for (std::size_t undercut = 0; undercut < plan.undercuts.size(); ++undercut) {
     std::map<std::size_t, std::size_t> corners;
-    for (const std::uint32_t piece : plan.patches[undercut].undercut.pieces) {
+    for (const std::uint32_t piece : plan.undercuts[undercut].undercut.pieces) {
       for (const VertexIndex vertex : split.pieces[piece].corners) {
         const glm::dvec3 at = halves.frame.to_mold(split.vertices[vertex] - halves.centre) / cell;
         Cell place{};
@@ -244,7 +244,7 @@ std::vector<InsertActions> actions_of_inserts(const MoldHalves& halves, const Sp
     InsertActions& insert = found[most->first];
     if (std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end()) ++insert.unreleased;
     for (std::size_t action = 0; action < plan.actions.size(); ++action) {
-      const auto& undercuts = plan.actions[action].patches;
+      const auto& undercuts = plan.actions[action].undercuts;
       if (std::ranges::find(undercuts, undercut) != undercuts.end()) insert.actions.push_back(action);
     }
   }

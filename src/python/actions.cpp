@@ -68,7 +68,7 @@ void add_actions(py::module_& module, PartClass& part) {
        {"undercuts",
         "A dict each, the largest first: area, depth, where it is, and what to change to do without an "
         "action.",
-        "/patches"},
+        "/undercuts"},
        {"verdict", "What is said of the part first: a dict with state, sentence and reasons."},
        {"unreleased", "What nothing releases."},
        {"optimal", "No cheaper set of the actions that were tried releases as much."},

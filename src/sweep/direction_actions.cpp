@@ -24,9 +24,9 @@ constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may m
 DirectionActions direction_actions(const ActionPlan& plan, const Classification& split) {
   DirectionActions found{.undercuts = undercut_totals(plan),
                          .totals = totals_of(plan, split.lateral_tolerance)};
-  std::vector<double> released(plan.patches.size(), 1.0);  // shares of the undercuts
+  std::vector<double> released(plan.undercuts.size(), 1.0);  // shares of the undercuts
   for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
-    const double area = plan.patches[plan.unreleased[k]].undercut.area;
+    const double area = plan.undercuts[plan.unreleased[k]].undercut.area;
     if (area > 0.0) released[plan.unreleased[k]] = 1.0 - std::min(1.0, plan.unreleased_areas[k] / area);
   }
   for (const SideAction& action : plan.actions) {
@@ -34,8 +34,8 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
     found.formed_area += action.area;
     double counts =
         action.kind == ActionKind::insert ? std::min(1.0, action.area / (k_trifle * split.total_area)) : 1.0;
-    if (!action.patches.empty())
-      counts *= released[std::ranges::max(action.patches, {}, [&](std::size_t k) { return released[k]; })];
+    if (!action.undercuts.empty())
+      counts *= released[std::ranges::max(action.undercuts, {}, [&](std::size_t k) { return released[k]; })];
     found.in_vain += (1.0 - counts) * facts(action.kind).weight;
     if (!has_room(action)) found.without_room += action.area;
   }
@@ -75,7 +75,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
       const UndercutTotals totals = totals_of(undercuts);
       // Inserts for what is smaller may count for less than a slide.
       const double least = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
-      std::erase_if(undercuts.patches, [&](const Undercut& patch) { return patch.area < least; });
+      std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < least; });
       const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       if (limit.is_exceeded(weight, totals) ||
           (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))

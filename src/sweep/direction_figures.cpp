@@ -50,23 +50,26 @@ constexpr DirectionFigure k_figures[] = {
      }},
     {"draw_depth", "depth", FigureKind::length, "Draw depth: the part's extent along the direction.",
      Use{.objective = true}, [](const Facts& f) -> Found { return f.draw_depth; }},
-    {"undraughted_area", "undraughted", FigureKind::area,
-     "Area of the facets with less draft than the required draft.", Use{.objective = true, .column = false},
+    {"near_vertical_area", "near-vertical", FigureKind::area,
+     "Area of the facets with less draft than the near-vertical tolerance.",
+     Use{.objective = true, .column = false},
      [](const Facts& f) -> Found {
        if (f.measured) return f.classification.near_vertical_area;
        return near_vertical_area(f.model.geometry, f.classification.direction, f.settings.method.tau_deg);
-     }},
+     },
+     "undraughted_area"},
     {"reverse_draft", "reverse draft", FigureKind::area,
      "Area of near-vertical walls that one half alone reaches and that lean against it.",
      Use{.objective = true, .column = false},
      [](const Facts& f) { return f.measured ? Found(f.classification.reverse_draft.area) : std::nullopt; }},
-    {"patches", "undercuts", FigureKind::count,
+    {"undercuts", "undercuts", FigureKind::count,
      "Number of undercuts. Marks within the lateral tolerance do not count.",
      Use{.objective = true, .brief = true, .yields = true},
      [](const Facts& f) {
        if (f.actions != nullptr) return Found(static_cast<double>(f.actions->undercuts.count));
-       return f.patches ? Found(static_cast<double>(*f.patches)) : std::nullopt;
-     }},
+       return f.undercuts ? Found(static_cast<double>(*f.undercuts)) : std::nullopt;
+     },
+     "patches"},
     {"parting_climb", "climb", FigureKind::length,
      "Climb of the parting line along the direction, with shut-offs.",
      Use{.objective = true, .column = false},
@@ -89,8 +92,8 @@ constexpr DirectionFigure k_figures[] = {
      [](const Facts& f) { return f.tilt ? Found(f.tilt->deg) : std::nullopt; }},
 };
 
-std::string objective_name(const DirectionFigure& figure) {
-  std::string name(figure.key);
+std::string objective_name(std::string_view key) {
+  std::string name(key);
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }
@@ -169,7 +172,7 @@ std::vector<std::string_view> objective_names() {
   static const std::vector<std::string> k_names = [] {
     std::vector<std::string> names;
     for (const DirectionFigure& figure : k_figures) {
-      if (figure.use.objective) names.push_back(objective_name(figure));
+      if (figure.use.objective) names.push_back(objective_name(figure.key));
     }
     return names;
   }();
@@ -185,7 +188,8 @@ Objective parse_objective(std::string_view text) {
     const std::string_view name = term.substr(0, colon);
     const auto found =
         std::find_if(std::begin(k_figures), std::end(k_figures), [&](const DirectionFigure& figure) {
-          return figure.use.objective && objective_name(figure) == name;
+          return figure.use.objective && (objective_name(figure.key) == name ||
+                                          (!figure.former.empty() && objective_name(figure.former) == name));
         });
     if (found == std::end(k_figures)) {
       throw UsageError(

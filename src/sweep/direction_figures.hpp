@@ -22,8 +22,8 @@ struct DirectionFacts {
   const SweepSettings& settings;
   const Classification& classification;  // what classify gives; before that what the score knows
   double draw_depth = 0.0;
-  bool measured = false;                    // not by its score alone
-  std::optional<std::size_t> patches = {};  // how many undercuts
+  bool measured = false;                      // not by its score alone
+  std::optional<std::size_t> undercuts = {};  // how many undercuts
   std::optional<TiltMargin> tilt = {};
   std::optional<LineFigures> parting = {};
   const DirectionActions* actions = nullptr;  // once they are found
@@ -43,6 +43,7 @@ struct DirectionFigure {
     bool of_actions = false;  // found from side actions
   } use;
   std::optional<double> (*find)(const DirectionFacts& facts);  // none where it is not known
+  std::string_view former = {};  // key that JSON has beside the key until the schema's number rises
 };
 
 [[nodiscard]] std::span<const DirectionFigure> direction_figures();

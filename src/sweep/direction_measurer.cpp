@@ -26,7 +26,7 @@ std::optional<MeasuredDirection> DirectionMeasurer::measure_one(const glm::dvec3
 void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredBeside& asked,
                                     const Progress& progress) const {
   const Query query{measured.classification.direction, method_};
-  if (asked.patches && !measured.undercuts)
+  if (asked.undercuts && !measured.undercuts)
     measured.undercuts = count_undercuts(model_,
                                          {.query = exact_query(model_, query),
                                           .facets = measured.undercut_facets,
@@ -38,7 +38,7 @@ void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredB
 
 void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {
   arena_.execute([&] {
-    find_beside(measured, {.patches = true, .parting = true, .least_travel_mm = beside_.least_travel_mm},
+    find_beside(measured, {.undercuts = true, .parting = true, .least_travel_mm = beside_.least_travel_mm},
                 progress);
   });
 }

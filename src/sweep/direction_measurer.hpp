@@ -29,7 +29,7 @@ struct MeasuredDirection {
 
 /// What else is found of a direction, each in about the time that the regions take.
 struct MeasuredBeside {
-  bool patches = false, parting = false;
+  bool undercuts = false, parting = false;
   double least_travel_mm = k_least_travel_mm;  // of the undercuts that count
 };
 

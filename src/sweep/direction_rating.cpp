@@ -40,7 +40,7 @@ DirectionRating::DirectionRating(const PartModel& model, const SweepSettings& se
   for (Objective::Term& term : before_actions_.terms) {
     if (term.figure->use.of_actions) term.figure = &direction_figure("undercut");
     by_undercut_alone_ = by_undercut_alone_ && term.figure == &direction_figure("undercut");
-    if (term.figure == &direction_figure("patches")) beside_.patches = true;
+    if (term.figure == &direction_figure("undercuts")) beside_.undercuts = true;
     if (term.figure == &direction_figure("parting_climb") ||
         term.figure == &direction_figure("parting_length"))
       beside_.parting = true;
@@ -73,8 +73,8 @@ DirectionFacts DirectionRating::facts(const Classification& classification,
           .classification = classification,
           .draw_depth = high >= low ? high - low : 0.0,
           .measured = measured != nullptr,
-          .patches = measured != nullptr && measured->undercuts ? std::optional(measured->undercuts->count)
-                                                                : std::nullopt,
+          .undercuts = measured != nullptr && measured->undercuts ? std::optional(measured->undercuts->count)
+                                                                  : std::nullopt,
           .parting = measured != nullptr ? measured->parting : std::nullopt};
 }
 
@@ -86,8 +86,8 @@ RankedFigures DirectionRating::ranked(const Candidate& candidate, const Directio
           .value_uncertainty = weight_of_undercut(objective) * undercut_uncertainty / measure_.area,
           .undercut = facts.classification.areas[Region::undercut],
           .undercut_uncertainty = undercut_uncertainty,
-          .patches = static_cast<double>(facts.actions != nullptr ? facts.actions->undercuts.count
-                                                                  : facts.patches.value_or(0)),
+          .undercuts = static_cast<double>(facts.actions != nullptr ? facts.actions->undercuts.count
+                                                                    : facts.undercuts.value_or(0)),
           .draw_depth = facts.draw_depth,
           .projected_area = facts.classification.shadow_area,
           .actions = facts.actions != nullptr ? facts.actions->weight + unreleased_penalty(facts) : 0.0,
@@ -103,9 +103,9 @@ RankedFigures DirectionRating::scored(const Candidate& candidate, const Directio
 }
 
 RankedFigures DirectionRating::measured(const Candidate& candidate, const MeasuredDirection& measured,
-                                        bool with_patches) const {
+                                        bool with_undercuts) const {
   DirectionFacts found = facts(measured.classification, &measured);
-  if (!with_patches) found.patches.reset();
+  if (!with_undercuts) found.undercuts.reset();
   return ranked(candidate, found, measured.classification.uncertainty.rounding);
 }
 

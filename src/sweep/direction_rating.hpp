@@ -19,12 +19,12 @@ class DirectionRating {
   /// Both must outlive the rating.
   DirectionRating(const PartModel& model, const SweepSettings& settings);
 
-  /// Figures by a score; patches are not known yet and count as none.
+  /// Figures by a score; undercuts are not known yet and count as none.
   [[nodiscard]] RankedFigures scored(const Candidate& candidate, const DirectionScore& score) const;
-  /// Figures as measured; for comparing them with scored ones without the patches. What a faulty mesh leaves
-  /// in doubt makes no ties: it is about the same for all.
+  /// Figures as measured; for comparing them with scored ones without the undercuts. What a faulty mesh
+  /// leaves in doubt makes no ties: it is about the same for all.
   [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
-                                       bool with_patches = true) const;
+                                       bool with_undercuts = true) const;
   /// The same with side actions.
   [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
                                        const DirectionActions& actions) const;

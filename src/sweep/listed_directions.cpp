@@ -63,7 +63,7 @@ void complete(SweepTools& tools, std::vector<Contender>& listed) {
       if (!tools.clock.stopped()) tools.measurer.complete(*measured, tools.clock.until_cancelled());
     } catch (const Cancelled&) {
     }
-    contender.figures.patches = static_cast<double>(measured->undercuts.value_or(UndercutTotals{}).count);
+    contender.figures.undercuts = static_cast<double>(measured->undercuts.value_or(UndercutTotals{}).count);
     contender.measured = measured;
   }
 }
@@ -85,7 +85,7 @@ std::vector<SweepCandidate> listed_by_objective(SweepTools& tools, std::vector<C
     for (RankedFigures& each : figures) each.actions = each.travel = 0.0;
   }
   if (!std::ranges::all_of(listed, [](const Contender& c) { return c.measured && c.measured->undercuts; })) {
-    for (RankedFigures& each : figures) each.patches = 0.0;
+    for (RankedFigures& each : figures) each.undercuts = 0.0;
   }
   const Ranking ranking = tools.rating.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts = tilts_of(tools, listed);

@@ -11,7 +11,8 @@
 
 namespace moldlight {
 
-/// Of each measured contender patches, parting line and tilt margin are found, too, as far as there is time.
+/// Of each measured contender undercuts, parting line and tilt margin are found, too, as far as there is
+/// time.
 [[nodiscard]] std::vector<SweepCandidate> listed_by_objective(SweepTools& tools,
                                                               std::vector<Contender> listed);
 /// `with_tilts`: the tilt margins, too.

@@ -19,9 +19,9 @@ bool dominates(const RankedFigures& a, const RankedFigures& b, const PartMeasure
   const double undercut_slack = a.undercut_uncertainty + b.undercut_uncertainty + k_rounding * part.area;
   const double depth_slack = k_rounding * part.diagonal;
   if (a.undercut > b.undercut + undercut_slack) return false;
-  if (a.patches > b.patches) return false;
+  if (a.undercuts > b.undercuts) return false;
   if (a.draw_depth > b.draw_depth + depth_slack) return false;
-  return a.undercut < b.undercut - undercut_slack || a.patches < b.patches ||
+  return a.undercut < b.undercut - undercut_slack || a.undercuts < b.undercuts ||
          a.draw_depth < b.draw_depth - depth_slack;
 }
 

@@ -12,7 +12,7 @@ struct RankedFigures {
   double value = 0.0;              // of the objective
   double value_uncertainty = 0.0;  // from the undercut's
   double undercut = 0.0, undercut_uncertainty = 0.0;
-  double patches = 0.0, draw_depth = 0.0, projected_area = 0.0;
+  double undercuts = 0.0, draw_depth = 0.0, projected_area = 0.0;
   double actions = 0.0, travel = 0.0;  // of side actions, where they decide ties: weight, model units
   bool decided = true;                 // the objective is known; where it is not, the value stands in for it
   bool exact = false;  // a direction given by the user or by a feature of the part, not by search
@@ -27,7 +27,7 @@ struct PartMeasure {
 struct Ranking {
   std::vector<std::size_t> order;      // best first, indices into the figures
   std::vector<std::size_t> tie_group;  // by index: 0 for the best and all that tie with it, then 1, …
-  std::vector<bool> pareto;  // by index: no other is at least as good in undercut area, patches and draw
+  std::vector<bool> pareto;  // by index: no other is at least as good in undercut area, undercuts and draw
                              // depth and better in one; undercut areas that differ by less than their
                              // uncertainties are equal
 };

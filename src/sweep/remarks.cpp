@@ -34,15 +34,15 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool
   if (undercut_area(best) <= error) {
     return "The best direction has no undercut.";
   }
-  const auto count = figure_value(direction_figure("patches"), best);
-  const std::string patches = !count ? ""
-                              : *count == 0.0
-                                  ? " in specks"
-                                  : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
+  const auto count = figure_value(direction_figure("undercuts"), best);
+  const std::string undercuts = !count ? ""
+                                : *count == 0.0
+                                    ? " in specks"
+                                    : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
   return fmt::format(
       "{} {}{}.",
       by_molds ? "The best leaves" : "Every direction that was tried has an undercut; the best leaves",
-      area_text(model, undercut_area(best)), patches);
+      area_text(model, undercut_area(best)), undercuts);
 }
 
 /// The first direction that does not tie with the best.

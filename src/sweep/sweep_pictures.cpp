@@ -26,7 +26,7 @@ constexpr std::size_t k_most_labels = 30;
 /// What the pictures have room for.
 constexpr std::array<std::string_view, k_sphere_columns> k_sphere_figures = {
     "undercut", "undercut_uncertainty", "undercut_share", "tilt_margin_deg"};
-constexpr std::array<std::string_view, 5> k_tile_figures = {"undercut", "undercut_share", "patches",
+constexpr std::array<std::string_view, 5> k_tile_figures = {"undercut", "undercut_share", "undercuts",
                                                             "draw_depth", "tilt_margin_deg"};
 constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
 

@@ -94,12 +94,14 @@ Json candidate_json(const PartModel& model, const SweepCandidate& candidate) {
                {"identity", if_measured(classified["identity"])}};
   for (const DirectionFigure& row : direction_figures()) {
     if (row.use.classified) continue;
-    Json& value = json[std::string(row.key)];
+    Json value;
     const auto known = figure_value(row, candidate);
     if (known && row.kind == FigureKind::count)
       value = static_cast<std::size_t>(*known);
     else if (known)
       value = *known;
+    json[std::string(row.key)] = value;
+    if (!row.former.empty()) json[std::string(row.former)] = value;
   }
   json["actions"] = candidate.actions ? Json(candidate.actions->text()) : Json();
   json["tilt_toward"] = leans_somewhere ? point_json(candidate.tilt->toward) : Json();

@@ -69,8 +69,8 @@ struct SweepCandidate {
   std::size_t tie_group = 0;  // 1 is the best direction's
   std::string tie;            // a letter for every group of more than one direction
   Candidate candidate;
-  /// False where the sweep was cancelled before: areas and their uncertainty are the scoring's, and patches,
-  /// the projected undercut and the parts of the uncertainty are not known.
+  /// False where the sweep was cancelled before: areas and their uncertainty are the scoring's, and
+  /// undercuts, the projected undercut and the parts of the uncertainty are not known.
   bool measured = true;
   Classification classification;               // exactly what classify gives; facet fractions are dropped
   std::vector<std::optional<double>> figures;  // a value a row of direction_figures(); none: not known

@@ -41,20 +41,20 @@ TEST_F(Actions, AreToldInJson) {
   EXPECT_EQ(json["schema"], "moldlight.actions/2");
   EXPECT_EQ(json["settings"]["clearance_mm"], 5.0);
   EXPECT_EQ(json["settings"]["tau_deg"], 1.0);
-  ASSERT_EQ(json["patches"].size(), 1U);
+  ASSERT_EQ(json["undercuts"].size(), 1U);
   for (const char* key :
        {"id", "area", "formed_area", "centre", "size_across", "size_along", "depth", "side", "blocked_by"})
-    EXPECT_TRUE(json["patches"][0].contains(key)) << key;
+    EXPECT_TRUE(json["undercuts"][0].contains(key)) << key;
   ASSERT_EQ(json["actions"].size(), 1U);
   const auto& action = json["actions"][0];
   for (const char* key : {"kind", "direction", "interval_deg", "travel", "stroke", "axis", "pitch", "turns",
-                          "strain", "patches", "area", "side", "clear_to", "meets"})
+                          "strain", "undercuts", "area", "side", "clear_to", "meets"})
     EXPECT_TRUE(action.contains(key)) << key;
   EXPECT_EQ(action["kind"], "slide");
   EXPECT_TRUE(action["stroke"].is_null());
   EXPECT_TRUE(action["clear_to"].is_null());
-  EXPECT_EQ(action["patches"], nlohmann::ordered_json::array({1}));
-  EXPECT_NEAR(action["travel"].get<double>() - json["patches"][0]["depth"].get<double>(), 5.0, 1e-9);
+  EXPECT_EQ(action["undercuts"], nlohmann::ordered_json::array({1}));
+  EXPECT_NEAR(action["travel"].get<double>() - json["undercuts"][0]["depth"].get<double>(), 5.0, 1e-9);
   EXPECT_EQ(json["unreleased"]["area"], 0.0);
   EXPECT_TRUE(json["optimal"].get<bool>());
   EXPECT_GT(action["body"]["volume"].get<double>(), 0.0);

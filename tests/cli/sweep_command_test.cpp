@@ -80,9 +80,9 @@ TEST(SweepCommand, JsonHasTheKeysOfTheSchema) {
                         "projected_undercut",
                         "projected_area",
                         "draw_depth",
-                        "undraughted_area",
+                        "near_vertical_area",
                         "reverse_draft",
-                        "patches",
+                        "undercuts",
                         "tilt_margin_deg",
                         "pareto"};
   const Names found = keys(best);
@@ -134,7 +134,7 @@ void expect_figures_of_classify(const Json& sweep, const Names& classify) {
     EXPECT_EQ(candidate["undercut_uncertainty"].dump(), classified["undercut_uncertainty"].dump())
         << direction;
     EXPECT_EQ(candidate["projected_undercut"].dump(), classified["projected_undercut"].dump());
-    EXPECT_EQ(candidate["undraughted_area"].dump(), classified["areas"]["near_vertical"].dump());
+    EXPECT_EQ(candidate["near_vertical_area"].dump(), classified["areas"]["near_vertical"].dump());
   }
 }
 
@@ -346,7 +346,7 @@ TEST(SweepCommand, DirectionsOfACubeTie) {
   for (const Json& candidate : json["candidates"]) {
     EXPECT_EQ(candidate["tie_group"], 1) << candidate;
     EXPECT_EQ(candidate["areas"]["undercut"], 0.0);
-    EXPECT_EQ(candidate["patches"], 0);
+    EXPECT_EQ(candidate["undercuts"], 0);
     EXPECT_EQ(candidate["tilt_margin_deg"], 30.0) << "at least";
     EXPECT_TRUE(candidate["tilt_toward"].is_null());
   }

@@ -111,11 +111,11 @@ TEST_F(SideActions, AreToldInTheVerdictAndListed) {
   open_lid();
   EXPECT_NE(sentence().find("1 slide, 2 lifters and 2 loose inserts release the rest"), std::string::npos)
       << sentence();
-  ASSERT_GE(plan().patches.size(), 3U);
+  ASSERT_GE(plan().undercuts.size(), 3U);
   ASSERT_TRUE(state().figures.undercuts.has_value());
-  EXPECT_EQ(state().figures.undercuts->count, plan().patches.size())
+  EXPECT_EQ(state().figures.undercuts->count, plan().undercuts.size())
       << "as they are counted before there is a list";
-  for (std::size_t k = 1; k <= plan().patches.size(); ++k)
+  for (std::size_t k = 1; k <= plan().undercuts.size(); ++k)
     EXPECT_TRUE(window.app().controls().contains("undercut " + std::to_string(k)) || k > 6) << k;
   EXPECT_TRUE(is_told("lifter"));
   EXPECT_TRUE(is_told("stroke 17.1 mm"));
@@ -202,7 +202,7 @@ TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
   click("none");
   ASSERT_EQ(settings().pins.size(), 1U);
   window.wait_until_measured();
-  ASSERT_TRUE(plan().patches[2].pin);
+  ASSERT_TRUE(plan().undercuts[2].pin);
   EXPECT_EQ(action_of(plan(), 2), nullptr);
   EXPECT_EQ(sentence().find("1 slide"), std::string::npos) << sentence();
 
@@ -216,7 +216,7 @@ TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
   key({.key = k_escape});
   window.wait_until_measured();
   ASSERT_EQ(settings().pins.size(), 1U) << "the bookmark restores it";
-  EXPECT_TRUE(plan().patches[2].pin);
+  EXPECT_TRUE(plan().undercuts[2].pin);
 
   click("pin 3");
   click("automatic");

@@ -52,7 +52,7 @@ double weight(const ActionPlan& plan) {
 
 std::vector<double> areas(const ActionPlan& plan) {
   std::vector<double> found;
-  for (const UndercutReport& patch : plan.patches) found.push_back(patch.undercut.area);
+  for (const UndercutReport& noted : plan.undercuts) found.push_back(noted.undercut.area);
   return found;
 }
 
@@ -157,9 +157,9 @@ TEST(ActionsMetamorphic, AddedMaterialFreesNothing) {
     const auto fuller = prepare_part(std::move(part), Progress());
     const ExactQuery query = exact_query(*less.model, less.result.query());
     const Release before(*less.model, query), after(*fuller, query);
-    for (const UndercutReport& patch : less.plan.patches) {
+    for (const UndercutReport& noted : less.plan.undercuts) {
       for (const UndercutSample& sample :
-           sample_undercut(*less.model, *less.result.split, patch.undercut, 40)) {
+           sample_undercut(*less.model, *less.result.split, noted.undercut, 40)) {
         const glm::dvec3 point =
             less.model->frame.center + less.model->frame.diagonal * glm::dvec3(sample.position);
         if (is_filled(more, point + 0.01 * sample.normal)) continue;  // covered now

@@ -194,8 +194,8 @@ Played play(const PartModel& model, const Query& query) {
         (action.travel + (turns ? action.about->turns * model.frame.diagonal : 0.0)) / model.frame.diagonal;
     // Parts of an undercut that was split end within facets.
     const double whole = std::accumulate(
-        action.patches.begin(), action.patches.end(), 0.0,
-        [&](double sum, std::size_t patch) { return sum + plan.patches[patch].undercut.area; });
+        action.undercuts.begin(), action.undercuts.end(), 0.0,
+        [&](double sum, std::size_t undercut) { return sum + plan.undercuts[undercut].undercut.area; });
     const bool in_parts = action.area < 0.999 * whole;
     const double play = turns ? k_thread_play * std::abs(action.about->pitch) / model.frame.diagonal : 0.0;
     // Slivers of an action whose facets went with others are not worth as many points.
@@ -312,8 +312,8 @@ TEST(ActionsMotion, OfAFreePointNeverEntersThePart) {
     const Release release(*model, exact);
     const Undercuts found = find_undercuts(*model, *result.split, exact, Progress());
     std::size_t points = 0, free = 0, inside = 0;
-    for (std::size_t k = 0; k < std::min(k_patches, found.patches.size()); ++k) {
-      for (const UndercutSample& sample : sample_undercut(*model, *result.split, found.patches[k], 40)) {
+    for (std::size_t k = 0; k < std::min(k_patches, found.counted.size()); ++k) {
+      for (const UndercutSample& sample : sample_undercut(*model, *result.split, found.counted[k], 40)) {
         if (release.is_covered(sample)) continue;  // by another body: nothing is said to free it
         ++points;
         bool once = false;

@@ -71,7 +71,7 @@ void expect_same(const TriangleMesh& mesh, const std::vector<Change>& changes, d
   for (const Change& change : changes) {
     SCOPED_TRACE(change.name);
     const Planned other = changed_plan(mesh, change);
-    EXPECT_EQ(own.plan.patches.size(), other.plan.patches.size());
+    EXPECT_EQ(own.plan.undercuts.size(), other.plan.undercuts.size());
     EXPECT_EQ(actions_text(own.plan), actions_text(other.plan));
     EXPECT_EQ(own.plan.rejected.size(), other.plan.rejected.size());
     const std::vector<double> a = travels(own.plan, 1.0), b = travels(other.plan, change.scale);

@@ -81,7 +81,7 @@ TEST(RealParts, SharedCapIsUnscrewedByThePitchOfItsCrest) {
 /// shared.
 TEST(RealParts, ClipHasThreeSlidesOfWhichTwoAreOne) {
   const RealPlan shared = plan_of(shipped("cable_clip.stl"));
-  EXPECT_EQ(shared.plan.patches.size(), 3U);
+  EXPECT_EQ(shared.plan.undercuts.size(), 3U);
   EXPECT_EQ(actions_text(shared.plan), "2 slides");
   ActionSettings alone;
   alone.bundle_across_mm = 0.0;
@@ -114,11 +114,11 @@ TEST(RealParts, UndercutsAreCountedAlikeWithAndWithoutSideActions) {
     for (const SweepCandidate& candidate : result.candidates) {
       const Classification split = classify_exact(*model, candidate.classification.query(), Progress(), true);
       const ActionPlan plan = find_actions(*model, split, {}, Progress());
-      EXPECT_EQ(figure_value(direction_figure("patches"), candidate),
-                static_cast<double>(plan.patches.size()))
+      EXPECT_EQ(figure_value(direction_figure("undercuts"), candidate),
+                static_cast<double>(plan.undercuts.size()))
           << path.filename() << " along " << split.direction.x << ", " << split.direction.y << ", "
           << split.direction.z;
-      greatest = std::max(greatest, plan.patches.size());
+      greatest = std::max(greatest, plan.undercuts.size());
     }
   }
   EXPECT_GT(greatest, 5U);
@@ -129,9 +129,9 @@ TEST(RealParts, LidsHooksAreFreedOutwardsRatherThanAlongTheWall) {
   const RealPlan lid = plan_of(shipped("enclosure_lid.stl"));
   const Release release(*lid.model, exact_query(*lid.model, lid.result.query()));
   const double mm = 1.0 / lid.model->frame.diagonal;
-  ASSERT_EQ(lid.plan.patches.size(), 3U);
+  ASSERT_EQ(lid.plan.undercuts.size(), 3U);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Undercut& hook = lid.plan.patches[k].undercut;
+    const Undercut& hook = lid.plan.undercuts[k].undercut;
     const auto samples = sample_undercut(*lid.model, *lid.result.split, hook, 400);
     const SideAction* action = action_of(lid.plan, k);
     ASSERT_NE(action, nullptr);

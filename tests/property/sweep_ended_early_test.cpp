@@ -75,7 +75,7 @@ TEST_F(SweepEndedEarly, BeforeItMeasuresTheReportTellsSo) {
   EXPECT_EQ(measured(result), 0);
   const auto json = sweep_json(*model_, result);
   for (const auto& candidate : json["candidates"]) {
-    for (const char* key : {"patches", "projected_undercut", "identity", "uncertainty_parts"})
+    for (const char* key : {"undercuts", "projected_undercut", "identity", "uncertainty_parts"})
       EXPECT_TRUE(candidate[key].is_null()) << key;
   }
   EXPECT_EQ(json["remarks"][0], "Ended early: 4 of the 4 directions listed were not measured, only scored.");

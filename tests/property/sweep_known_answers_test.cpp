@@ -134,7 +134,7 @@ TEST(SweepKnownAnswers, TheBestMayLeaveAnUndercutOfKnownArea) {
   EXPECT_LT(angle_deg(best, shape.direction), 0.05);
   EXPECT_NEAR(undercut(best), shape.expected[Region::undercut],
               uncertainty(best) + 1e-4 * best.classification.total_area);
-  EXPECT_EQ(figure_value(direction_figure("patches"), best), 1.0);
+  EXPECT_EQ(figure_value(direction_figure("undercuts"), best), 1.0);
 }
 
 /// A cube with the same deep pocket in its top and in its +x side.

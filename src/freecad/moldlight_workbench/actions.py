@@ -65,12 +65,12 @@ class ActionArrows(properties.Proxy):
     def execute(self, obj):
         found = report(obj.Actions) if obj.Actions is not None else {}
         diagonal = regions.of_result(obj).Shape.BoundBox.DiagonalLength
-        centres = {patch["id"]: patch["centre"] for patch in found.get("patches", ())}
+        centres = {undercut["id"]: undercut["centre"] for undercut in found.get("undercuts", ())}
         arrows, colours = [], []
         for action in found.get("actions", ()):
-            if action["direction"] is None or not action["patches"]:
+            if action["direction"] is None or not action["undercuts"]:
                 continue
-            start = FreeCAD.Vector(*centres[action["patches"][0]])
+            start = FreeCAD.Vector(*centres[action["undercuts"][0]])
             length = max(action["travel"] or 0.0, ARROW_LENGTH * diagonal)
             shape = arrow(start, FreeCAD.Vector(*action["direction"]), length, ARROW_RADIUS * diagonal)
             arrows.append(shape)
@@ -97,7 +97,7 @@ def action_table(obj):
             action["stroke"],
             action["area"],
             action["body"],
-            action["patches"],
+            action["undercuts"],
         )
         for action in report(obj).get("actions", ())
     ]

@@ -109,10 +109,10 @@ std::vector<PieceIndex> Revisions::pieces_of(bool second, std::size_t change) co
       (asked.of == Of::undercut ? comparison.undercuts : comparison.actions)[asked.number];
   const auto& number = second ? matched.b : matched.a;
   if (!number) return {};
-  if (asked.of == Of::undercut) return plan->patches[*number].undercut.pieces;
+  if (asked.of == Of::undercut) return plan->undercuts[*number].undercut.pieces;
   std::vector<PieceIndex> pieces;
-  for (const std::size_t patch : plan->actions[*number].patches) {
-    const auto& more = plan->patches[patch].undercut.pieces;
+  for (const std::size_t undercut : plan->actions[*number].undercuts) {
+    const auto& more = plan->undercuts[undercut].undercut.pieces;
     pieces.insert(pieces.end(), more.begin(), more.end());
   }
   return pieces;

@@ -44,7 +44,7 @@ std::string turn_text(double from_deg, double to_deg) {
 
 std::string shared_text(const SideAction& action, std::size_t undercut) {
   std::vector<std::size_t> others;
-  for (const std::size_t found : action.patches) {
+  for (const std::size_t found : action.undercuts) {
     if (found != undercut) others.push_back(found + 1);
   }
   return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
@@ -53,7 +53,7 @@ std::string shared_text(const SideAction& action, std::size_t undercut) {
 /// The actions that it would meet, by the undercuts that they release.
 std::string meetings_text(const ActionPlan& plan, const SideAction& action) {
   std::vector<std::size_t> others;
-  for (const std::size_t other : action.meets) others.push_back(plan.actions[other].patches.front() + 1);
+  for (const std::size_t other : action.meets) others.push_back(plan.actions[other].undercuts.front() + 1);
   return others.empty()
              ? std::string()
              : fmt::format(" · meets the {} of {}", action.kind == ActionKind::lifter ? "lifter" : "slide",
@@ -103,7 +103,7 @@ void set_pin(ActionSettings& settings, const UndercutReport& found,
 /// The cell that shows to what an undercut is pinned; a click opens the list of kinds.
 void draw_pin(const PanelContext& context, std::size_t undercut) {
   const Ui& ui = context.ui;
-  const UndercutReport& found = context.state.actions.plan->patches[undercut];
+  const UndercutReport& found = context.state.actions.plan->undercuts[undercut];
   ActionSettings& settings = context.edits.settings.actions;
   const ActionPin* const pin = pin_for(settings, found);
   const std::string id = fmt::format("pin {}", undercut + 1);
@@ -164,7 +164,7 @@ void draw_own_directions(const PanelContext& context) {
 std::string others_text(const ActionPlan& plan, std::size_t undercut, const SideAction& first) {
   std::string text;
   for (const SideAction& action : plan.actions) {
-    if (&action != &first && std::ranges::find(action.patches, undercut) != action.patches.end())
+    if (&action != &first && std::ranges::find(action.undercuts, undercut) != action.undercuts.end())
       text += fmt::format(" · and {}", facts(action.kind).singular);
   }
   return text;
@@ -172,7 +172,7 @@ std::string others_text(const ActionPlan& plan, std::size_t undercut, const Side
 
 std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& found = plan.patches[undercut];
+  const UndercutReport& found = plan.undercuts[undercut];
   const std::string unit = length_unit(state.model->part);
   const FigureStyle style(*state.model);
   std::string tip = style.with_unit(FigureKind::area, found.undercut.area);
@@ -202,7 +202,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& found = plan.patches[undercut];
+  const UndercutReport& found = plan.undercuts[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
   const glm::vec2& start = row.min;
@@ -246,7 +246,7 @@ void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
   draw_headings(context.ui, k_action_columns);
   const ActionPlan& plan = *context.state.actions.plan;
   const ChoiceTable undercuts{.list = {.id = "undercuts",
-                                       .count = plan.patches.size(),
+                                       .count = plan.undercuts.size(),
                                        .row_height = k_action_row,
                                        .share = k_actions_share},
                               .row = "undercut",
@@ -278,7 +278,7 @@ void draw_actions_bar(const PanelContext& context, TableBar& bar) {
   const auto& figures = state.figures.shown;
   // Until undercuts are counted their area decides: a bar that came and went would move the part under the
   // hand.
-  const bool shown = plan ? !plan->patches.empty()
+  const bool shown = plan ? !plan->undercuts.empty()
                           : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
   if (!shown || state.revisions.on()) return;
   TableBarParts parts{.name = "Side actions",

@@ -90,7 +90,7 @@ class Texts {
                                                                    : "–";
     };
     const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
-      const UndercutReport& one = part.plan->patches[number];
+      const UndercutReport& one = part.plan->undercuts[number];
       area = grouped(areas_.text(one.undercut.area));
       return depth(one);
     };

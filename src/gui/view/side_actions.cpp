@@ -52,8 +52,8 @@ std::array<double, 3> stage_ends(const Ways& ways) {
 std::optional<std::size_t> nearest_undercut(const ActionPlan& plan, const Undercut& undercut) {
   std::optional<std::size_t> found;
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-    const Undercut& other = plan.patches[k].undercut;
+  for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
+    const Undercut& other = plan.undercuts[k].undercut;
     const double size =
         std::max({other.size_across, other.size_along, undercut.size_across, undercut.size_along});
     const double distance = glm::distance(other.centre, undercut.centre);
@@ -74,7 +74,7 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   const auto& plan = state.actions.plan;
   if (!state.model || !plan || !choices.chosen) return std::nullopt;
   const UnitFrame& frame = state.model->frame;
-  const UndercutReport& found = plan->patches[*choices.chosen];
+  const UndercutReport& found = plan->undercuts[*choices.chosen];
   SideArrow arrow;
   arrow.tail = (found.point - frame.center) / frame.diagonal;
   if (const SideAction* action = chosen_action(state)) {
@@ -161,7 +161,7 @@ std::vector<glm::vec3> points_of_bodies(const AppState& state, double open) {
 std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UnitFrame& frame = state.model->frame;
-  const UndercutReport& found = plan.patches[undercut];
+  const UndercutReport& found = plan.undercuts[undercut];
   const double size = std::max(found.undercut.size_across, found.undercut.size_along) / frame.diagonal;
   const glm::vec3 centre = frame.to_unit(found.undercut.centre);
   std::vector<glm::vec3> points = points_around(centre, std::max(0.6 * size, k_least_undercut_reach));

@@ -201,8 +201,8 @@ Section Describer::undercuts() const {
     const MatchedChange& one = comparison_.undercuts[k];
     if (one.kind == ChangeKind::same) ++same;
     if (one.kind == ChangeKind::same || table.rows.size() == k_most_rows) continue;
-    const UndercutReport* was = one.a ? &comparison_.a.plan->patches[*one.a] : nullptr;
-    const UndercutReport* now = one.b ? &comparison_.b.plan->patches[*one.b] : nullptr;
+    const UndercutReport* was = one.a ? &comparison_.a.plan->undercuts[*one.a] : nullptr;
+    const UndercutReport* now = one.b ? &comparison_.b.plan->undercuts[*one.b] : nullptr;
     const auto size = [&](const UndercutReport* side, const char* name) {
       return side != nullptr ? area(side->undercut.area, fmt::format("/undercuts/{}/{}/area", k, name))
                              : Value{"–"};
@@ -225,8 +225,8 @@ Section Describer::undercuts() const {
     table.rows.push_back(std::move(row));
   }
   section.blocks.emplace_back(Text{fmt::format("{} of A, {} of B, {} of them the same.",
-                                               plural(comparison_.a.plan->patches.size(), "undercut"),
-                                               comparison_.b.plan->patches.size(), same)});
+                                               plural(comparison_.a.plan->undercuts.size(), "undercut"),
+                                               comparison_.b.plan->undercuts.size(), same)});
   table.rest = rest_text(comparison_.undercuts.size() - same);
   if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
   return section;

@@ -38,9 +38,9 @@ void add_pages(const ReportContext& context, Study& study, Report& report) {
   Illustrator pictures(context, result);
   report.still = {pictures.whole(), {}, "The part in the colours of its regions", view_caption()};
   report.view = region_view(context, result, pictures.to_viewer());
-  if (!found.patches.empty()) {
+  if (!found.counted.empty()) {
     std::vector<const Undercut*> undercuts;
-    for (const Undercut& undercut : found.patches) undercuts.push_back(&undercut);
+    for (const Undercut& undercut : found.counted) undercuts.push_back(&undercut);
     Section section{"Undercuts", {}};
     section.blocks.emplace_back(undercut_table(context, pictures, undercuts, totals_of(found)));
     report.sections.push_back(std::move(section));

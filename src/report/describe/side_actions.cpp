@@ -33,7 +33,7 @@ Section plan_section(const ActionsReport& found) {
   const ActionPlan& plan = found.plan;
   const FigureStyle style(found.model);
   Section section{"Side actions", {}};
-  if (plan.patches.empty()) {
+  if (plan.undercuts.empty()) {
     section.blocks.emplace_back(Text{"None."});
     return section;
   }
@@ -81,8 +81,8 @@ Section changes_section(const ActionsReport& found) {
     for (const std::size_t action : change.actions)
       saved += (saved.empty() ? "" : ", ") + title(found.plan, action);
     section.blocks.emplace_back(
-        Text{fmt::format("Changing undercut{} {} saves {}.", change.patches.size() == 1 ? "" : "s",
-                         numbers_text(change.patches), saved)});
+        Text{fmt::format("Changing undercut{} {} saves {}.", change.undercuts.size() == 1 ? "" : "s",
+                         numbers_text(change.undercuts), saved)});
   }
   Table table{{{"#"}, {"change of the part", true}}, {}};
   for (std::size_t k = 0; k < found.changes.size(); ++k)
@@ -95,13 +95,13 @@ Section changes_section(const ActionsReport& found) {
 
 Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
   std::vector<const Undercut*> undercuts;
-  for (const UndercutReport& one : plan.patches) undercuts.push_back(&one.undercut);
+  for (const UndercutReport& one : plan.undercuts) undercuts.push_back(&one.undercut);
   const FigureStyle style(*context.model);
-  Table table = undercut_table(context, pictures, undercuts, undercut_totals(plan), "/patches");
+  Table table = undercut_table(context, pictures, undercuts, undercut_totals(plan), "/undercuts");
   add_columns(style, undercut_figures(), table);
   table.columns.push_back({"released by", true});
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    add_cells(style, found_figures(undercut_figures(), plan.patches[k]), fmt::format("/patches/{}", k),
+    add_cells(style, found_figures(undercut_figures(), plan.undercuts[k]), fmt::format("/undercuts/{}", k),
               table.rows[k]);
     const SideAction* action = action_of(plan, k);
     table.rows[k].cells.push_back({action != nullptr
@@ -173,7 +173,7 @@ Table actions_table(const PartModel& model, const ActionPlan& plan, const Place&
     add_cells(style, found_figures(action_figures(), action),
               keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
     row.cells.push_back({with_minus(freedom_text(action, length_unit(model.part)))});
-    row.cells.push_back({numbers_text(action.patches)});
+    row.cells.push_back({numbers_text(action.undercuts)});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -192,7 +192,7 @@ Report actions_report(const ReportContext& context, Study& study) {
   }
   report.sections.push_back(plan_section(found));
   if (!plan.actions.empty()) report.sections.push_back(bodies_section(found));
-  if (!plan.patches.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
+  if (!plan.undercuts.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
   if (!found.changes.empty()) report.sections.push_back(changes_section(found));
   Section regions = regions_section(context, found.result, std::nullopt);
   regions.pages_only = true;

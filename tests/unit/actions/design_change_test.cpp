@@ -50,7 +50,7 @@ struct TSlot {
 TEST(DesignChange, OfATSlotAreItsLips) {
   const TSlot slot;
   const Planned planned = plan_of(slot.mesh());
-  ASSERT_EQ(planned.plan.patches.size(), 2U);
+  ASSERT_EQ(planned.plan.undercuts.size(), 2U);
   const auto changes = changes_of(planned);
   ASSERT_EQ(changes.size(), 2U);
   const double tolerance = 1e-3 * planned.model->frame.diagonal;
@@ -75,17 +75,17 @@ TEST(DesignChange, OfATSlotAreItsLips) {
                right = std::max(windows[0].high.x, windows[1].high.x);
   const Planned open =
       plan_of(block_with_cavity({{left, 20}, {left, 8}, {right, 8}, {right, 20}}, {40, 20}, slot.length));
-  EXPECT_TRUE(open.plan.patches.empty());
+  EXPECT_TRUE(open.plan.undercuts.empty());
   EXPECT_LT(open.result.areas[Region::undercut], 1e-9);
   // One of them: the other's undercut alone is left.
   const Planned half = plan_of(block_with_cavity(
       {{left, 20}, {left, 8}, {30, 8}, {30, 15}, {26, 15}, {26, 20}}, {40, 20}, slot.length));
-  EXPECT_EQ(half.plan.patches.size(), 1U);
+  EXPECT_EQ(half.plan.undercuts.size(), 1U);
   // The lips cut back by less than the depth leave it.
   TSlot shorter = slot;
   shorter.half += 0.9 * *changes[0].depth;
   shorter.wing -= 0.9 * *changes[0].depth;
-  EXPECT_EQ(plan_of(shorter.mesh()).plan.patches.size(), 2U);
+  EXPECT_EQ(plan_of(shorter.mesh()).plan.undercuts.size(), 2U);
 }
 
 /// A block with a round hole through it along y, `under` and `over` it so much material.
@@ -103,7 +103,7 @@ TEST(DesignChange, OfASideHoleIsAWindowAsWideAsIt) {
   for (const bool up : {true, false}) {
     const double over = up ? 3.0 : 9.0, under = up ? 9.0 : 3.0;
     const Planned planned = plan_of(block_with_bore(under, over, k_radius, k_length));
-    ASSERT_EQ(planned.plan.patches.size(), 1U);
+    ASSERT_EQ(planned.plan.undercuts.size(), 1U);
     const auto changes = changes_of(planned);
     const double tolerance = 1e-3 * planned.model->frame.diagonal;
     ASSERT_TRUE(changes[0].window);
@@ -139,7 +139,7 @@ TEST(DesignChange, OfASideHoleIsAWindowAsWideAsIt) {
     SolidBuilder solid;
     solid.extrude(profile, {}, k_length);
     const Planned open = plan_of(solid.mesh());
-    EXPECT_TRUE(open.plan.patches.empty());
+    EXPECT_TRUE(open.plan.undercuts.empty());
     EXPECT_LT(open.result.areas[Region::undercut], 1e-6 * open.result.total_area);
   }
 }
@@ -161,7 +161,7 @@ TriangleMesh lid_with_hook(double plate, double ledge) {
 TEST(DesignChange, OfAHookUnderALidIsItsLedgeOrAWindowInTheLid) {
   constexpr double k_ledge = 3.0;
   const Planned planned = plan_of(lid_with_hook(4.0, k_ledge));
-  ASSERT_EQ(planned.plan.patches.size(), 1U);
+  ASSERT_EQ(planned.plan.undercuts.size(), 1U);
   const auto changes = changes_of(planned);
   const double tolerance = 1e-3 * planned.model->frame.diagonal;
   ASSERT_TRUE(changes[0].depth && changes[0].direction && changes[0].window);
@@ -170,8 +170,8 @@ TEST(DesignChange, OfAHookUnderALidIsItsLedgeOrAWindowInTheLid) {
   EXPECT_FALSE(changes[0].window->core_side);
   EXPECT_NEAR(changes[0].window->area, k_ledge * 30.0, 0.1);
   EXPECT_NEAR(changes[0].window->thickness, 2.0, tolerance);
-  EXPECT_TRUE(plan_of(lid_with_hook(4.0, k_ledge - *changes[0].depth)).plan.patches.empty());
-  EXPECT_EQ(plan_of(lid_with_hook(4.0, 0.1 * *changes[0].depth)).plan.patches.size(), 1U);
+  EXPECT_TRUE(plan_of(lid_with_hook(4.0, k_ledge - *changes[0].depth)).plan.undercuts.empty());
+  EXPECT_EQ(plan_of(lid_with_hook(4.0, 0.1 * *changes[0].depth)).plan.undercuts.size(), 1U);
   // Through a lid that is thinner than the catch.
   const auto thin = changes_of(plan_of(lid_with_hook(1.0, k_ledge)));
   ASSERT_TRUE(thin.at(0).window);
@@ -185,7 +185,7 @@ TEST(DesignChange, OfAClosedVoidIsAWindowAlone) {
   solid.box({0, 0, 0}, {40, 40, 40});
   solid.box({10, 12, 20}, {30, 28, 34}, {}, true);
   const Planned planned = plan_of(solid.mesh());
-  ASSERT_EQ(planned.plan.patches.size(), 1U);
+  ASSERT_EQ(planned.plan.undercuts.size(), 1U);
   const auto changes = changes_of(planned);
   EXPECT_FALSE(changes[0].depth);
   EXPECT_FALSE(changes[0].direction);

@@ -41,16 +41,16 @@ TriangleMesh angle_with_pockets(double a, double b) {
 /// Pinned to slides, nothing else is left to choose: one of them cannot be built.
 TEST(Meetings, OfSlidesWhoseBodiesHitEachOtherLeaveOne) {
   ActionSettings settings;
-  for (const UndercutReport& patch : plan_of(angle_with_pockets(10, 10)).plan.patches)
-    settings.pins.push_back({patch.point, patch.undercut.area, ActionKind::slide});
+  for (const UndercutReport& noted : plan_of(angle_with_pockets(10, 10)).plan.undercuts)
+    settings.pins.push_back({noted.point, noted.undercut.area, ActionKind::slide});
   const Planned planned = plan_of(angle_with_pockets(10, 10), settings);
   ASSERT_EQ(actions_text(planned.plan), "1 slide");
   ASSERT_EQ(planned.plan.unreleased.size(), 1U);
   const std::size_t left = planned.plan.unreleased.front();
-  EXPECT_NEAR(planned.plan.unreleased_area, planned.plan.patches[left].undercut.area, 1e-6);
+  EXPECT_NEAR(planned.plan.unreleased_area, planned.plan.undercuts[left].undercut.area, 1e-6);
   ASSERT_EQ(planned.plan.rejected.size(), 1U);
   const RejectedAction& rejected = planned.plan.rejected.front();
-  EXPECT_EQ(rejected.patch, left);
+  EXPECT_EQ(rejected.undercut, left);
   EXPECT_EQ(rejected.kind, ActionKind::slide);
   EXPECT_EQ(rejected.reason, RejectReason::hits_body);
   EXPECT_GT(rejected.depth, 1.0) << "a square of 8 and more";

@@ -44,8 +44,8 @@ ActionPlan pinned_plan(const ActionSettings& settings, const glm::dvec3& directi
   return find_actions(*model, result, settings, Progress());
 }
 
-ActionPin pin_to(const UndercutReport& patch, std::optional<ActionKind> kind) {
-  return {.point = patch.point, .area = patch.undercut.area, .kind = kind};
+ActionPin pin_to(const UndercutReport& noted, std::optional<ActionKind> kind) {
+  return {.point = noted.point, .area = noted.undercut.area, .kind = kind};
 }
 
 class Pins : public ::testing::Test {
@@ -55,24 +55,24 @@ class Pins : public ::testing::Test {
 };
 
 TEST_F(Pins, PutAPointOnEachUndercut) {
-  ASSERT_EQ(free.patches.size(), 2U);
+  ASSERT_EQ(free.undercuts.size(), 2U);
   EXPECT_EQ(actions_text(free), "2 slides");
-  EXPECT_GT(free.patches[1].point.x, 30.0 - 1e-4) << "the smaller one";
-  EXPECT_LT(free.patches[0].point.x, -25.0 + 1e-4);
-  EXPECT_FALSE(free.patches[0].pin);
+  EXPECT_GT(free.undercuts[1].point.x, 30.0 - 1e-4) << "the smaller one";
+  EXPECT_LT(free.undercuts[0].point.x, -25.0 + 1e-4);
+  EXPECT_FALSE(free.undercuts[0].pin);
 }
 
 TEST_F(Pins, LeaveAnUndercutToTheirKindAlone) {
-  settings.pins = {pin_to(free.patches[0], ActionKind::strip)};
+  settings.pins = {pin_to(free.undercuts[0], ActionKind::strip)};
   const ActionPlan plan = pinned_plan(settings);
   EXPECT_EQ(actions_text(plan), "1 slide") << "a pocket is no ring";
   ASSERT_EQ(plan.unreleased, std::vector<std::size_t>{0});
   EXPECT_EQ(unreleased_text(plan, 0), "no stripped ring releases it");
-  EXPECT_EQ(plan.patches[0].pin, settings.pins[0]);
+  EXPECT_EQ(plan.undercuts[0].pin, settings.pins[0]);
   EXPECT_EQ(action_of(plan, 0), nullptr);
   EXPECT_EQ(action_of(plan, 1)->kind, ActionKind::slide);
 
-  settings.pins = {pin_to(free.patches[0], ActionKind::slide), pin_to(free.patches[1], std::nullopt)};
+  settings.pins = {pin_to(free.undercuts[0], ActionKind::slide), pin_to(free.undercuts[1], std::nullopt)};
   const ActionPlan other = pinned_plan(settings);
   ASSERT_EQ(other.unreleased, std::vector<std::size_t>{1});
   EXPECT_EQ(unreleased_text(other, 1), "left as it is");
@@ -81,7 +81,7 @@ TEST_F(Pins, LeaveAnUndercutToTheirKindAlone) {
 }
 
 TEST_F(Pins, FindAKindThatWouldCostMore) {
-  settings.pins = {pin_to(free.patches[0], ActionKind::lifter)};
+  settings.pins = {pin_to(free.undercuts[0], ActionKind::lifter)};
   const ActionPlan plan = pinned_plan(settings);
   EXPECT_EQ(actions_text(plan), "1 slide, 1 lifter");
   EXPECT_EQ(action_of(plan, 0)->kind, ActionKind::lifter);
@@ -89,7 +89,8 @@ TEST_F(Pins, FindAKindThatWouldCostMore) {
 }
 
 TEST_F(Pins, LeaveWhatNoActionOfTheirKindReleases) {
-  settings.pins = {pin_to(free.patches[0], ActionKind::inclined), pin_to(free.patches[1], ActionKind::strip)};
+  settings.pins = {pin_to(free.undercuts[0], ActionKind::inclined),
+                   pin_to(free.undercuts[1], ActionKind::strip)};
   const ActionPlan plan = pinned_plan(settings);
   EXPECT_TRUE(plan.actions.empty());
   EXPECT_EQ(plan.unreleased.size(), 2U);
@@ -97,26 +98,26 @@ TEST_F(Pins, LeaveWhatNoActionOfTheirKindReleases) {
 }
 
 TEST_F(Pins, AreFoundAgainByPlaceAndArea) {
-  settings.pins = {pin_to(free.patches[0], std::nullopt)};
+  settings.pins = {pin_to(free.undercuts[0], std::nullopt)};
   const double turn = glm::radians(3.0);
   const ActionPlan turned = pinned_plan(settings, {0, std::sin(turn), std::cos(turn)});
   const auto pinned = std::ranges::count_if(
-      turned.patches, [](const UndercutReport& patch) { return patch.pin.has_value(); });
+      turned.undercuts, [](const UndercutReport& noted) { return noted.pin.has_value(); });
   EXPECT_EQ(pinned, 1) << "for another direction, too";
   settings.pins[0].area *= 2.5;
   EXPECT_TRUE(pinned_plan(settings).unreleased.empty()) << "another undercut";
-  settings.pins[0] = pin_to(free.patches[0], std::nullopt);
+  settings.pins[0] = pin_to(free.undercuts[0], std::nullopt);
   settings.pins[0].point += glm::dvec3(0, 0, 15);
   EXPECT_TRUE(pinned_plan(settings).unreleased.empty()) << "elsewhere";
 }
 
 TEST_F(Pins, OfOneUndercutTheLastOneCounts) {
-  settings.pins = {pin_to(free.patches[0], std::nullopt), pin_to(free.patches[0], ActionKind::slide)};
+  settings.pins = {pin_to(free.undercuts[0], std::nullopt), pin_to(free.undercuts[0], ActionKind::slide)};
   EXPECT_TRUE(pinned_plan(settings).unreleased.empty());
 }
 
 TEST_F(Pins, ReadBackWhatTheyWrite) {
-  settings.pins = {pin_to(free.patches[0], std::nullopt), pin_to(free.patches[1], ActionKind::lifter)};
+  settings.pins = {pin_to(free.undercuts[0], std::nullopt), pin_to(free.undercuts[1], ActionKind::lifter)};
   EXPECT_EQ(parse_pins(pins_text(settings.pins)), settings.pins);
   EXPECT_TRUE(parse_pins("").empty());
   for (const char* bad : {"1,2,3,4", "1,2,3,4,car", "1,2,3,0,slide", "1,2,x,4,slide", "1,2,3,4,slide;;", ";"})

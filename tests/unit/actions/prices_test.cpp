@@ -38,7 +38,7 @@ TEST(Prices, DecideWhatIsChangedFirst) {
   ASSERT_EQ(changes.size(), 3U) << "no more than three";
   for (const SavingChange& change : changes) {
     EXPECT_EQ(change.actions.size(), 1U);
-    EXPECT_EQ(change.patches, planned.plan.actions[change.actions[0]].patches);
+    EXPECT_EQ(change.undercuts, planned.plan.actions[change.actions[0]].undercuts);
     EXPECT_EQ(change.saves, 1.0);
   }
 }

@@ -54,10 +54,10 @@ TEST(SideHole, InOneDirectionOnlyIfBlind) {
   const Planned planned = plan_of(laid(block_with_hole({}), 0.0), {}, {0, 0, -1});
   ASSERT_EQ(planned.plan.actions.size(), 1U) << "d reversed";
   EXPECT_GT(planned.plan.actions[0].direction.x, 1.0 - 1e-9);
-  EXPECT_EQ(planned.plan.patches.size(), 1U);
-  EXPECT_FALSE(planned.plan.patches[0].blocked_by.empty());
-  EXPECT_NEAR(planned.plan.patches[0].depth, 14.0, 0.02);
-  EXPECT_NEAR(planned.plan.patches[0].formed_area, planned.plan.patches[0].undercut.area, 1e-6);
+  EXPECT_EQ(planned.plan.undercuts.size(), 1U);
+  EXPECT_FALSE(planned.plan.undercuts[0].blocked_by.empty());
+  EXPECT_NEAR(planned.plan.undercuts[0].depth, 14.0, 0.02);
+  EXPECT_NEAR(planned.plan.undercuts[0].formed_area, planned.plan.undercuts[0].undercut.area, 1e-6);
 }
 
 TEST(SideHole, StraightIsASlideWithoutAnyTolerance) {
@@ -95,11 +95,11 @@ TEST(SideAction, FormsTheWholeFacesOfItsUndercut) {
   SolidBuilder solid;  // in the xz-plane: the notch's back runs from (10, 4) to (16, 16), over it a lid
   solid.extrude({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {16, 16}, {22, 16}, {22, 20}, {0, 20}}, {}, 12.0);
   const Planned planned = plan_of(solid.mesh(), {}, {0, 0, 1});
-  ASSERT_EQ(planned.plan.patches.size(), 1U);
-  const UndercutReport& patch = planned.plan.patches.front();
+  ASSERT_EQ(planned.plan.undercuts.size(), 1U);
+  const UndercutReport& noted = planned.plan.undercuts.front();
   const double back_and_lid = 12.0 * (std::sqrt(180.0) + 6.0);
-  EXPECT_NEAR(patch.undercut.area, back_and_lid + 12.0 * 12.0, 0.1) << "with the floor from x = 10 to 22";
-  EXPECT_NEAR(patch.formed_area, back_and_lid + 20.0 * 12.0, 0.1) << "with the whole floor, to x = 30";
+  EXPECT_NEAR(noted.undercut.area, back_and_lid + 12.0 * 12.0, 0.1) << "with the floor from x = 10 to 22";
+  EXPECT_NEAR(noted.formed_area, back_and_lid + 20.0 * 12.0, 0.1) << "with the whole floor, to x = 30";
 }
 
 /// A notch under a roof that reaches far beyond it: a slide need not pass the roof if it belongs to the other
@@ -125,7 +125,7 @@ TEST(SideAction, OfAPartWithoutUndercutsIsNone) {
   solid.box({0, 0, 0}, {10, 10, 10});
   const Planned planned = plan_of(solid.mesh());
   EXPECT_TRUE(planned.plan.actions.empty());
-  EXPECT_TRUE(planned.plan.patches.empty());
+  EXPECT_TRUE(planned.plan.undercuts.empty());
   EXPECT_TRUE(planned.plan.optimal);
   EXPECT_EQ(actions_text(planned.plan), "none");
 }
@@ -257,7 +257,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
       EXPECT_NEAR(rejected.place.x, 2.0 + k_hook, 0.3) << "under the hook's edge";
       const ActionSettings settings;
       const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
-      EXPECT_EQ(actions_json(report)["rejected"][0]["patch"], 1);
+      EXPECT_EQ(actions_json(report)["rejected"][0]["undercut"], 1);
       continue;
     }
     ASSERT_EQ(actions_text(planned.plan), "1 lifter");
@@ -303,7 +303,7 @@ TEST(SideAction, IsSharedByPocketsThatAreNearEachOther) {
   for (const auto& [apart, number] : {std::pair(40.0, 1U), std::pair(60.0, 2U)}) {
     const Planned planned = plan_of(block_with_pockets(apart));
     EXPECT_EQ(planned.plan.actions.size(), number) << apart;
-    EXPECT_EQ(planned.plan.patches.size(), 2U);
+    EXPECT_EQ(planned.plan.undercuts.size(), 2U);
     ActionSettings settings;
     settings.bundle_across_mm = 70.0;
     EXPECT_EQ(plan_of(block_with_pockets(apart), settings).plan.actions.size(), 1U) << apart;

@@ -18,8 +18,8 @@ TEST(SlideWay, OfVentsInFourWallsIsOutwards) {
     SCOPED_TRACE(size.x);
     ASSERT_EQ(actions_text(planned.plan), "4 slides");
     for (const SideAction& action : planned.plan.actions) {
-      ASSERT_EQ(action.patches.size(), 1U);
-      const Undercut& window = planned.plan.patches[action.patches[0]].undercut;
+      ASSERT_EQ(action.undercuts.size(), 1U);
+      const Undercut& window = planned.plan.undercuts[action.undercuts[0]].undercut;
       const glm::dvec2 outward(window.centre - planned.model->frame.center);
       EXPECT_NEAR(glm::dot(glm::dvec2(action.direction), glm::normalize(outward)), 1.0, 1e-9);
       EXPECT_NEAR(action.travel, k_vented_wall + 3.0, 1e-3);

@@ -57,7 +57,7 @@ TEST(UndercutCount, LeavesOutAHookThatIsShorterThanTheTolerance) {
   const Planned shorter = plan_of(box_with_hook(0.9 * tolerance), any_travel());
   EXPECT_GT(shorter.result.areas[Region::undercut], 3.0 * tolerance) << "there is undercut";
   EXPECT_EQ(count_of(shorter, 0.0), 0U);
-  EXPECT_TRUE(shorter.plan.patches.empty());
+  EXPECT_TRUE(shorter.plan.undercuts.empty());
   ASSERT_EQ(shorter.plan.specks.size(), 2U) << "what it hides, and its own underside";
   EXPECT_NE(shorter.plan.specks[0].reason, SpeckReason::small);
   EXPECT_NEAR(shorter.plan.specks[1].area, 0.9 * tolerance * k_hook_width, 1e-3);
@@ -65,7 +65,7 @@ TEST(UndercutCount, LeavesOutAHookThatIsShorterThanTheTolerance) {
   EXPECT_NEAR(shorter.plan.specks[1].place.z, 14.0, 1e-9);
   const Planned longer = plan_of(box_with_hook(1.2 * tolerance), any_travel());
   EXPECT_EQ(count_of(longer, 0.0), 1U);
-  EXPECT_EQ(longer.plan.patches.size(), 1U);
+  EXPECT_EQ(longer.plan.undercuts.size(), 1U);
 }
 
 /// Every point of it is near where it is free, if each in another direction.
@@ -83,7 +83,7 @@ TEST(UndercutCount, IsThatOfTheListWhateverIsAskedOfTheActions) {
   strict.incline_deg = strict.slide_angle_deg = 0.0;
   for (const ActionSettings& settings : {ActionSettings(), strict}) {
     const Planned pockets = plan_of(block_with_pockets(60.0), settings);
-    EXPECT_EQ(pockets.plan.patches.size(), 2U);
+    EXPECT_EQ(pockets.plan.undercuts.size(), 2U);
     EXPECT_EQ(count_of(pockets), 2U);
   }
 }
@@ -96,7 +96,7 @@ TEST(UndercutCount, LeavesOutWhatALessThanTheLeastTravelClears) {
     settings.least_travel_mm = least;
     const Planned planned = plan_of(mesh, settings);
     const std::size_t number = least > k_hook ? 0 : 1;
-    EXPECT_EQ(planned.plan.patches.size(), number);
+    EXPECT_EQ(planned.plan.undercuts.size(), number);
     EXPECT_EQ(count_of(planned, least), number);
     EXPECT_EQ(planned.plan.actions.size(), number);
     EXPECT_EQ(planned.plan.specks.size(), 1 - number);
@@ -119,8 +119,8 @@ TEST(UndercutCount, LeavesOutAThousandthOfTheWhole) {
     const Planned planned = plan_of(solid.mesh());
     const bool counts = 5.0 * width * width > 1e-3 * planned.result.areas[Region::undercut];
     EXPECT_EQ(counts, width > 1.0) << "one of either";
-    EXPECT_EQ(planned.plan.patches.size(), counts ? 2U : 1U);
-    EXPECT_EQ(count_of(planned), planned.plan.patches.size());
+    EXPECT_EQ(planned.plan.undercuts.size(), counts ? 2U : 1U);
+    EXPECT_EQ(count_of(planned), planned.plan.undercuts.size());
     ASSERT_EQ(planned.plan.specks.size(), counts ? 0U : 1U);
     if (counts) continue;
     EXPECT_EQ(planned.plan.specks[0].reason, SpeckReason::small);

@@ -53,12 +53,12 @@ class OfABox : public testing::Test {
 TEST_F(OfABox, FiguresAreWrittenByTheirKind) {
   DirectionFacts measured = facts();
   measured.measured = true;
-  measured.patches = 3;
+  measured.undercuts = 3;
   EXPECT_EQ(text("undercut", measured), "60");
   EXPECT_EQ(text("undercut_share", measured), "10.00");
   EXPECT_EQ(text("draw_depth", measured), "5");
-  EXPECT_EQ(text("patches", measured), "3");
-  EXPECT_EQ(text("undraughted_area", measured), "42");
+  EXPECT_EQ(text("undercuts", measured), "3");
+  EXPECT_EQ(text("near_vertical_area", measured), "42");
   EXPECT_EQ(text("reverse_draft", measured), "7");
   EXPECT_EQ(figure_heading(direction_figure("draw_depth"), *model_), "depth unit");
   EXPECT_EQ(text("clamp_force", measured), "-");
@@ -89,8 +89,8 @@ TEST_F(OfABox, TiltsTellTheLeastTolerantSide) {
 
 TEST_F(OfABox, WhatAScoreDoesNotTellIsNotKnown) {
   EXPECT_EQ(text("undercut", facts()), "≈ 60");
-  EXPECT_EQ(text("patches", facts()), "-");
-  EXPECT_EQ(text("undraughted_area", facts()), "≈ 400") << "the walls";
+  EXPECT_EQ(text("undercuts", facts()), "-");
+  EXPECT_EQ(text("near_vertical_area", facts()), "≈ 400") << "the walls";
   EXPECT_EQ(text("reverse_draft", facts()), "-") << "known of what is measured";
 }
 
@@ -112,11 +112,11 @@ TEST_F(OfABox, SideActionsAreToldInWordsOnceTheyAreFound) {
                                .travel = 12.5};
   DirectionFacts known = facts();
   known.measured = true;
-  known.patches = 7;
-  EXPECT_EQ(text("patches", known), "7");
+  known.undercuts = 7;
+  EXPECT_EQ(text("undercuts", known), "7");
   known.actions = &found;
   EXPECT_EQ(text("side_actions", known), "2 slides, 1 lifter");
-  EXPECT_EQ(text("patches", known), "4") << "as the list of side actions counts them";
+  EXPECT_EQ(text("undercuts", known), "4") << "as the list of side actions counts them";
   EXPECT_EQ(text("travel", known), "12.5");
   EXPECT_EQ(text("unreleased_area", known), "0.25");
 }

@@ -8,7 +8,7 @@ namespace {
 constexpr PartMeasure k_part{.area = 100.0, .diagonal = 10.0};
 
 struct Given {
-  double undercut = 0.0, uncertainty = 0.0, patches = 0.0, depth = 1.0, projected = 1.0;
+  double undercut = 0.0, uncertainty = 0.0, undercuts = 0.0, depth = 1.0, projected = 1.0;
   bool exact = false;
   double actions = 0.0, travel = 0.0;
   bool decided = true;
@@ -24,7 +24,7 @@ Ranking ranked(
                        .value_uncertainty = one.uncertainty / k_part.area,
                        .undercut = one.undercut,
                        .undercut_uncertainty = one.uncertainty,
-                       .patches = one.patches,
+                       .undercuts = one.undercuts,
                        .draw_depth = one.depth,
                        .projected_area = one.projected,
                        .actions = one.actions,
@@ -103,11 +103,12 @@ TEST(Ranking, TheParetoFrontIsWhatNothingBeatsInAllThree) {
   using Front = std::vector<bool>;
   const auto front = [](const Given& a, const Given& b) { return ranked({a, b}).pareto; };
   EXPECT_EQ(front({.undercut = 1.0}, {.undercut = 2.0}), (Front{true, false}));
-  EXPECT_EQ(front({.patches = 1.0}, {.patches = 2.0}), (Front{true, false}));
+  EXPECT_EQ(front({.undercuts = 1.0}, {.undercuts = 2.0}), (Front{true, false}));
   EXPECT_EQ(front({.depth = 1.0}, {.depth = 2.0}), (Front{true, false}));
-  EXPECT_EQ(front({.undercut = 1.0, .patches = 3.0}, {.undercut = 2.0, .patches = 2.0}), (Front{true, true}));
+  EXPECT_EQ(front({.undercut = 1.0, .undercuts = 3.0}, {.undercut = 2.0, .undercuts = 2.0}),
+            (Front{true, true}));
   EXPECT_EQ(front({.undercut = 1.0, .depth = 3.0}, {.undercut = 2.0, .depth = 2.0}), (Front{true, true}));
-  EXPECT_EQ(front({.patches = 1.0, .depth = 3.0}, {.patches = 2.0, .depth = 2.0}), (Front{true, true}));
+  EXPECT_EQ(front({.undercuts = 1.0, .depth = 3.0}, {.undercuts = 2.0, .depth = 2.0}), (Front{true, true}));
   EXPECT_EQ(front({.undercut = 1.0, .uncertainty = 0.6}, {.undercut = 2.0, .uncertainty = 0.6}),
             (Front{true, true}))
       << "undercut areas that could be equal";

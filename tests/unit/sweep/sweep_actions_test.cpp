@@ -211,11 +211,11 @@ TEST(DirectionActions, AreSummedUpByKinds) {
   EXPECT_EQ(found.totals.unreleased_area, 2.5);
 }
 
-SideAction action(ActionKind kind, double area, std::vector<std::size_t> patches = {}) {
+SideAction action(ActionKind kind, double area, std::vector<std::size_t> undercuts = {}) {
   SideAction made;
   made.kind = kind;
   made.area = area;
-  made.patches = std::move(patches);
+  made.undercuts = std::move(undercuts);
   return made;
 }
 
@@ -232,8 +232,8 @@ TEST(DirectionActions, CountInsertsForTriflesByWhatTheyForm) {
 
 TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
   ActionPlan plan;
-  plan.patches.resize(2);
-  for (UndercutReport& patch : plan.patches) patch.undercut.area = 40.0;
+  plan.undercuts.resize(2);
+  for (UndercutReport& noted : plan.undercuts) noted.undercut.area = 40.0;
   plan.unreleased = {1};
   plan.unreleased_areas = {30.0};
   plan.actions = {action(ActionKind::slide, 45.0, {0, 1}), action(ActionKind::lifter, 5.0, {1})};

@@ -38,8 +38,8 @@ class ActionsPanel(task.Panel):
                 for kind, direction, travel, stroke, area, body, undercuts in table]
         task.fill(self.rows, rows, [actions.COLOURS.get(row[0], actions.OTHER_COLOUR) for row in table])
         found = actions.report(self.found)
-        task.fill(self.undercuts, [(str(patch["id"]), quantity(patch["area"], "area"), length(patch["depth"]),
-                                    words.shown(patch["side"] or "–")) for patch in found.get("patches", ())])
+        task.fill(self.undercuts, [(str(undercut["id"]), quantity(undercut["area"], "area"), length(undercut["depth"]),
+                                    words.shown(undercut["side"] or "–")) for undercut in found.get("undercuts", ())])
         self.summary.setText("\n".join(self._remarks()))
 
     def _remarks(self):
