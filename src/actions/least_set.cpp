@@ -25,7 +25,8 @@ constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what ca
 constexpr int k_most_rounds = 40;
 /// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
-constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
+constexpr double k_most_left = 0.5;  // of an undercut: where more stays, what releases the rest is in vain
+constexpr int k_most_unproved = 4;   // rounds whose cover was given up
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
 
 /// A set of options as a plan, and the option of each of its actions.
@@ -175,13 +176,15 @@ class LeastSet {
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
     std::vector<std::int32_t> of_atom(undercut_parts_.size(), k_unreleased_piece);
+    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+      if (undercut_parts_[k].shallow) of_atom[k] = k_no_action_of_piece;
+    }
+    const std::vector<bool> in_vain = released_in_vain(cover);
     std::map<std::size_t, double> left_of;  // by undercut
-    for (const std::size_t undercut_part : cover.uncovered) {
-      if (undercut_parts_[undercut_part].shallow) {
-        of_atom[undercut_part] = k_no_action_of_piece;
-      } else {
-        left_of[undercut_parts_[undercut_part].undercut] += undercut_parts_[undercut_part].area();
-      }
+    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+      if (in_vain[k] || (of_atom[k] == k_unreleased_piece &&
+                         std::ranges::find(cover.uncovered, k) != cover.uncovered.end()))
+        left_of[undercut_parts_[k].undercut] += undercut_parts_[k].area();
     }
     for (const auto& [undercut, area] : left_of) {
       draft.plan.unreleased.push_back(undercut);
@@ -191,7 +194,10 @@ class LeastSet {
     std::vector<Left> chosen;
     for (const std::size_t c : cover.options) {
       std::vector<std::size_t> left = options_[c].undercut_parts;
-      std::erase_if(left, [&](std::size_t undercut_part) { return of_atom[undercut_part] >= 0; });
+      std::erase_if(left, [&](std::size_t undercut_part) {
+        return of_atom[undercut_part] >= 0 || in_vain[undercut_part];
+      });
+      if (left.empty()) continue;
       for (const std::size_t undercut_part : left)
         of_atom[undercut_part] = static_cast<std::int32_t>(chosen.size());
       chosen.emplace_back(c, std::move(left));
@@ -206,7 +212,7 @@ class LeastSet {
     for (const std::size_t k : order) {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
-      draft.options.push_back(cover.options[k]);
+      draft.options.push_back(chosen[k].first);
       draft.undercut_parts.push_back(chosen[k].second);
     }
     for (std::int32_t& action : of_atom)
@@ -214,6 +220,25 @@ class LeastSet {
     draft.plan.action_of_piece = actions_of_pieces(context_, undercut_parts_, of_atom, draft.plan.actions);
     find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
     return draft;
+  }
+
+  /// Undercut parts that the cover releases although most of their undercut stays, so that the part stays in
+  /// the mold anyway; not those that are pinned.
+  [[nodiscard]] std::vector<bool> released_in_vain(const Cover& cover) const {
+    std::map<std::size_t, double> whole, left;  // areas by undercut
+    for (const UndercutPart& each : undercut_parts_) whole[each.undercut] += each.shallow ? 0.0 : each.area();
+    for (const std::size_t k : cover.uncovered) {
+      const UndercutPart& each = undercut_parts_[k];
+      left[each.undercut] += each.shallow ? 0.0 : each.area();
+    }
+    std::vector<bool> in_vain(undercut_parts_.size(), true);
+    for (const std::size_t k : cover.uncovered) in_vain[k] = false;
+    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+      const UndercutPart& each = undercut_parts_[k];
+      in_vain[k] = in_vain[k] && !each.shallow && each.pin == nullptr &&
+                   left[each.undercut] > k_most_left * whole[each.undercut];
+    }
+    return in_vain;
   }
 
   /// Takes down which of its options meet, and looks for ways round. How many pairs were not known.
