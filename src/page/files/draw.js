@@ -1,7 +1,7 @@
 // What is drawn with: the page's WebGL 2, programs of its shaders, buffers and textures.
 class Tools {
-  constructor(canvas, shaders) {
-    const wish = {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, failIfMajorPerformanceCaveat: true};
+  constructor(canvas, shaders, live) {
+    const wish = {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, failIfMajorPerformanceCaveat: live};
     // Where the processor draws, smooth edges cost as much as the rest.
     this.gl = canvas.getContext("webgl2", wish) ?? canvas.getContext("webgl2", {...wish, antialias: false, failIfMajorPerformanceCaveat: false});
     if (!this.gl) throw new Error("no WebGL 2");

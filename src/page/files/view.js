@@ -6,7 +6,7 @@ class View {
     this.figure = figure;
     this.model = model;
     this.canvas = figure.querySelector("canvas");
-    this.tools = new Tools(this.canvas, JSON.parse(document.getElementById("shaders").textContent));
+    this.tools = new Tools(this.canvas, JSON.parse(document.getElementById("shaders").textContent), Boolean(document.getElementById("live")));
     this.gl = this.tools.gl;
     this.shapes = shaped(model);
     this.surface = this.tools.program("surface");

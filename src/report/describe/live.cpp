@@ -24,13 +24,9 @@ constexpr std::array k_resolutions = {512, 1024, 2048};
 constexpr double k_margin = 1.5, k_sampling_share = 5e-4;
 
 /// Axes, the diagonals between two and three of them, and three that are none of these.
-std::vector<glm::dvec3> measured_directions(const std::vector<LiveDirection>& known) {
-  std::vector<glm::dvec3> directions = {{1, 0, 0},          {0, 1, 0},          {0, 0, 1},       {1, 1, 0},
-                                        {0, 1, -1},         {1, 0, 1},          {1, 1, 1},       {1, -1, 1},
-                                        {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
-  for (const LiveDirection& one : known) directions.push_back(one.direction);
-  return directions;
-}
+constexpr glm::dvec3 k_directions[] = {{1, 0, 0},          {0, 1, 0},          {0, 0, 1},       {1, 1, 0},
+                                       {0, 1, -1},         {1, 0, 1},          {1, 1, 1},       {1, -1, 1},
+                                       {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
 
 double greatest_difference(const RegionValues& found, const RegionValues& exact) {
   double greatest = 0.0;
@@ -48,18 +44,19 @@ void measure_errors(const ReportContext& context, const std::vector<LiveDirectio
   const SurfaceSamples samples =
       sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
   SampleCounting counting(context.gl->functions(), samples.samples, 1);
-  const std::vector<glm::dvec3> directions = measured_directions(known);
+  std::vector<LiveDirection> directions = known;
+  for (const glm::dvec3& direction : k_directions) directions.push_back({"", direction, {}});
   for (std::size_t k = 0; k < directions.size(); ++k) {
     context.progress.report("measuring the maps",
                             static_cast<double>(k) / static_cast<double>(directions.size()));
-    Query query{directions[k], live.method};
-    query.method.readout = Readout::exact;
-    const Classification exact = classify_exact(model, query, Progress(&context.progress));
+    const Query query{directions[k].direction, live.method};
+    if (k >= known.size())
+      directions[k].areas = classify_exact(model, query, Progress(&context.progress)).areas;
     for (LiveError& error : live.errors) {
       maps.draw_maps(page_query(model, query, error.resolution));
       const RegionValues found = counting.run(maps.maps(), 1).front().areas(model.geometry.total_area);
       error.share =
-          std::max(error.share, greatest_difference(found, exact.areas) / model.geometry.total_area);
+          std::max(error.share, greatest_difference(found, directions[k].areas) / model.geometry.total_area);
     }
   }
   for (LiveError& error : live.errors) error.share = k_margin * error.share + k_sampling_share;
@@ -125,7 +122,11 @@ void add_live(const ReportContext& context, const Classification& shown, std::ve
   live.length_unit = style.unit(FigureKind::length);
   live.area_unit = style.unit(FigureKind::area);
   live.method = shown.settings;
+  live.method.readout = Readout::exact;
   live.lateral = shown.lateral_tolerance / model.frame.diagonal;
+  if (shown.settings.readout != Readout::exact)
+    known.front().areas =
+        classify_exact(model, {shown.direction, live.method}, Progress(&context.progress)).areas;
   measure_errors(context, known, live);
   live.known = std::move(known);
   report.live = std::move(live);

@@ -83,7 +83,7 @@ TEST(LiveView, ItsShadersAreThePrograms) {
 }
 
 TEST(LiveView, ControlsStartAtTheSettings) {
-  LiveView live = live_of(test::cup(test::ShapeSettings{}));
+  LiveView live = live_of(test::cup(test::ShapeSettings{}).mesh);
   live.method.tau_deg = 2.5;
   live.method.resolution = 512;
   const std::string html = live_controls_html(live);
