@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "classify/classifier.hpp"
+#include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
 #include "mold/map_frame.hpp"
 #include "mold/surface_samples.hpp"
@@ -23,10 +26,28 @@ constexpr std::array k_resolutions = {512, 1024, 2048};
 /// of the surface.
 constexpr double k_margin = 1.5, k_sampling_share = 5e-4;
 
-/// Axes, the diagonals between two and three of them, and three that are none of these.
-constexpr glm::dvec3 k_directions[] = {{1, 0, 0},          {0, 1, 0},          {0, 0, 1},       {1, 1, 0},
-                                       {0, 1, -1},         {1, 0, 1},          {1, 1, 1},       {1, -1, 1},
-                                       {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
+/// Diagonals between two and three axes, and directions that are none of these.
+constexpr glm::dvec3 k_oblique[] = {{1, 1, 0},  {0, 1, -1},         {1, 0, 1},          {1, 1, 1},
+                                    {1, -1, 1}, {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
+
+/// The axes and the direction shown, and around each of them those along which its walls have a little more
+/// draft than tau: there maps are at their worst, as a texel spans much of a wall's height. Then the oblique
+/// ones.
+std::vector<glm::dvec3> measured_directions(const glm::dvec3& shown, double tau_deg) {
+  constexpr double k_least_tau_deg = 0.5;
+  constexpr std::pair<double, double> k_rings[] = {
+      {1.1, 0.0}, {2.0, 45.0}, {3.3, 90.0}};  // in tau; phase, degrees
+  std::vector<glm::dvec3> bases = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, directions = bases;
+  if (!nearest_axis(shown).is_met()) bases.push_back(shown);
+  for (const glm::dvec3& base : bases) {
+    for (const auto& [of_tau, phase_deg] : k_rings)
+      for (const glm::dvec3& beside :
+           ring_around(base, of_tau * std::max(tau_deg, k_least_tau_deg), 2, phase_deg))
+        directions.push_back(beside);
+  }
+  directions.insert(directions.end(), std::begin(k_oblique), std::end(k_oblique));
+  return directions;
+}
 
 double greatest_difference(const RegionValues& found, const RegionValues& exact) {
   double greatest = 0.0;
@@ -45,7 +66,8 @@ void measure_errors(const ReportContext& context, const std::vector<LiveDirectio
       sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
   SampleCounting counting(context.gl->functions(), samples.samples, 1);
   std::vector<LiveDirection> directions = known;
-  for (const glm::dvec3& direction : k_directions) directions.push_back({"", direction, {}});
+  for (const glm::dvec3& direction : measured_directions(known.front().direction, live.method.tau_deg))
+    directions.push_back({"", direction, {}});
   for (std::size_t k = 0; k < directions.size(); ++k) {
     context.progress.report("measuring the maps",
                             static_cast<double>(k) / static_cast<double>(directions.size()));
