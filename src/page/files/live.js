@@ -8,8 +8,8 @@ class Live {
     this.ball = this.find("#ball");
     this.ballProgram = view.tools.program("ball");
     this.goals = [...view.figure.querySelectorAll("[data-direction]")].map((button) => ({button, direction: unit(button.dataset.direction.split(",").map(Number))}));
-    // What is named on the ball: axes, and the listed directions by their numbers.
-    this.places = [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]], ...live.known.filter((known) => known.verdict).map((known, k) => [k + 1, known.direction])]
+    // What is named on the ball: axes, and the first of the listed directions by their numbers.
+    this.places = [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]], ...live.known.filter((known) => known.verdict).slice(0, 5).map((known, k) => [k + 1, known.direction])]
       .map(([textContent, place]) => ({place, axis: typeof textContent === "string", label: this.ball.appendChild(Object.assign(document.createElement("span"), {textContent}))}));
     Object.assign(view, {live: this.maps, over: (camera, picture) => this.drawBall(camera, picture), before: () => this.redraw(),
       pick: (x, y) => this.pick(x, y), grab: (x, y) => this.grab(x, y)});

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <utility>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "classify/classifier.hpp"
 #include "mold/direction.hpp"
@@ -24,28 +25,31 @@ namespace {
 constexpr std::array k_resolutions = {512, 1024, 2048};
 /// What was measured is an example: the next direction may be worse by this much, and samples are never all
 /// of the surface.
-constexpr double k_margin = 1.5, k_sampling_share = 5e-4;
+constexpr double k_margin = 2.0, k_sampling_share = 5e-4;
 
 /// Diagonals between two and three axes, and directions that are none of these.
 constexpr glm::dvec3 k_oblique[] = {{1, 1, 0},  {0, 1, -1},         {1, 0, 1},          {1, 1, 1},
                                     {1, -1, 1}, {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
 
-/// The axes and the direction shown, and around each of them those along which its walls have a little more
-/// draft than tau: there maps are at their worst, as a texel spans much of a wall's height. Then the oblique
+/// The axes and the direction shown, and beside each of them those along which its walls have tau or a little
+/// more draft: there maps are at their worst, as a texel spans much of a wall's height. Then the oblique
 /// ones.
 std::vector<glm::dvec3> measured_directions(const glm::dvec3& shown, double tau_deg) {
   constexpr double k_least_tau_deg = 0.5;
-  constexpr std::pair<double, double> k_rings[] = {
-      {1.1, 0.0}, {2.0, 45.0}, {3.3, 90.0}};  // in tau; phase, degrees
-  std::vector<glm::dvec3> bases = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, directions = bases;
-  if (!nearest_axis(shown).is_met()) bases.push_back(shown);
-  for (const glm::dvec3& base : bases) {
-    for (const auto& [of_tau, phase_deg] : k_rings)
-      for (const glm::dvec3& beside :
-           ring_around(base, of_tau * std::max(tau_deg, k_least_tau_deg), 2, phase_deg))
-        directions.push_back(beside);
+  // Leans towards the two other axes, in tau.
+  constexpr glm::dvec2 k_leans[] = {{1.0, 0.0}, {0.0, 1.0}, {1.8, 0.6}, {0.6, 1.8}, {3.0, 0.0}, {0.0, -3.0}};
+  const MapFrame frame = map_frame(shown);
+  std::vector<glm::dmat3> bases = {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
+                                   {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                   {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (!nearest_axis(shown).is_met()) bases.push_back({frame.x, frame.y, frame.z});
+  std::vector<glm::dvec3> directions(std::begin(k_oblique), std::end(k_oblique));
+  const double tau = glm::radians(std::max(tau_deg, k_least_tau_deg));
+  for (const glm::dmat3& base : bases) {
+    directions.push_back(base[2]);
+    for (const glm::dvec2& lean : k_leans)
+      directions.push_back(base[2] + std::tan(lean.x * tau) * base[0] + std::tan(lean.y * tau) * base[1]);
   }
-  directions.insert(directions.end(), std::begin(k_oblique), std::end(k_oblique));
   return directions;
 }
 
