@@ -90,12 +90,25 @@ uint accessible_past(Sight sight, uint plus, uint minus) {
   return bits & (sight.class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
 }
 
-uint accessible_from(vec3 point, uint facet) {
-  Sight sight = sight_of(point, facet);
+uint accessible_of(Sight sight) {
   ivec2 texel = ivec2(floor(sight.position));
+#ifdef GL_ES
+  // A browser's software GL goes through all branches, but only as often round a loop as is needed.
+  uint bits = 0u, met = 0u;
+  int last = sight.class_of_facet == k_up ? 0 : 1;
+  for (int layer = sight.class_of_facet == k_down ? 1 : 0; layer <= last; ++layer) {
+    uint entry = in_map(texel) ? texelFetch(t_maps, ivec3(texel, 2 * u_map_pair + layer), 0).r : 0u;
+    if (entry != 0u) ++met;
+    if (!outside_of(entry, sight.at)) bits |= 1u << layer;
+  }
+  return met == 2u && bits == 3u ? 0u : bits;
+#else
   // Software GL reads both maps whatever the class; one texel for all, where the answer is not used, stays cached.
   ivec2 plus_texel = sight.class_of_facet == k_down ? ivec2(0) : texel;
   ivec2 minus_texel = sight.class_of_facet == k_up ? ivec2(0) : texel;
   return accessible_past(sight, plus_entry(plus_texel), minus_entry(minus_texel));
+#endif
 }
+
+uint accessible_from(vec3 point, uint facet) { return accessible_of(sight_of(point, facet)); }
 #endif

@@ -3,4 +3,13 @@
 #include "common/map_frame.glsl"
 layout(location = 0) in vec3 a_position;
 uniform float u_side;  // 1: map of the light at +d, -1: at -d
-void main() { gl_Position = map_clip(a_position, u_side); }
+#ifdef GL_ES
+// No gl_PrimitiveID there: three corners a facet are drawn, none shared.
+flat out uint v_facet;
+#endif
+void main() {
+#ifdef GL_ES
+  v_facet = uint(gl_VertexID) / 3u;
+#endif
+  gl_Position = map_clip(a_position, u_side);
+}

@@ -319,9 +319,10 @@ std::string make_beside(const Manifest& manifest, const Row& row, const std::str
                         const Progress& progress) {
   const RowSettings& settings = manifest.settings[row.settings];
   std::vector<std::string> arguments;
-  if (what == Beside::report) {
+  if (what != Beside::picture) {
     arguments = with_part(manifest.command, file, settings.arguments);
     arguments.insert(arguments.end(), {"--html", made});
+    if (what == Beside::live_report) arguments.emplace_back("--live");
   } else {
     const auto direction = direction_in(report);
     if (!direction) return "its report names no direction";

@@ -35,7 +35,8 @@ struct Job {
 std::vector<Beside> besides_of(const RunSettings& settings) {
   std::vector<Beside> besides;
   if (settings.thumbnails) besides.push_back(Beside::picture);
-  if (settings.reports) besides.push_back(Beside::report);
+  if (settings.reports || settings.live)
+    besides.push_back(settings.live ? Beside::live_report : Beside::report);
   return besides;
 }
 
@@ -226,6 +227,9 @@ std::span<const Option<RunSettings>> run_options() {
       {"reports", "--reports", "Reports", "",
        "Write a report for the browser of every part, also of parts that are done.",
        SwitchKind<S>{&S::reports}},
+      {"live", "--live", "Live reports", "",
+       "Write reports whose page finds the regions of any direction by itself. Of classify and sweep.",
+       SwitchKind<S>{&S::live}},
   };
   return k_options;
 }

@@ -21,6 +21,7 @@ struct RunSettings {
   bool retry_failed = false;
   bool thumbnails = false;
   bool reports = false;
+  bool live = false;  // reports are live; of commands that have such
 };
 [[nodiscard]] std::span<const Option<RunSettings>> run_options();
 

@@ -16,8 +16,8 @@ namespace moldlight::batch {
 
 enum class ResultState : std::uint8_t { missing, failed, done };
 
-/// What may lie beside a result that is done, for people to look at.
-enum class Beside : std::uint8_t { picture, report };
+/// What may lie beside a result that is done, for people to look at. Reports of either kind are one file.
+enum class Beside : std::uint8_t { picture, report, live_report };
 
 /// What is there at one time; a key that is not in it has no result.
 using ResultIndex = std::unordered_map<Digest, ResultState, DigestHash>;

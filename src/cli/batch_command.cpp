@@ -175,6 +175,9 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
   const Manifest manifest = read_manifest(flags.folder);
   static_cast<void>(work_row(manifest.command));
   check_version(manifest);
+  if (flags.settings.live && manifest.command != "classify" && manifest.command != "sweep")
+    throw UsageError(
+        fmt::format("--live: reports of {} are not live; those of classify and sweep are", manifest.command));
   Run run(manifest, flags.settings, flags.shard, flags.parts.empty() ? manifest.parts_folder() : flags.parts);
   const RunCounts& counts = run.counts();
   const Stopwatch watch;

@@ -126,6 +126,7 @@ void add_classify_command(CLI::App& program, Request& request) {
       ->needs(required);
   CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part in the colours of its regions, with a legend");
+  add_live_flag(*command, flags->report);
   add_still_flags(*command, flags->still, image);
   set_work(*command, request, flags, run, settings);
 }

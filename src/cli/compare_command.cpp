@@ -75,7 +75,7 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
     const auto for_report =
         report_context(flags.report, *context, comparison.b.model, flags.still.look.palette, progress);
     write_reports(flags.report,
-                  report::compare_report(for_report, comparison, {flags.gate.criteria, figures}));
+                  report::compare_report(for_report, comparison, {flags.gate.criteria, figures}), console);
   }
   put_report(
       console, flags.a.json, [&] { return compare_json(comparison); },

@@ -44,6 +44,15 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
       ->needs(pdf);
 }
 
+void add_live_flag(CLI::App& command, ReportFlags& flags) {
+  command
+      .add_flag("--live", flags.live,
+                "Let the page of --html find the regions of any direction by itself, by shadow maps on the "
+                "reader's "
+                "graphics card")
+      ->needs(command.get_option("--html"));
+}
+
 report::ReportContext report_context(const ReportFlags& flags, const gl::Context& context,
                                      std::shared_ptr<const PartModel> model, Palette palette,
                                      const Progress& progress) {
@@ -51,11 +60,13 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
           .progress = progress,
           .gl = &context,
           .palette = palette,
+          .live = flags.live,
           .version = MOLDLIGHT_VERSION,
           .command = "moldlight " + shell_text(flags.request->words)};
 }
 
-void write_reports(const ReportFlags& flags, const report::Report& report) {
+void write_reports(const ReportFlags& flags, const report::Report& report, Console& console) {
+  if (!report.not_live.empty()) console.warning(report.not_live);
   if (!flags.html.empty()) report::write_html(flags.html, report);
   if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper);
 }
@@ -162,7 +173,7 @@ int put_report(const StudyFlags& flags, Study& study, const StudyReport& report,
   if (flags.report.any()) {
     const auto for_report =
         report_context(flags.report, *context, study.shared_model(), flags.still.look.palette, progress);
-    write_reports(flags.report, report.people(for_report, study));
+    write_reports(flags.report, report.people(for_report, study), console);
   }
   baseline.put_report(console, flags.part.json, json, [&] {
     return to_text(report.people({study.shared_model(), progress}, study), {.colour = console.colour()});

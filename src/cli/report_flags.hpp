@@ -22,6 +22,7 @@ namespace moldlight::cli {
 
 struct ReportFlags {
   std::string html, pdf;
+  bool live = false;
   report::Paper paper = report::Paper::a4;
   const Request* request = nullptr;  // that has the command line
 
@@ -33,13 +34,16 @@ struct ReportFlags {
 /// Adds --html, --pdf and --paper. `request` and `flags` outlive the command.
 void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& request);
 
+/// Adds --live, which needs --html.
+void add_live_flag(CLI::App& command, ReportFlags& flags);
+
 /// What a report is made with; `context` and `progress` must outlive it.
 [[nodiscard]] report::ReportContext report_context(const ReportFlags& flags, const gl::Context& context,
                                                    std::shared_ptr<const PartModel> model, Palette palette,
                                                    const Progress& progress);
 
-/// Writes what the flags ask for. Throws FileError.
-void write_reports(const ReportFlags& flags, const report::Report& report);
+/// Writes what the flags ask for, and warns where a page could not be made live. Throws FileError.
+void write_reports(const ReportFlags& flags, const report::Report& report, Console& console);
 
 struct BaselineFlags {
   std::string file;  // empty: none

@@ -201,7 +201,7 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   if (flags.report.any() && !progress.cancelled()) {
     console.progress("writing the report", 1.0);
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
-    write_reports(flags.report, report::sweep_report(for_report, study));
+    write_reports(flags.report, report::sweep_report(for_report, study), console);
   }
   if (progress.cancelled()) return k_interrupted;
   if (flags.limit && !meets(*flags.limit, *model, result, console)) return k_criterion_failed;
@@ -243,6 +243,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
   add_file_flag(*command, flags->csv,
                 {"--csv", "FILE.csv", "Write a table of all directions that were scored"});
   add_report_flags(*command, flags->report, request);
+  add_live_flag(*command, flags->report);
   CLI::Option* pictures =
       add_file_flag(*command, flags->image_folder,
                     {"--image-dir", "DIR",

@@ -124,6 +124,13 @@ ShaderText expand_shader(std::string_view path, const Defines& defines, std::spa
   return expansion.take();
 }
 
+std::string es_text(const ShaderText& shader) {
+  const std::size_t version = shader.text.find("#version"), end = shader.text.find('\n', version);
+  return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+         "precision highp usampler2D;\nprecision highp usampler2DArray;\n" +
+         shader.text.substr(end + 1);
+}
+
 std::string readable_log(const ShaderText& shader, std::string_view log) {
   std::string_view first;
   int errors = 0;

@@ -36,6 +36,10 @@ struct ShaderText {
 [[nodiscard]] ShaderText expand_shader(std::string_view path, const Defines& defines,
                                        std::span<const ShaderFile> files);
 
+/// The same text for GLSL ES 3.00, as a browser's WebGL 2 takes it: its own version line, and everything in
+/// high precision.
+[[nodiscard]] std::string es_text(const ShaderText& shader);
+
 /// One line "shaders/a.frag:12: what is wrong" from a driver's log: its first error, and how many more there
 /// are.
 [[nodiscard]] std::string readable_log(const ShaderText& shader, std::string_view log);

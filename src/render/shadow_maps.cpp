@@ -30,6 +30,7 @@ void set_map_frame(const gl::Program& program, const MapFrame& frame, int resolu
   program.set("u_map_x", glm::vec3(frame.x));
   program.set("u_map_y", glm::vec3(frame.y));
   program.set("u_map_size", static_cast<float>(resolution));
+  program.set("u_map_scale", 1.0F);
 }
 
 int fitting_places(const MapSettings& settings, std::size_t facets, std::size_t bytes) {

@@ -235,9 +235,13 @@ std::string view_html(const Report& report) {
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
         "it, "
         "the wheel zooms once it is clicked\"></canvas><div class=\"tags\" hidden></div>";
+    if (report.live) html += live_stage_html();
   }
   html += "</div>\n";
-  if (report.view) html += legend_html(*report.view) + controls_html(*report.view);
+  if (report.view) html += legend_html(*report.view);
+  if (report.view && report.live) html += live_controls_html(*report.live);
+  if (report.view) html += controls_html(*report.view);
+  if (!report.not_live.empty()) html += to_html(Text{report.not_live, TextLook::notice});
   html += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(report.still.caption));
   return html;
 }
@@ -246,8 +250,10 @@ std::string view_html(const Report& report) {
 }  // namespace
 
 std::string html_page(const Report& report) {
-  const page::PageFrame frame{
-      report.part + " · moldlight", "report.css", {"model.js", "view.js", "report.js"}};
+  page::PageFrame frame{report.part + " · moldlight", "report.css", {"model.js", "draw.js", "view.js"}};
+  const bool live = report.view && report.live;
+  if (live) frame.scripts.insert(frame.scripts.end(), {"live_maps.js", "live_rays.js", "live.js"});
+  frame.scripts.push_back("report.js");
   std::string html = page::page_begin(frame);
   html += fmt::format(
       "<main>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{} <span>{}</span></h1>\n<p class=\"verdict "
@@ -262,7 +268,9 @@ std::string html_page(const Report& report) {
     html += "</section>\n";
   }
   html += "</main>\n";
-  if (report.view) html += page::data_block("model", packed(*report.view));
+  if (report.view)
+    html += page::data_block("shaders", page_shaders(live)) + page::data_block("model", packed(*report.view));
+  if (live) html += page::data_block("live", packed(*report.live));
   return html + page::page_end(frame);
 }
 

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 #include "base/check.hpp"
 #include "classify/classify_report.hpp"
-#include "page/page.hpp"
+#include "report/packed_bytes.hpp"
 
 namespace moldlight::report {
 
@@ -16,35 +15,11 @@ namespace {
 
 constexpr double k_steps = 65535.0;
 
-/// Numbers of seven bits a byte, the lowest first.
-class Bytes {
- public:
-  void add(std::uint32_t value) {
-    for (; value >= 0x80; value >>= 7) bytes_ += static_cast<char>(0x80 | (value & 0x7F));
-    bytes_ += static_cast<char>(value);
-  }
-  void add_signed(std::int32_t value) {
-    add(value < 0 ? ~(static_cast<std::uint32_t>(value) << 1) : static_cast<std::uint32_t>(value) << 1);
-  }
-  void append(const Bytes& others) { bytes_ += others.bytes_; }
-  [[nodiscard]] std::string deflated() const {
-    uLongf size = compressBound(static_cast<uLong>(bytes_.size()));
-    std::string out(size, '\0');
-    CHECK(compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                    reinterpret_cast<const Bytef*>(bytes_.data()), static_cast<uLong>(bytes_.size()),
-                    Z_BEST_COMPRESSION) == Z_OK);
-    out.resize(size);
-    return out;
-  }
-
- private:
-  std::string bytes_;
-};
-
 /// Points in a box, 16 bits a coordinate, each as its difference from the one before.
 class PointWriter {
  public:
-  PointWriter(Bytes& bytes, const Bounds& box) : bytes_(&bytes), low_(box.min), size_(box.max - box.min) {}
+  PointWriter(PackedBytes& bytes, const Bounds& box)
+      : bytes_(&bytes), low_(box.min), size_(box.max - box.min) {}
 
   void add(const glm::dvec3& point) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,30 +31,18 @@ class PointWriter {
   }
 
  private:
-  Bytes* bytes_;
+  PackedBytes* bytes_;
   glm::dvec3 low_, size_;
   glm::ivec3 last_{0};
 };
 
-Json pack_surface(const ViewSurface& surface, const glm::dvec3& centre, Bytes& bytes) {
+Json pack_surface(const ViewSurface& surface, const glm::dvec3& centre, PackedBytes& bytes) {
   const TriangleMesh& mesh = surface.mesh;
   CHECK(surface.group_of_facet.size() == mesh.facets.size());
-  constexpr std::uint32_t k_unused = ~0U;
-  std::vector<std::uint32_t> number(mesh.vertices.size(), k_unused);
-  std::vector<VertexIndex> order;
+  PackedBytes corners;
+  const std::vector<VertexIndex> order = pack_corners(mesh, corners);
   Bounds box;
-  Bytes corners;
-  for (const auto& facet : mesh.facets) {
-    for (const VertexIndex corner : facet) {
-      const auto next = static_cast<std::uint32_t>(order.size());
-      if (number[corner] == k_unused) {
-        number[corner] = next;
-        order.push_back(corner);
-        box.add(mesh.vertices[corner]);
-      }
-      corners.add(next - number[corner]);
-    }
-  }
+  for (const VertexIndex vertex : order) box.add(mesh.vertices[vertex]);
   PointWriter points(bytes, box);
   for (const VertexIndex vertex : order) points.add(mesh.vertices[vertex]);
   bytes.append(corners);
@@ -119,7 +82,7 @@ Json packed(const ModelView& view) {
   json["direction"] = point_json(view.direction);
   json["to_viewer"] = point_json(view.to_viewer);
   json["opened"] = view.opened;
-  Bytes bytes;
+  PackedBytes bytes;
   json["surfaces"] = Json::array();
   for (const ViewSurface& surface : view.surfaces)
     json["surfaces"].push_back(pack_surface(surface, view.centre, bytes));
@@ -137,7 +100,7 @@ Json packed(const ModelView& view) {
     for (const glm::dvec3& point : line.points) points.add(point);
     json["lines"].push_back({{"points", line.points.size()}, {"closed", line.closed}, {"group", line.group}});
   }
-  json["data"] = page::base64(bytes.deflated());
+  json["data"] = bytes.deflated_base64();
   return json;
 }
 

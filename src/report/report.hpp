@@ -10,6 +10,7 @@
 
 #include "base/image.hpp"
 #include "mold/region.hpp"
+#include "report/live_view.hpp"
 #include "report/model_view.hpp"
 
 namespace moldlight::report {
@@ -119,6 +120,8 @@ struct Report {
   std::vector<std::string> lead;  // sentences below it
   Picture still;                  // what stands for the view where there is none
   std::optional<ModelView> view;
+  std::optional<LiveView> live;  // of the same part and direction as `view`
+  std::string not_live;          // why not, where it was asked for
   std::vector<Section> sections;
 
   /// The sentences below the verdict as one paragraph.

@@ -34,18 +34,6 @@ constexpr glm::dvec2 k_full_scale_px(1600.0, 1000.0);
 constexpr double k_most_field_work = 3e8;  // cells times directions
 constexpr double k_least_cells = 96.0, k_most_cells = 320.0;
 
-UndercutField undercut_field(const SweepResult& result) {
-  const double directions = std::max<double>(1.0, static_cast<double>(result.evaluated.size()));
-  const int cells =
-      static_cast<int>(std::clamp(std::sqrt(k_most_field_work / directions), k_least_cells, k_most_cells));
-  UndercutField field{.areas = DirectionField(even_set_reach_deg(result.settings.directions), cells)};
-  for (const EvaluatedDirection& evaluated : result.evaluated) {
-    field.areas.add(evaluated.direction, evaluated.undercut);
-    field.worst = std::max(field.worst, evaluated.undercut);
-  }
-  return field;
-}
-
 /// A figure on a picture, which has no room for six digits and an exponent.
 std::string picture_text(std::string_view key, const PartModel& model, const SweepCandidate& candidate) {
   const DirectionFigure& row = direction_figure(key);
@@ -154,6 +142,18 @@ Image sweep_contact_sheet(const PicturedSweep& sweep, const StillSettings& setti
 }
 
 }  // namespace
+
+UndercutField undercut_field(const SweepResult& result) {
+  const double directions = std::max<double>(1.0, static_cast<double>(result.evaluated.size()));
+  const int cells =
+      static_cast<int>(std::clamp(std::sqrt(k_most_field_work / directions), k_least_cells, k_most_cells));
+  UndercutField field{.areas = DirectionField(even_set_reach_deg(result.settings.directions), cells)};
+  for (const EvaluatedDirection& evaluated : result.evaluated) {
+    field.areas.add(evaluated.direction, evaluated.undercut);
+    field.worst = std::max(field.worst, evaluated.undercut);
+  }
+  return field;
+}
 
 Image sweep_sphere_picture(const PartModel& model, const SweepResult& result, const StillSettings& settings) {
   return direction_sphere_picture(settings.size, undercut_field(result), sphere_content(model, result),

@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "classify/still_picture.hpp"
+#include "picture/sphere_map.hpp"
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
@@ -20,7 +21,10 @@ struct PicturedSweep {
   const SweepResult& result;
 };
 
-/// Undercut area over the half-sphere, interpolated from every direction that was scored, with the listed
+/// Undercut area over the half-sphere, interpolated from every direction that was scored.
+[[nodiscard]] UndercutField undercut_field(const SweepResult& result);
+
+/// The same with the listed
 /// directions marked. Only size and theme of the settings count.
 [[nodiscard]] Image sweep_sphere_picture(const PartModel& model, const SweepResult& result,
                                          const StillSettings& settings);

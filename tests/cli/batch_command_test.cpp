@@ -221,6 +221,20 @@ TEST(Batch, PicturesAndReportsAreMadeAlsoOfWhatIsDone) {
   EXPECT_EQ(fs::last_write_time(reports[0]), before);
 }
 
+TEST(Batch, LiveReportsAreOfCommandsThatHaveThem) {
+  const SmallParts parts(1);
+  ASSERT_EQ(parts.plan().exit_code, 0);
+  const auto run = parts.batch("run", {"--live"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::vector<std::string> reports = lying_beside(parts, ".html");
+  ASSERT_EQ(reports.size(), 1u) << run.err;
+  EXPECT_NE(file_bytes(reports[0]).find("id=\"live\""), std::string::npos);
+  ASSERT_EQ(parts.plan("parts", "actions", {"actions", "--direction", "z"}).exit_code, 0);
+  const auto refused = parts.batch("run", {"--live"}, "actions");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--live: reports of actions are not live"), std::string::npos) << refused.err;
+}
+
 struct Refusal {
   std::vector<std::string> arguments;
   int exit_code;

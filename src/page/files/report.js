@@ -8,8 +8,11 @@ document.addEventListener("securitypolicyviolation", () => ++notes.blocked);
 function listen(view) {
   const {canvas, figure} = view, held = new Map();
   const gap = () => { const [a, b] = [...held.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
+  let grabbed = null, way = 0;  // an arrow; how far the pointer went
   canvas.onpointerdown = (event) => {
     canvas.setPointerCapture(event.pointerId);
+    grabbed = held.size ? null : view.grab?.(event.offsetX, event.offsetY);
+    way = held.size ? 99 : 0;
     held.set(event.pointerId, [event.clientX, event.clientY]);
     canvas.focus({preventScroll: true});
   };
@@ -18,14 +21,20 @@ function listen(view) {
     if (!last) return;
     const before = held.size === 2 ? gap() : 0, x = event.clientX - last[0], y = event.clientY - last[1];
     held.set(event.pointerId, [event.clientX, event.clientY]);
-    if (held.size === 2) view.scale(gap() / Math.max(1, before));
+    way += Math.abs(x) + Math.abs(y);
+    if (grabbed) grabbed(x, y);
+    else if (held.size === 2) view.scale(gap() / Math.max(1, before));
     else if (event.shiftKey || event.buttons & 6) {
       const pixel = view.pixel * canvas.width / canvas.clientWidth;
       view.pan = [view.pan[0] + x * pixel, view.pan[1] - y * pixel];
       view.ask();
     } else view.turn(0.008 * x, 0.008 * y);
   };
-  canvas.onpointerup = canvas.onpointercancel = (event) => held.delete(event.pointerId);
+  canvas.onpointerup = canvas.onpointercancel = (event) => {
+    held.delete(event.pointerId);
+    if (way < 5 && event.type === "pointerup") view.pick?.(event.offsetX, event.offsetY);
+    way = 99;
+  };
   canvas.oncontextmenu = (event) => event.preventDefault();
   // The wheel scrolls the page until the view has been clicked.
   canvas.addEventListener("wheel", (event) => {
@@ -96,9 +105,11 @@ async function begin() {
   figure.classList.add("live");
   listen(view);
   view.draw();
+  if (document.getElementById("live")) view.director = await beginLive(view);
   return view;
 }
-begin().catch((error) => { notes.errors.push(String(error)); return null; }).then((view) => {
+const begun = begin().catch((error) => { notes.errors.push(String(error)); return null; });
+begun.then((view) => {
   if (location.hash !== "#selftest") return;
   const result = Object.assign(document.createElement("pre"), {id: "selftest"});
   const found = view ? selftest(view) : {};

@@ -1,84 +1,30 @@
 // Draws the model with WebGL 2, as it is turned, opened, cut and looked through.
-const vertexShader = `#version 300 es
-uniform mat4 u_clip, u_motion;
-uniform vec3 u_eye;
-uniform vec2 u_nudge;
-uniform float u_lift;
-in vec3 a_position;
-in vec3 a_normal;
-out vec3 v_place, v_normal;
-void main() {
-  vec4 place = u_motion * vec4(a_position, 1.0);
-  v_place = place.xyz;
-  v_normal = mat3(u_motion) * a_normal;
-  // Lines stand off the surface a little, towards the eye.
-  gl_Position = u_clip * vec4(place.xyz + u_lift * normalize(u_eye - place.xyz), 1.0);
-  gl_Position.xy += u_nudge * gl_Position.w;
-}`;
-const surfaceShader = `#version 300 es
-precision highp float;
-uniform vec3 u_colour, u_up;
-uniform highp vec3 u_eye;
-uniform vec4 u_cut;
-uniform float u_alpha, u_hatch;
-in vec3 v_place, v_normal;
-out vec4 colour;
-void main() {
-  if (dot(u_cut.xyz, v_place) > u_cut.w) discard;
-  vec3 to_eye = normalize(u_eye - v_place);
-  vec3 normal = normalize(v_normal);
-  bool inside = !gl_FrontFacing;
-  if (inside) normal = -normal;
-  vec3 side = normalize(cross(u_up, to_eye) + vec3(1e-6));
-  vec3 key = normalize(to_eye + 0.55 * u_up - 0.45 * side);
-  float light = 0.40 + 0.14 * dot(normal, u_up) + 0.52 * max(dot(normal, key), 0.0);
-  float gloss = 0.10 * pow(max(dot(normal, normalize(key + to_eye)), 0.0), 40.0);
-  vec3 base = u_colour;
-  if (u_hatch > 0.0 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * u_hatch) < 3.2 * u_hatch) base = mix(base, vec3(1.0), 0.45);
-  if (inside && length(u_cut.xyz) > 0.0) { light = 0.82; gloss = 0.0; base = mix(base, vec3(0.69, 0.67, 0.63), 0.72); }
-  else if (inside) { light *= 0.72; gloss = 0.0; }
-  colour = vec4(sqrt(base * base * light * 1.25) + gloss, 1.0) * u_alpha;
-}`;
-const lineShader = `#version 300 es
-precision highp float;
-uniform vec4 u_cut, u_ink;
-in vec3 v_place;
-out vec4 colour;
-void main() {
-  if (dot(u_cut.xyz, v_place) > u_cut.w) discard;
-  colour = vec4(u_ink.rgb, 1.0) * u_ink.a;
-}`;
+const still = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 class View {
   constructor(figure, model) {
     this.figure = figure;
     this.model = model;
     this.canvas = figure.querySelector("canvas");
-    this.gl = this.canvas.getContext("webgl2", {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true});
-    if (!this.gl) throw new Error("no WebGL 2");
+    this.tools = new Tools(this.canvas, JSON.parse(document.getElementById("shaders").textContent), Boolean(document.getElementById("live")));
+    this.gl = this.tools.gl;
     this.shapes = shaped(model);
-    this.surface = this.program(surfaceShader);
-    this.line = this.program(lineShader);
+    this.surface = this.tools.program("surface");
+    this.line = this.tools.program("line");
     for (const shape of this.shapes) {
-      shape.surface = this.buffer(shape.corners, 6);
-      shape.edge = this.buffer(shape.edges, 3);
-      shape.thick = this.buffer(shape.lines, 3);
+      shape.surface = this.tools.buffer(shape.corners, 6);
+      shape.edge = this.tools.buffer(shape.edges, 3);
+      shape.thick = this.tools.buffer(shape.lines, 3);
       shape.corners = shape.edges = shape.lines = null;
     }
     this.up = unit(model.direction);
     this.aside = unit(cross(this.up, Math.abs(this.up[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
     this.front = cross(this.up, this.aside);
-    // Its arrows: along and against the direction.
-    let reach = 0;
-    for (const shape of this.shapes)
-      if (shape.surface.count) for (let k = 0; k < 8; ++k) reach = Math.max(reach, Math.abs(dot(this.up, this.corner(shape, k))));
-    const along = (at, aside, front) => plus(scaled(this.up, at), scaled(this.aside, aside), scaled(this.front, front));
-    this.arrows = [1, -1].map((sign) => {
-      const tip = along(sign * (reach + 0.18), 0, 0), lines = [along(sign * (reach + 0.04), 0, 0), tip];
-      for (const [x, y] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) lines.push(tip, along(sign * (reach + 0.14), 0.014 * x, 0.014 * y));
-      return {sign, buffer: this.buffer(lines.flat(), 3)};
-    });
-    this.reach = reach;
+    this.arrows = this.tools.buffer([], 3);
+    this.live = null;  // shadow maps of any direction (live_maps.js), which draw in place of the groups once it is `byMaps`
+    this.byMaps = false;
+    this.marks = [];   // over the surface: {buffer, kind, ink}
+    this.aim(this.up);
     this.shown = model.groups.map((group) => !group.hidden);
     this.opened = model.opened;
     this.clear = 0;
@@ -94,38 +40,29 @@ class View {
     this.zoom = 1;
     this.pan = [0, 0];
   }
-  program(fragment) {
-    const gl = this.gl, program = gl.createProgram();
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragment]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-      gl.attachShader(program, shader);
+  // The direction and its arrows, along it and against it.
+  aim(direction) {
+    this.direction = direction;
+    let reach = 0;
+    for (const shape of this.shapes)
+      if (shape.surface.count) for (let k = 0; k < 8; ++k) reach = Math.max(reach, Math.abs(dot(direction, this.corner(shape, k))));
+    const x = unit(cross(direction, Math.abs(direction[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])), y = cross(direction, x), lines = [];
+    for (const sign of [1, -1]) {
+      const along = (at, aside, front) => plus(scaled(direction, sign * (reach + at)), scaled(x, aside), scaled(y, front));
+      lines.push(along(0.04, 0, 0), along(0.18, 0, 0));
+      for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) lines.push(along(0.18, 0, 0), along(0.14, 0.014 * a, 0.014 * b));
     }
-    gl.bindAttribLocation(program, 0, "a_position");
-    gl.bindAttribLocation(program, 1, "a_normal");
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    return new Proxy({program}, {get: (known, name) => known[name] ?? (known[name] = gl.getUniformLocation(program, name))});
-  }
-  buffer(numbers, floats) {
-    const gl = this.gl, vertices = gl.createVertexArray();
-    gl.bindVertexArray(vertices);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(numbers), gl.STATIC_DRAW);
-    for (let k = 0; k < floats / 3; ++k) {
-      gl.enableVertexAttribArray(k);
-      gl.vertexAttribPointer(k, 3, gl.FLOAT, false, 4 * floats, 12 * k);
-    }
-    return {vertices, count: numbers.length / floats};
+    this.tools.refill(this.arrows, lines.flat(), 3);
+    this.tips = [1, -1].map((sign) => scaled(direction, sign * (reach + 0.22)));
+    this.ask();
   }
   motion(group) {
     const angle = (group.turn || 0) * this.opened, [x, y, z] = group.axis || [0, 0, 1], c = Math.cos(angle), s = Math.sin(angle), t = 1 - c;
     const turn = [t * x * x + c, t * x * y + s * z, t * x * z - s * y, 0, t * x * y - s * z, t * y * y + c, t * y * z + s * x, 0,
       t * x * z + s * y, t * y * z - s * x, t * z * z + c, 0, 0, 0, 0, 1];
     const point = scaled(group.point || [0, 0, 0], 1 / this.model.diagonal), kept = moved(turn, point);
-    const shift = plus(scaled(group.shift, this.opened / this.model.diagonal), point, scaled(kept, -1));
+    const way = this.byMaps ? scaled(this.direction, dot(group.shift, this.up)) : group.shift;
+    const shift = plus(scaled(way, this.opened / this.model.diagonal), point, scaled(kept, -1));
     turn.splice(12, 3, ...shift);
     return turn;
   }
@@ -154,12 +91,12 @@ class View {
     const look = [0, 1, 2].flatMap((k) => [right[k], above[k], toward[k], 0]).concat([-dot(right, eye), -dot(above, eye), -dot(toward, eye), 1]);
     const near = Math.max(0.05 * away, away - 4), far = away + 4, f = 1 / Math.tan(field / 2);
     const clip = times([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0], look);
-    return {clip, eye, right, above};
+    return {clip, eye, right, above, toward, aspect, f};
   }
   // The plane across one of the axes: what lies beyond is cut away.
   section(motions) {
     if (!this.plane) return [0, 0, 0, 1];
-    const normal = this.plane === "d" ? this.up : ["x", "y", "z"].map((axis) => axis === this.plane ? 1 : 0);
+    const normal = this.plane === "d" ? this.direction : ["x", "y", "z"].map((axis) => axis === this.plane ? 1 : 0);
     let low = 9, high = -9;
     this.shapes.forEach((shape, k) => {
       if (shape.surface.count && this.shown[k]) for (let c = 0; c < 8; ++c) {
@@ -171,6 +108,7 @@ class View {
     return [...normal, low + (high - low) * this.cut];
   }
   draw() {
+    this.before?.();
     const gl = this.gl, {canvas, model} = this, box = canvas.parentElement.getBoundingClientRect(), ratio = Math.min(2, devicePixelRatio || 1);
     const width = Math.max(1, Math.round(box.width * ratio)), height = Math.max(1, Math.round(box.height * ratio));
     if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
@@ -190,20 +128,30 @@ class View {
       gl.uniform4fv(program.u_cut, cut);
       gl.uniform3fv(program.u_eye, camera.eye);
     };
+    const lit = (program, alpha, motion) => {
+      take(program, motion);
+      gl.uniform3fv(program.u_up, this.up);
+      gl.uniform1f(program.u_alpha, alpha);
+      gl.uniform1f(program.u_lift, 0);
+    };
     const surfaces = (wanted, alpha) => {
+      if (this.byMaps) {
+        const all = this.shown.every((shown) => shown), whole = Boolean(this.opened || this.plane || this.clear || !all);
+        this.live.surfaces(model.groups, motions, (k) => this.shown[k] && (whole ? model.groups[k].opaque === wanted : !wanted), {ratio, eye: camera.eye, whole},
+          (program, motion) => lit(program, alpha, motion));
+        return;
+      }
       gl.useProgram(this.surface.program);
-      gl.uniform3fv(this.surface.u_up, this.up);
-      gl.uniform1f(this.surface.u_alpha, alpha);
       each((shape, group, motion) => {
         if (group.opaque !== wanted || !shape.surface.count) return;
-        take(this.surface, motion);
+        lit(this.surface, alpha, motion);
         gl.uniform3fv(this.surface.u_colour, scaled(group.colour, 1 / 255));
         gl.uniform1f(this.surface.u_hatch, group.hatched ? ratio : 0);
         gl.bindVertexArray(shape.surface.vertices);
         gl.drawArrays(gl.TRIANGLES, 0, shape.surface.count);
       });
     };
-    const lines = (buffer, motion, ink, thick) => {
+    const lines = (buffer, motion, ink, thick, kind = gl.LINES) => {
       if (!buffer.count) return;
       gl.useProgram(this.line.program);
       take(this.line, motion);
@@ -213,7 +161,7 @@ class View {
       for (let x = -thick; x <= thick; ++x) for (let y = -thick; y <= thick; ++y) {
         if (x * x + y * y > thick * thick + 0.5) continue;
         gl.uniform2f(this.line.u_nudge, 2 * x / width, 2 * y / height);
-        gl.drawArrays(gl.LINES, 0, buffer.count);
+        gl.drawArrays(kind, 0, buffer.count);
       }
     };
     surfaces(true, 1);
@@ -229,11 +177,15 @@ class View {
     surfaces(false, alpha);
     gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.BLEND);
-    each((shape, group, motion) => group.plain || lines(shape.edge, motion, [0.07, 0.08, 0.1, 0.55 * (group.opaque ? 1 : alpha)], 0));
+    if (this.byMaps) lines(this.opened > 0 ? {} : this.live.edges, still, [0.07, 0.08, 0.1, 0.55 * alpha], 0);
+    else each((shape, group, motion) => group.plain || lines(shape.edge, motion, [0.07, 0.08, 0.1, 0.55 * (group.opaque ? 1 : alpha)], 0));
     each((shape, group, motion) => lines(shape.thick, motion, [...scaled(group.colour, 1 / 255), 1], Math.round(1.5 * ratio)));
-    const still = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], grey = dark ? 0.78 : 0.3;
+    const grey = dark ? 0.78 : 0.3;
     cut.splice(0, 4, 0, 0, 0, 1);
-    for (const arrow of this.arrows) lines(arrow.buffer, still, [grey, grey, grey, 1], Math.round(ratio));
+    for (const {buffer, kind, ink} of this.marks) lines(buffer, still, ink, kind === "LINES" ? Math.round(ratio) : 0, gl[kind]);
+    lines(this.arrows, still, [grey, grey, grey, 1], Math.round(ratio));
+    gl.disable(gl.DEPTH_TEST);
+    this.over?.(camera, {width, height, ratio, dark});
     gl.disable(gl.BLEND);
     gl.depthFunc(gl.LESS);
     this.place(camera, box);
@@ -242,13 +194,13 @@ class View {
   place(camera, box) {
     const tags = this.figure.querySelector(".tags");
     while (tags.children.length < 2) tags.append(Object.assign(document.createElement("span"), {textContent: tags.children.length ? "−d · cavity" : "+d · core"}));
-    this.arrows.forEach((arrow, k) => {
-      const p = scaled(this.up, arrow.sign * (this.reach + 0.22)), m = camera.clip;
-      const w = m[3] * p[0] + m[7] * p[1] + m[11] * p[2] + m[15], [x, y] = moved(m, p);
+    this.tips.forEach((tip, k) => {
+      const m = camera.clip, w = m[3] * tip[0] + m[7] * tip[1] + m[11] * tip[2] + m[15], [x, y] = moved(m, tip);
       const left = box.width * (0.5 + 0.5 * x / w), top = box.height * (0.5 - 0.5 * y / w);
       Object.assign(tags.children[k].style, {left: left + "px", top: top + "px"});
       tags.children[k].hidden = left < 20 || top < 8 || left > box.width - 20 || top > box.height - 8;
     });
+    this.seen = {...camera, box};
   }
   ask() {
     if (this.asked) return;

@@ -20,6 +20,7 @@ struct ReportContext {
   const Progress& progress;
   const gl::Context* gl = nullptr;  // current; none for a text, which has no pictures
   Palette palette = Palette::paper;
+  bool live = false;  // the page is to find the regions of any direction, where the report has that
   std::string version = {}, command = {};  // to repeat it: the program's, and its command line
 
   /// For pages, with all sections.

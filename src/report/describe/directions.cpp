@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "mold/direction.hpp"
+#include "report/describe/live.hpp"
 #include "report/describe/parts.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
@@ -38,6 +39,8 @@ void add_pages(const ReportContext& context, Study& study, Report& report) {
   Illustrator pictures(context, result);
   report.still = {pictures.whole(), {}, "The part in the colours of its regions", view_caption()};
   report.view = region_view(context, result, pictures.to_viewer());
+  add_live(context, result, {{with_minus(direction_words(result.direction)), result.direction, result.areas}},
+           report);
   if (!found.counted.empty()) {
     std::vector<const Undercut*> undercuts;
     for (const Undercut& undercut : found.counted) undercuts.push_back(&undercut);
@@ -142,7 +145,8 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
 }
 
 /// What of the best direction is shown beside its figures.
-void show_best(const ReportContext& context, const SweepCandidate& best, Report& report) {
+void show_best(const ReportContext& context, const SweepResult& result, Report& report) {
+  const SweepCandidate& best = result.candidates.front();
   const PartModel& model = *context.model;
   report.subject = "best " + report.subject;
   if (const std::optional<Verdict> verdict = verdict_of(model, best)) {
@@ -157,6 +161,18 @@ void show_best(const ReportContext& context, const SweepCandidate& best, Report&
   Illustrator pictures(context, split);
   report.still = {pictures.whole(), {}, "The part with its best parting direction", view_caption()};
   report.view = region_view(context, split, pictures.to_viewer());
+  if (!context.live) return;
+  std::vector<LiveDirection> known;
+  for (const SweepCandidate& candidate : result.candidates) {
+    if (!candidate.measured) continue;
+    const Classification& one = candidate.classification;
+    const double undercut = one.areas[Region::undercut];
+    known.push_back({with_minus(direction_words(one.direction)), one.direction, one.areas,
+                     fmt::format("{} undercut, {}", FigureStyle(model).with_unit(FigureKind::area, undercut),
+                                 share_text(undercut, one.total_area))});
+  }
+  add_live(context, split, std::move(known), report);
+  if (report.live) report.live->sphere = sphere_texture(undercut_field(result));
 }
 
 }  // namespace
@@ -186,7 +202,7 @@ Report sweep_report(const ReportContext& context, Study& study) {
   Pictures maps;
   if (context.drawn()) maps.pictures.push_back(direction_map(context, result));
   if (any) {
-    show_best(context, result.candidates.front(), report);
+    show_best(context, result, report);
   } else {
     report.subject.clear();
     report.tone = Tone::bad;

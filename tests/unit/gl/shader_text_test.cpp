@@ -38,6 +38,14 @@ TEST(ShaderText, EachFileIsIncludedOnceWithItsLines) {
   EXPECT_EQ(origins, "both.vert:1 both.vert:2 both.vert:2 b.glsl:1 a.glsl:2 both.vert:5 ");
 }
 
+TEST(ShaderText, ABrowsersHasItsOwnFirstLines) {
+  const ShaderFile files[] = {{"a.frag", "#version 330 core\n#include \"b.glsl\"\nvoid main() {}\n"},
+                              {"b.glsl", "uniform float u_b;\n"}};
+  const std::string text = es_text(expand_shader("a.frag", {{"LIVE", ""}}, files));
+  EXPECT_TRUE(text.starts_with("#version 300 es\nprecision highp float;\n")) << text;
+  EXPECT_TRUE(text.ends_with("#define LIVE \nuniform float u_b;\nvoid main() {}\n")) << text;
+}
+
 TEST(ShaderText, CyclesEnd) {
   const ShaderText shader = expand_shader("cycle.vert", {}, k_text_files);
   EXPECT_NE(shader.text.find("first"), std::string::npos);

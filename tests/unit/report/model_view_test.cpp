@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
+#include "packed_reader.hpp"
 #include "support/boxes.hpp"
 #include "support/shapes.hpp"
 
@@ -15,53 +15,6 @@ namespace moldlight::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string bytes_of_base64(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    group = group << 6 | static_cast<std::uint32_t>(digits.find(c));
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(group >> bits & 255);
-  }
-  return bytes;
-}
-
-/// Reads what packed() says it writes.
-class Reader {
- public:
-  explicit Reader(const Json& packed) {
-    const std::string small = bytes_of_base64(packed["data"].get<std::string>());
-    bytes_.resize(std::size_t{1} << 24);
-    uLongf size = static_cast<uLongf>(bytes_.size());
-    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes_.data()), &size,
-                         reinterpret_cast<const Bytef*>(small.data()), static_cast<uLong>(small.size())),
-              Z_OK);
-    bytes_.resize(size);
-  }
-  std::uint32_t number() {
-    std::uint32_t value = 0;
-    for (int shift = 0;; shift += 7) {
-      const auto byte = static_cast<unsigned char>(bytes_.at(at_++));
-      value |= static_cast<std::uint32_t>(byte & 127) << shift;
-      if (byte < 128) return value;
-    }
-  }
-  std::int32_t difference() {
-    const std::uint32_t value = number();
-    return value % 2 != 0 ? -static_cast<std::int32_t>(value / 2) - 1 : static_cast<std::int32_t>(value / 2);
-  }
-  [[nodiscard]] bool at_end() const { return at_ == bytes_.size(); }
-
- private:
-  std::string bytes_;
-  std::size_t at_ = 0;
-};
 
 ModelView view_of(const TriangleMesh& mesh) {
   ModelView view;
@@ -80,7 +33,7 @@ TEST(ModelView, UnpacksToTheSameSurface) {
   const ModelView view = view_of(mesh);
   const Json packed = report::packed(view);
   const Json& surface = packed["surfaces"][0];
-  Reader reader(packed);
+  PackedReader reader(packed);
   const std::size_t corners = surface["corners"];
   ASSERT_EQ(surface["facets"], mesh.facets.size());
   std::vector<glm::dvec3> points(corners);
@@ -117,7 +70,7 @@ TEST(ModelView, LinesAreInThePartsBox) {
   view.surfaces.clear();
   view.lines = {{{{0, 0, 0}, {1, 1, 1}}, false, 1}, {{{0.5, 0.25, 0}, {1, 0, 0}, {0, 1, 1}}, true, 0}};
   const Json packed = report::packed(view);
-  Reader reader(packed);
+  PackedReader reader(packed);
   glm::ivec3 last(0);
   for (const ViewLine& line : view.lines) {
     for (const glm::dvec3& point : line.points) {

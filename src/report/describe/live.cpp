@@ -1,0 +1,161 @@
+#include "report/describe/live.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "classify/classifier.hpp"
+#include "mold/direction.hpp"
+#include "mold/direction_field.hpp"
+#include "mold/map_frame.hpp"
+#include "mold/surface_samples.hpp"
+#include "render/readout_passes.hpp"
+
+namespace moldlight::report {
+
+namespace {
+
+/// What a page offers, beside the resolution that was asked for.
+constexpr std::array k_resolutions = {512, 1024, 2048};
+/// What was measured is an example: the next direction may be worse by this much, and samples are never all
+/// of the surface.
+constexpr double k_margin = 2.0, k_sampling_share = 5e-4;
+
+/// Diagonals between two and three axes, and directions that are none of these.
+constexpr glm::dvec3 k_oblique[] = {{1, 1, 0},  {0, 1, -1},         {1, 0, 1},          {1, 1, 1},
+                                    {1, -1, 1}, {0.35, 0.05, 0.95}, {-0.1, 0.97, 0.25}, {0.9, 0.3, -0.2}};
+
+/// The axes and the direction shown, and beside each of them those along which its walls have tau or a little
+/// more draft: there maps are at their worst, as a texel spans much of a wall's height. Then the oblique
+/// ones.
+std::vector<glm::dvec3> measured_directions(const glm::dvec3& shown, double tau_deg) {
+  constexpr double k_least_tau_deg = 0.5;
+  // Leans towards the two other axes, in tau.
+  constexpr glm::dvec2 k_leans[] = {{1.0, 0.0}, {0.0, 1.0}, {1.8, 0.6}, {0.6, 1.8}, {3.0, 0.0}, {0.0, -3.0}};
+  const MapFrame frame = map_frame(shown);
+  std::vector<glm::dmat3> bases = {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
+                                   {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                   {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (!nearest_axis(shown).is_met()) bases.push_back({frame.x, frame.y, frame.z});
+  std::vector<glm::dvec3> directions(std::begin(k_oblique), std::end(k_oblique));
+  const double tau = glm::radians(std::max(tau_deg, k_least_tau_deg));
+  for (const glm::dmat3& base : bases) {
+    directions.push_back(base[2]);
+    for (const glm::dvec2& lean : k_leans)
+      directions.push_back(base[2] + std::tan(lean.x * tau) * base[0] + std::tan(lean.y * tau) * base[1]);
+  }
+  return directions;
+}
+
+double greatest_difference(const RegionValues& found, const RegionValues& exact) {
+  double greatest = 0.0;
+  for (const Region region : k_regions)
+    greatest = std::max(greatest, std::abs(found[region] - exact[region]));
+  return greatest;
+}
+
+void measure_errors(const ReportContext& context, const std::vector<LiveDirection>& known, LiveView& live) {
+  const PartModel& model = *context.model;
+  std::set<int> resolutions(k_resolutions.begin(), k_resolutions.end());
+  resolutions.insert(live.method.resolution);
+  for (const int resolution : resolutions) live.errors.push_back({resolution, 0.0});
+  PartMaps maps(*context.gl, context.model);
+  const SurfaceSamples samples =
+      sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
+  SampleCounting counting(context.gl->functions(), samples.samples, 1);
+  std::vector<LiveDirection> directions = known;
+  for (const glm::dvec3& direction : measured_directions(known.front().direction, live.method.tau_deg))
+    directions.push_back({"", direction, {}});
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    context.progress.report("measuring the maps",
+                            static_cast<double>(k) / static_cast<double>(directions.size()));
+    const Query query{directions[k].direction, live.method};
+    if (k >= known.size())
+      directions[k].areas = classify_exact(model, query, Progress(&context.progress)).areas;
+    for (LiveError& error : live.errors) {
+      maps.draw_maps(page_query(model, query, error.resolution));
+      const RegionValues found = counting.run(maps.maps(), 1).front().areas(model.geometry.total_area);
+      error.share =
+          std::max(error.share, greatest_difference(found, directions[k].areas) / model.geometry.total_area);
+    }
+  }
+  for (LiveError& error : live.errors) error.share = k_margin * error.share + k_sampling_share;
+  live.measured = directions.size();
+}
+
+}  // namespace
+
+Image sphere_texture(const UndercutField& field) {
+  constexpr int k_size = 128;
+  constexpr double k_radius = 0.46,
+                   k_beyond = 1.06;  // as in shaders/page/ball.frag; a little of what lies below
+  Image image{k_size, k_size, std::vector<unsigned char>(4 * k_size * k_size)};
+  for (int y = 0; y < k_size; ++y) {
+    for (int x = 0; x < k_size; ++x) {
+      const glm::dvec2 point = (glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(k_size) - 0.5) / k_radius;
+      if (glm::length(point) > k_beyond) continue;
+      const DirectionField::Reading reading = field.areas.at(glm::normalize(equal_area_direction(point)));
+      const Colour colour = undercut_scale_colour(undercut_scale(reading.value, field.worst));
+      unsigned char* pixel = &image.rgba[4 * static_cast<std::size_t>(y * k_size + x)];
+      pixel[0] = colour.r;
+      pixel[1] = colour.g;
+      pixel[2] = colour.b;
+      pixel[3] = static_cast<unsigned char>(std::lround(255.0 * reading.cover));
+    }
+  }
+  return image;
+}
+
+Query page_query(const PartModel& model, const Query& query, int resolution) {
+  constexpr double k_least_lateral_texels = 0.71, k_rim_texels = 8.0;  // as in page/files/live_maps.js
+  const MapFrame frame = map_frame(query.direction.unit());
+  const glm::dvec3 half = 0.5 * (model.health.bounds.max - model.health.bounds.min) / model.frame.diagonal;
+  const double across = 2.0 * std::max(glm::dot(glm::abs(frame.x), half), glm::dot(glm::abs(frame.y), half));
+  const double side = across / (1.0 - k_rim_texels / resolution);
+  Query page = query;
+  page.method.resolution = static_cast<int>(std::clamp(std::lround(resolution / side), 64L, 8192L));
+  page.method.tolerance =
+      model.frame.diagonal *
+      std::max(lateral_tolerance(query.method, model.frame.diagonal) / model.frame.diagonal,
+               k_least_lateral_texels * side / resolution);
+  page.method.kernel = 0;
+  page.method.kernel_shape = KernelShape::one_sided;
+  return page;
+}
+
+void add_live(const ReportContext& context, const Classification& shown, std::vector<LiveDirection> known,
+              Report& report) {
+  if (!context.live || !context.drawn()) return;
+  const PartModel& model = *context.model;
+  if (model.part.mesh.facets.size() > k_most_live_facets) {
+    report.not_live = fmt::format(
+        "The page is not live: the part has {} facets, and {} are the most that a browser draws soon enough.",
+        model.part.mesh.facets.size(), k_most_live_facets);
+    return;
+  }
+  const FigureStyle style(model);
+  LiveView live;
+  live.mesh = model.part.mesh;
+  live.centre = model.frame.center;
+  live.diagonal = model.frame.diagonal;
+  live.total_area = model.geometry.total_area;
+  live.length_unit = style.unit(FigureKind::length);
+  live.area_unit = style.unit(FigureKind::area);
+  live.method = shown.settings;
+  live.method.readout = Readout::exact;
+  live.lateral = shown.lateral_tolerance / model.frame.diagonal;
+  if (shown.settings.readout != Readout::exact)
+    known.front().areas =
+        classify_exact(model, {shown.direction, live.method}, Progress(&context.progress)).areas;
+  measure_errors(context, known, live);
+  live.known = std::move(known);
+  report.live = std::move(live);
+}
+
+}  // namespace moldlight::report
