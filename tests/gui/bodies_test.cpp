@@ -1,4 +1,4 @@
-// The Part panel: the draft that is required, the unit, and the body that is molded.
+// The step of the part: its unit, and the body that is molded.
 #include <fmt/format.h>
 
 #include "gui/store/part_notes.hpp"
@@ -33,7 +33,7 @@ class Bodies : public WindowWithPart {
   Bodies() {
     window.app().open(part.folder().write("cubes.stl", cubes(3)));
     window.wait_until_loaded();
-    window.settle();
+    go_to(Step::part);
   }
   void wait() {
     window.wait_until_loaded();
@@ -84,9 +84,12 @@ TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
 }
 
 TEST_F(Bodies, KeepDirectionAndDraft) {
+  open_maps();
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
+  go_to(Step::direction);
   click("+X");
+  go_to(Step::part);
   click("next body");
   wait();
   EXPECT_EQ(method().tau_deg, tau);
@@ -95,6 +98,7 @@ TEST_F(Bodies, KeepDirectionAndDraft) {
 
 TEST_F(WindowWithPart, AUnitIsNamedAndThenConvertsNothing) {
   window.wait_until_measured();
+  go_to(Step::part);
   const double before = state().figures.shown->total_area;
   EXPECT_EQ(state().model->part.unit, "");
   for (const std::string unit : {"in", "mm"}) {
@@ -130,6 +134,7 @@ TEST_F(WindowWithPart, LengthsKeepTheirSizeInAnotherUnit) {
   window.wait_until_measured();
   ASSERT_EQ(state().model->part.unit, "in");
   const double diagonal = state().model->frame.diagonal;
+  go_to(Step::part);
   click("Unit=mm");
   window.wait_until_loaded();
   window.wait_until_measured();
