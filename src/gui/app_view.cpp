@@ -65,9 +65,7 @@ void App::find_mold(bool moving) {
   const auto former = mold.line;
   const auto solids = mold.solids;
   const auto by_action = mold.by_action;
-  study_.find_mold(
-      state_, mold,
-      {.moving = moving, .solids = steel_wanted() || (state_.mold_open && state_.step == Step::mold)});
+  study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || state_.mold_open});
   if (mold.line == former && mold.solids == solids && mold.by_action == by_action) return;
   settle_frames_ = k_settle_frames;
   auto& loop = state_.mold_choices.loop;

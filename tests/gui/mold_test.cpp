@@ -96,11 +96,11 @@ TEST_F(Mold, DrawsTheLineAndFliesToALoop) {
   const auto lit = colour_at(pixel_of(rim));
   EXPECT_GT(lit[0], 200) << "the tube is bright";
   EXPECT_GT(lit[0], lit[2] + 60);
-  const double before = state().camera.height;
+  const Camera before = state().camera;
   click("loop 1");
   window.settle();
   EXPECT_EQ(state().mold_choices.loop, 0U);
-  EXPECT_NE(state().camera.height, before);
+  EXPECT_FALSE(state().camera == before);
   const auto chosen = colour_at(pixel_of(rim));
   EXPECT_GT(chosen[2], lit[2] + 60) << "and brighter where it is looked at";
   key({.key = k_escape});

@@ -100,7 +100,7 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
   scale_ = scale;
   for (Panel& each : panels_) {
     // What was not drawn there any more takes no room from those on the sides.
-    if (each.bottom && !each.drawn) {
+    if (!each.drawn) {
       each.bottom = false;
       each.min = each.max = glm::vec2(0.0F);
     }
@@ -239,8 +239,10 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
   if (panels_hidden) return area;
   area.min.y = static_cast<int>(k_bar_height * scale_);
   for (const Panel& each : panels_) {
-    if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
-    if (!each.drawn || each.folded || each.bottom) continue;
+    // Before the panels of this frame are drawn, it is those of the last one.
+    if (each.max == glm::vec2(0.0F)) continue;
+    if (each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
+    if (each.folded || each.bottom) continue;
     if (each.place.from_right) {
       area.max.x = std::min(area.max.x, static_cast<int>(each.min.x));
     } else {

@@ -16,7 +16,7 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_picture = 84.0F, k_column = 236.0F;  // layout units: a map; a column of controls, at least
-constexpr float k_room_for_pictures = 700.0F;
+constexpr float k_room_for_pictures = 640.0F;
 
 constexpr const char* caption(bool plus) { return plus ? "+d" : "−d"; }
 
