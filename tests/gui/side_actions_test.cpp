@@ -125,9 +125,9 @@ TEST_F(SideActions, AreToldInTheVerdictAndListed) {
 
 TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
   open_lid();
-  const glm::dquat before = state().camera.orientation;
+  const Camera before = state().camera;
   const auto first = picture_after("undercut 1", 40);
-  EXPECT_NE(state().camera.orientation, before) << "flies there";
+  EXPECT_FALSE(state().camera == before) << "flies there";
   EXPECT_EQ(state().action_choices.chosen, 0U);
   window.frames(24);
   const auto later = window.pixels();
@@ -214,9 +214,11 @@ TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
   window.wait_until_measured();
   EXPECT_TRUE(settings().pins.empty());
   EXPECT_EQ(sentence(), free);
+  key({.key = '2'});
   click("bookmark");
   click("go");
   key({.key = k_escape});
+  key({.key = '3'});
   window.wait_until_measured();
   ASSERT_EQ(settings().pins.size(), 1U) << "the bookmark restores it";
   EXPECT_TRUE(plan().undercuts[2].pin);

@@ -165,7 +165,8 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
   }
   if (sweep.map) {
     ImGui::SameLine(0.0F, gap);
-    if (icon_button(ui, {"ball", Icon::sphere, "Enlarge the map of directions (M)", choices.large_ball}))
+    if (icon_button(
+            ui, {"enlarge the ball", Icon::sphere, "Enlarge the map of directions (M)", choices.large_ball}))
       choices.large_ball = !choices.large_ball;
   }
   const auto toggle_drawer = [&](Drawer which) { drawer = drawer == which ? Drawer::none : which; };
