@@ -1,8 +1,15 @@
 // The steps along the top: entered by mouse and keys, each with its own panel, marks that tell how it stands,
 // and the part left in sight.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "gui/panels/step_parts.hpp"
 #include "gui/sceneries.hpp"
