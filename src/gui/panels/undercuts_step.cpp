@@ -202,7 +202,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
     texts.below = fmt::format("travel {} · ", style.with_unit(FigureKind::length, action->travel)) +
                   detail_text(*action, unit) + shared_text(*action, undercut) +
                   others_text(plan, undercut, *action);
-    if (left_over) texts.name += ", some is left";
+    if (left_over) texts.name += ", not all";
   } else {
     texts.name = "no action";
     texts.below = unreleased_text(plan, undercut);
