@@ -28,9 +28,11 @@ class MeasureTool : public WindowWithPart {
 };
 
 TEST_F(MeasureTool, TakesTwoPlacesAndEndsByEscape) {
-  click("measure");
+  click("part name");
+  click("Measure");
   ASSERT_TRUE(state().measuring);
-  click("measure");
+  click("part name");
+  click("Measure");
   ASSERT_FALSE(state().measuring);
   key({.key = 'R'});
   ASSERT_TRUE(state().measuring);

@@ -7,7 +7,10 @@ namespace {
 
 class RegionsAre : public WindowWithPart {
  protected:
-  RegionsAre() { window.wait_until_measured(); }
+  RegionsAre() {
+    window.wait_until_measured();
+    open_maps();
+  }
 
   [[nodiscard]] RegionsBy by() const { return state().settings.look.regions_by; }
   /// Pixels of the scene that differ by more than rounding, in all.
@@ -43,7 +46,7 @@ TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   EXPECT_EQ(by(), RegionsBy::exact) << "it is not the maps' alone";
 }
 
-TEST_F(RegionsAre, SwitchedInTheLegend) {
+TEST_F(RegionsAre, SwitchedInTheDrawer) {
   click("Regions by=maps");
   EXPECT_EQ(by(), RegionsBy::maps);
   click("Regions by=exact");
