@@ -75,9 +75,7 @@ Baseline::Baseline(const BaselineFlags& flags, std::string command, const std::s
 
 void Baseline::compare(const std::function<Json()>& report) {
   if (flags_.file.empty() && flags_.gate.criteria.empty()) return;
-  for (const Criterion& criterion : flags_.gate.criteria)
-    if (criterion.of_change && flags_.file.empty())
-      throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
+  if (flags_.file.empty()) require_no_change(flags_.gate.criteria);
   const Json now = report();
   figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
   cases_ = gate_cases(part_, flags_.gate.criteria, figures_);

@@ -110,15 +110,22 @@ void find_places(const OverlaySide& a, const OverlaySide& b, double speck, Surfa
     }
     change.volume_elsewhere = volumes.elsewhere;
   }
+  std::vector<std::uint32_t> touched = place_of;
+  left.add_explained(touched, progress);  // ends run over more than a facet
   measure_places(left, place_of, change.places);
   const auto order =
       largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area; });
   reorder(change.places, order);
   std::erase_if(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area <= 0.0; });
-  renumber(place_of, ranks(order));
-  const auto middle = place_of.begin() + static_cast<std::ptrdiff_t>(left.of_a());
-  change.place_of_a.assign(place_of.begin(), middle);
-  change.place_of_b.assign(middle, place_of.end());
+  const auto give = [&](std::vector<std::uint32_t>& places, std::vector<std::uint32_t>& of_a,
+                        std::vector<std::uint32_t>& of_b) {
+    renumber(places, ranks(order));
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(left.of_a());
+    of_a.assign(places.begin(), middle);
+    of_b.assign(middle, places.end());
+  };
+  give(place_of, change.place_of_a, change.place_of_b);
+  give(touched, change.touched_of_a, change.touched_of_b);
   for (const ChangedPlace& place : change.places) {
     change.gone.area += place.gone.area;
     change.gone.error += place.gone.error;

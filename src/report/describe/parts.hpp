@@ -92,6 +92,9 @@ class Illustrator {
 /// How the view is used.
 [[nodiscard]] std::string view_caption();
 
+/// Of a comparison that has what becomes of the mold.
+[[nodiscard]] Section mold_change_section(const Comparison& comparison);
+
 /// Both parts, their facets in the groups of the regions, beside each other until they are moved over each
 /// other, with what differs lit.
 [[nodiscard]] ModelView comparison_view(const ReportContext& context, const Comparison& comparison,
