@@ -260,7 +260,8 @@ std::string comparison_verdict(const Comparison& comparison) {
                         ? fmt::format("side actions as before, {}", actions_text(*comparison.b.plan))
                         : fmt::format("side actions: {}, were {} ({})", actions_text(*comparison.b.plan),
                                       actions_text(*comparison.a.plan), actions));
-  return fmt::format("{}.", fmt::join(facts, "; "));
+  const std::string steel = comparison.mold ? " " + mold_change_text(comparison, *comparison.mold) : "";
+  return fmt::format("{}.{}", fmt::join(facts, "; "), steel);
 }
 
 }  // namespace moldlight

@@ -11,6 +11,16 @@
 
 namespace moldlight {
 
+namespace {
+
+/// " ± 0.2" where it can be seen in the digits shown.
+std::string seen_error(const MeasuredVolume& measured) {
+  constexpr double k_seen_share = 5e-5;
+  return measured.error > k_seen_share * measured.volume ? " ± " + error_text(measured.error) : std::string();
+}
+
+}  // namespace
+
 std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner, bool is_cut) {
   if (owner.side != MoldSide::action) return std::string(side_name(owner.side));
   const std::optional<ActionPlan>& plan = (is_cut ? comparison.a : comparison.b).plan;
@@ -19,7 +29,7 @@ std::string steel_owner_text(const Comparison& comparison, const SteelOwner& own
 }
 
 std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut) {
-  constexpr double k_least_share = 0.01;
+  constexpr double k_least_share = 0.05;
   double whole = 0.0;
   for (const OwnedArea& one : steel.of) whole += one.area;
   std::vector<std::string> names;
@@ -36,10 +46,10 @@ std::string mold_change_text(const Comparison& comparison, const MoldChange& mol
   std::vector<std::string> added;
   for (const PlaceSteel& place : mold.places) {
     if (!place.add) continue;
-    added.push_back(fmt::format("{} at ({}) {}, {}",
-                                style.with_unit(FigureKind::volume, place.add->volume.volume),
-                                style.point(place.add->centre), length_unit(comparison.a.model->part),
-                                steel_of_text(comparison, *place.add, false)));
+    added.push_back(fmt::format(
+        "{}{} {} at ({}) {}, {}", style.text(FigureKind::volume, place.add->volume.volume),
+        seen_error(place.add->volume), style.unit(FigureKind::volume), style.point(place.add->centre),
+        length_unit(comparison.a.model->part), steel_of_text(comparison, *place.add, false)));
   }
   std::string text = cuts == 0
                          ? std::string("No place cuts steel")

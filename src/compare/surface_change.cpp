@@ -18,6 +18,8 @@ namespace {
 /// Draft angles nearer than this are one: beside the greatest draft of near-vertical surface rounding
 /// decides.
 constexpr double k_same_draft_deg = 0.01;
+/// How many facets beyond a place its ends may run.
+constexpr int k_rings = 4;
 /// Surface that faces farther apart is not the same, whatever its region.
 constexpr double k_least_same_facing = 0.5;
 
@@ -111,7 +113,8 @@ void find_places(const OverlaySide& a, const OverlaySide& b, double speck, Surfa
     change.volume_elsewhere = volumes.elsewhere;
   }
   std::vector<std::uint32_t> touched = place_of;
-  left.add_explained(touched, progress);  // ends run over more than a facet
+  // The ends of a round wall that moved run over several facets.
+  for (int ring = 0; ring < k_rings; ++ring) left.add_explained(touched, progress);
   measure_places(left, place_of, change.places);
   const auto order =
       largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area; });

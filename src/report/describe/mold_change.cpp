@@ -100,7 +100,6 @@ class MoldChangeDescriber {
 Section mold_change_section(const Comparison& comparison) {
   const MoldChangeDescriber describer(comparison);
   Section section{"Does the mold survive?", {}};
-  section.blocks.emplace_back(Text{with_minus(mold_change_text(comparison, *comparison.mold))});
   section.blocks.emplace_back(describer.sums());
   for (Table table : {describer.steel(), describer.line()})
     if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
