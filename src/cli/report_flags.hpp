@@ -23,6 +23,7 @@ namespace moldlight::cli {
 struct ReportFlags {
   std::string html, pdf;
   report::Paper paper = report::Paper::a4;
+  report::TitleFacts title;
   const Request* request = nullptr;  // that has the command line
 
   [[nodiscard]] bool any() const { return !html.empty() || !pdf.empty(); }

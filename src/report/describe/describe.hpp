@@ -21,6 +21,7 @@ struct ReportContext {
   const gl::Context* gl = nullptr;  // current; none for a text, which has no pictures
   Palette palette = Palette::paper;
   std::string version = {}, command = {};  // to repeat it: the program's, and its command line
+  TitleFacts title = {};
 
   /// For pages, with all sections.
   [[nodiscard]] bool drawn() const { return gl != nullptr; }

@@ -93,6 +93,27 @@ Table finishes_table(const FigureStyle& style, const DraftCheck& check) {
   return table;
 }
 
+TitleBlock title_block(const ReportContext& context) {
+  const PartModel& model = *context.model;
+  const TitleFacts& title = context.title;
+  const FigureStyle style(model);
+  Facts facts;
+  const auto add = [&](std::string name, std::string value) {
+    if (!value.empty()) facts.facts.emplace_back(std::move(name), std::move(value));
+  };
+  add("File", part_name(model.part));
+  add("Revision", title.revision);
+  add("Material", title.material);
+  add("Size", fmt::format("{} {}", style.point(model.health.bounds.max - model.health.bounds.min),
+                          length_unit(model.part)));
+  add("Company", title.company);
+  add("Author", title.author);
+  add("Date", title.date);
+  TitleBlock block{title.logo, {std::move(facts)}};
+  if (!title.note.empty()) block.blocks.emplace_back(Text{title.note});
+  return block;
+}
+
 /// Why the undercut is not known to rounding; empty where it is.
 std::string uncertainty_reason(const UndercutUncertainty& uncertainty) {
   if (uncertainty.sampled_facets > 0)
@@ -171,6 +192,7 @@ Report begin_report(const ReportContext& context, std::string kind, const glm::d
   report.kind = std::move(kind);
   report.part = part_name(context.model->part);
   report.subject = "along " + with_minus(direction_words(direction));
+  if (context.drawn()) report.title = title_block(context);
   return report;
 }
 
