@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -178,8 +180,7 @@ class BitFinder {
     visit_pieces(other_.side, centre, radius + beside_,
                  [&](PieceIndex piece) { near.push_back(other_.side.facet(piece)); });
     std::ranges::sort(near);
-    const auto repeated = std::ranges::unique(near);
-    near.erase(repeated.begin(), repeated.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     const PartModel& model = other_.side.model();
     for (const FacetIndex facet : near) {
       if (model.geometry.areas[facet] <= 0.0) continue;
