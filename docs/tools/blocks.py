@@ -1,7 +1,8 @@
 """Blocks of a Markdown page: fenced code with its commands, and parts that a program writes.
 
 A fence `console` is run: `$ ` begins a command, the lines after it are its standard output, `…` stands for any text.
-A fence `python` is run, and a fence `output` right after it is its standard output. A fence `sh` is shown, not run.
+A fence `python` is run, and a fence `output` right after it is its standard output. A fence `sh` is shown, not run. Of a
+fence `yaml` each command of moldlight must be one of the page's console blocks, which are run.
 `<!-- made by: COMMAND -->` and `<!-- end -->` enclose what the command prints.
 """
 

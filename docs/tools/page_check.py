@@ -90,6 +90,14 @@ class PageCheck:
         for flag in wrong_flags(text):
             self.fault(block.first, f"{flag} is no flag of that command")
 
+    def workflow(self, block, run):
+        """Commands of a build server's job: all of them are run on this page."""
+        commands = [line.strip().removeprefix("- ").removeprefix("run: ") for line in block.lines]
+        commands = [command for command in commands if command.startswith("moldlight ")]
+        for command in commands or ["a command of moldlight"]:
+            if command not in run:
+                self.fault(block.first, f"{command} is not run on this page")
+
     def made(self, block):
         actual = self.session.made(block.lines[0]).strip("\n").splitlines()
         if self.session.status != 0:
@@ -102,6 +110,7 @@ class PageCheck:
 
     def run(self):
         found = blocks.blocks(self.lines)
+        run = {command.text for block in found if block.kind == "console" for command in blocks.commands(block)}
         for block, following in zip(found, [*found[1:], None]):
             if block.kind == "console":
                 self.console(block)
@@ -109,6 +118,8 @@ class PageCheck:
                 self.python(block, following if following and following.kind == "output" else None)
             elif block.kind == "sh":
                 self.script(block)
+            elif block.kind == "yaml":
+                self.workflow(block, run)
             elif block.kind == "made by":
                 self.made(block)
         self.session.close()

@@ -14,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "io/csv_tables.hpp"
 #include "io/mesh_writer.hpp"
+#include "mesh/faces.hpp"
 
 namespace moldlight {
 
@@ -100,8 +101,11 @@ Json part_json(const PartModel& model, const std::vector<std::string>& warnings)
 }
 
 std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result) {
-  if (model.part.facet_source.empty() || result.facet_fractions.empty()) return {};
-  return region_areas_by_source(model.part.facet_source, model.geometry.areas, result.facet_fractions);
+  if (result.facet_fractions.empty()) return {};
+  const std::vector<std::uint32_t> faces =
+      model.part.has_cad_faces ? model.part.facet_source
+                               : part_faces(model.part, model.geometry, model.adjacency).of_facet;
+  return region_areas_by_source(faces, model.geometry.areas, result.facet_fractions);
 }
 
 Json classify_json(const PartModel& model, const Classification& result) {

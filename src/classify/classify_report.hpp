@@ -24,8 +24,7 @@ namespace moldlight {
 /// milliseconds. For a STEP part `faces` lists the CAD faces, but not for a direction of a sweep.
 [[nodiscard]] Json classify_json(const PartModel& model, const Classification& result);
 
-/// Region areas of each CAD face or polygon of the file; empty where each facet is its own, and for
-/// a direction of a sweep.
+/// Region areas of each face of part_faces() but what a repair added; empty for a direction of a sweep.
 [[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
 
 /// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes

@@ -44,13 +44,13 @@ constexpr std::string_view k_new = "new-parts", k_gone = "gone-parts", k_changed
 std::vector<std::string_view> batch_figure_names() {
   std::vector<std::string_view> names;
   for (const BatchFigure& row : k_figures) names.push_back(row.name);
-  names.insert(names.end(), {k_new, k_gone, k_changed, k_failed});
+  names.insert(names.end(), {k_verdict_figure, k_new, k_gone, k_changed, k_failed});
   return names;
 }
 
 /// Where the table has what is compared.
 struct BatchBaseline::Columns {
-  std::size_t path = 0, settings = 0, state = 0, unit = 0, count = 0;
+  std::size_t path = 0, settings = 0, state = 0, unit = 0, verdict = 0, count = 0;
   std::array<std::size_t, batch::k_figure_count> figures{};
 
   Columns(const std::vector<std::string>& names, const std::string& file) : count(names.size()) {
@@ -63,12 +63,17 @@ struct BatchBaseline::Columns {
     settings = place("settings");
     state = place("state");
     unit = place("unit");
+    verdict = place("verdict");
     for (std::size_t k = 0; k < figures.size(); ++k) figures[k] = place(figure_name(static_cast<Figure>(k)));
   }
 };
 
 BatchBaseline::BatchBaseline(std::string file, const Gate& gate)
     : file_(std::move(file)), gate_(gate), applied_(gate.criteria.size()) {
+  if (file_.empty()) {
+    require_no_change(gate.criteria);
+    return;
+  }
   std::ifstream stream(file_, std::ios::binary);
   if (!stream) throw FileError(file_, "", "cannot be read");
   batch::CsvReader reader(stream, file_);
@@ -94,6 +99,7 @@ BatchBaseline::Row BatchBaseline::row_of(const Columns& columns, const std::vect
           batch::spreadsheet_text(fields[columns.settings]),
           fields[columns.state],
           batch::spreadsheet_text(fields[columns.unit]),
+          fields[columns.verdict],
           {}};
   for (std::size_t k = 0; k < row.figures.size(); ++k) {
     const std::string& text = fields[columns.figures[k]];
@@ -120,11 +126,9 @@ void BatchBaseline::add(const batch::PartResult& result) {
   if (before != nullptr) before->found = true;
   if (result.state == ResultState::failed) ++failed_;
   if (result.state == ResultState::missing) return;
-  if (before == nullptr) {
-    ++fresh_;
-    return;
-  }
-  if (before->state == batch::state_name(ResultState::missing)) return;
+  if (before == nullptr) ++fresh_;
+  if (before == nullptr || before->state == batch::state_name(ResultState::missing))
+    return apply_alone(result);
   compare(result, *before);
 }
 
@@ -146,8 +150,23 @@ void BatchBaseline::compare(const batch::PartResult& result, const Row& before) 
     figures.push_back({row.name, *was, *is, error, row.area ? area : 0.0});
     if (std::abs(*is - *was) > error) note(result.path, row.name, figure(*was), figure(*is));
   }
+  const auto was = verdict_number(before.verdict), is = verdict_number(result.verdict);
+  if (state == before.state && was && is) {
+    figures.push_back({k_verdict_figure, *was, *is});
+    if (result.verdict != before.verdict) note(result.path, k_verdict_figure, before.verdict, result.verdict);
+  }
   (noted_ == noted ? same_ : changed_) += 1;
   apply(result.path, figures);
+}
+
+void BatchBaseline::apply_alone(const batch::PartResult& result) {
+  std::vector<ComparedFigure> figures;
+  const double area = result.figure(Figure::area).value_or(0.0);
+  for (const BatchFigure& row : k_figures)
+    if (const auto is = result.figure(row.figure))
+      figures.push_back({row.name, *is, *is, 0.0, row.area ? area : 0.0});
+  if (const auto is = verdict_number(result.verdict)) figures.push_back({k_verdict_figure, *is, *is});
+  apply(result.path, figures, false);
 }
 
 void BatchBaseline::note(const std::string& path, std::string_view what, const std::string& was,
@@ -156,8 +175,9 @@ void BatchBaseline::note(const std::string& path, std::string_view what, const s
   changes_ += fmt::format("  {}: {} was {}, is {}\n", one_line(path), what, one_line(was), one_line(is));
 }
 
-void BatchBaseline::apply(std::string_view path, std::span<const ComparedFigure> figures) {
+void BatchBaseline::apply(std::string_view path, std::span<const ComparedFigure> figures, bool has_earlier) {
   for (std::size_t k = 0; k < gate_.criteria.size(); ++k) {
+    if (gate_.criteria[k].of_change && !has_earlier) continue;
     if (std::ranges::find(figures, std::string_view(gate_.criteria[k].name), &ComparedFigure::name) ==
         figures.end())
       continue;
@@ -173,19 +193,21 @@ void BatchBaseline::apply(std::string_view path, std::span<const ComparedFigure>
 void BatchBaseline::finish() {
   gone_ = static_cast<std::size_t>(std::ranges::count(rows_, false, &Row::found));
   const auto count = [](std::size_t parts) { return static_cast<double>(parts); };
-  const std::array<ComparedFigure, 4> counts = {{{k_new, 0.0, count(fresh_)},
+  const std::array<ComparedFigure, 4> counts = {{{k_failed, count(failed_before_), count(failed_)},
+                                                 {k_new, 0.0, count(fresh_)},
                                                  {k_gone, 0.0, count(gone_)},
-                                                 {k_changed, 0.0, count(changed_)},
-                                                 {k_failed, count(failed_before_), count(failed_)}}};
-  apply({}, counts);
+                                                 {k_changed, 0.0, count(changed_)}}};
+  apply({}, std::span(counts).first(file_.empty() ? 1 : counts.size()));
   for (std::size_t k = 0; k < gate_.criteria.size(); ++k) {
     if (!applied_[k])
-      throw UsageError(
-          fmt::format("--fail-on: no part has {} here and in {}", gate_.criteria[k].name, one_line(file_)));
+      throw UsageError(fmt::format(
+          "--fail-on: no part has {}{}", gate_.criteria[k].name,
+          file_.empty() ? " here; counts of changes need --baseline" : " here and in " + one_line(file_)));
   }
 }
 
 std::string BatchBaseline::table() const {
+  if (file_.empty()) return {};
   std::string text = fmt::format("against {}: {} new, {} gone, {} changed, {} as before\n", one_line(file_),
                                  plural(fresh_, "part"), gone_, changed_, same_);
   text += changes_;

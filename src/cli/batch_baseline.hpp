@@ -1,4 +1,4 @@
-// A batch against the table of an earlier one: what is new, gone and changed, and criteria on it.
+// Criteria on a batch, and what is new, gone and changed since the table of an earlier one.
 #pragma once
 
 #include <array>
@@ -19,17 +19,18 @@ namespace moldlight::cli {
 
 /// Takes the rows of a merge. A part is known by its path and its settings, or by its path where the table
 /// has it once. What is missing in either is not compared; an area that differs by less than 1e-8 of the
-/// surface is the same.
+/// surface is the same. Criteria on what a figure is now are tried on new parts, too.
 class BatchBaseline : public batch::MergeSink {
  public:
-  /// Reads the table of `merge --csv`. Throws FileError for what is none. `gate` outlives this.
+  /// Reads the table of `merge --csv`, if one is named. Throws FileError for what is none, and UsageError for
+  /// criteria on a change where there is no table. `gate` outlives this.
   BatchBaseline(std::string file, const Gate& gate);
 
   void add(const batch::PartResult& result) override;
   /// Throws UsageError for a criterion on a figure that no part has in both.
   void finish() override;
 
-  /// How many parts are new, gone and changed, and the first changes.
+  /// How many parts are new, gone and changed, and the first changes; empty without an earlier table.
   [[nodiscard]] std::string table() const;
   /// A sentence for each criterion that a part meets, the first of them; and how many there are.
   [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
@@ -39,7 +40,7 @@ class BatchBaseline : public batch::MergeSink {
 
  private:
   struct Row {
-    std::string path, settings, state, unit;
+    std::string path, settings, state, unit, verdict;
     std::array<std::optional<double>, batch::k_figure_count> figures;
     bool found = false;
   };
@@ -48,9 +49,12 @@ class BatchBaseline : public batch::MergeSink {
                            std::size_t line) const;
   [[nodiscard]] Row* earlier(const batch::PartResult& result);
   void compare(const batch::PartResult& result, const Row& before);
+  /// Tries the criteria that need nothing earlier.
+  void apply_alone(const batch::PartResult& result);
   void note(const std::string& path, std::string_view what, const std::string& was, const std::string& is);
-  /// Applies the criteria that ask for one of the figures; `path` is empty for counts of parts.
-  void apply(std::string_view path, std::span<const ComparedFigure> figures);
+  /// Tries the criteria that ask for one of the figures, those on a change where there is an earlier one;
+  /// `path` is empty for counts of parts.
+  void apply(std::string_view path, std::span<const ComparedFigure> figures, bool has_earlier = true);
 
   std::string file_;
   const Gate& gate_;

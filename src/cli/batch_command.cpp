@@ -254,8 +254,9 @@ int run_status(const StatusFlags& flags, Console& console, const Progress& progr
 
 int run_merge(const MergeFlags& flags, Console& console, const Progress& progress) {
   const MergeFiles& files = flags.files;
-  if (files.csv.empty() && files.sqlite.empty() && files.html.empty() && flags.baseline.empty())
-    throw UsageError("batch merge needs an output: --csv, --sqlite, --html or --baseline");
+  if (files.csv.empty() && files.sqlite.empty() && files.html.empty() && flags.baseline.empty() &&
+      flags.gate.criteria.empty())
+    throw UsageError("batch merge needs an output: --csv, --sqlite, --html, --baseline or --fail-on");
   const Manifest manifest = read_manifest(flags.folder);
   const NamedPath manifest_file{"the batch's manifest",
                                 (fs::path(manifest.folder) / k_manifest_name).string()};
@@ -266,7 +267,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
                            {"--junit", flags.gate.junit}}});
   set_parts_progress(console, "merge");
   std::optional<BatchBaseline> baseline;
-  if (!flags.baseline.empty()) baseline.emplace(flags.baseline, flags.gate);
+  if (!flags.baseline.empty() || !flags.gate.criteria.empty()) baseline.emplace(flags.baseline, flags.gate);
   const ReadingCounts counts = merge(manifest, files, progress, baseline ? &*baseline : nullptr);
   console.set_progress_text({});
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", plural(manifest.rows, "part"),
@@ -365,11 +366,10 @@ void add_merge(CLI::App& batch, Request& request) {
                  "it), more_than_two_actions and failed"});
   add_file_flag(*command, flags->files.html,
                 {"--html", "FILE.html", "A page to sort and filter, with pictures"});
-  CLI::Option* baseline =
-      add_file_flag(*command, flags->baseline,
-                    {"--baseline", "FILE.csv",
-                     "Compare with an earlier table of --csv: new parts, missing parts and changed figures"});
-  add_gate_flags(*command, flags->gate, batch_figure_names())->needs(baseline);
+  add_file_flag(*command, flags->baseline,
+                {"--baseline", "FILE.csv",
+                 "Compare with an earlier table of --csv: new parts, missing parts and changed figures"});
+  add_gate_flags(*command, flags->gate, batch_figure_names());
   add_loudness_flags(*command, request);
   set_work(*command, request, flags, run_merge);
 }

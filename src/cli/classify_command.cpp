@@ -10,6 +10,7 @@
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/report_flags.hpp"
+#include "io/file_contents.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
 #include "parting/draft/draft_check.hpp"
@@ -23,6 +24,8 @@ struct ClassifyFlags : StudyFlags {
   OutputPaths files;  // JSON is among the part's flags
   bool compare_maps = false;
   DraftSettings draft_settings;
+  std::string finish;  // CSV
+  FinishSettings finish_settings;
   std::string draft;  // CSV
 
   /// Exact regions need no GL, the maps do.
@@ -30,6 +33,8 @@ struct ClassifyFlags : StudyFlags {
 };
 
 void check_files(const ClassifyFlags& flags) {
+  if (!flags.draft.empty() && flags.draft_settings.required_deg <= 0.0 && flags.finish.empty())
+    throw UsageError("--draft needs --required-draft or --finish");
   const OutputPaths& files = flags.files;
   if (!files.mesh.empty()) check_mesh_extension(files.mesh);
   if (!files.borders.empty()) check_border_extension(files.borders);
@@ -56,11 +61,16 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
   if (flags.looks_at_maps() || flags.drawn()) context = create_context(flags.query.method.backend);
-  const double required_deg = flags.draft_settings.required_deg;
-  Study study = asked_study(flags, {.required_draft_deg = required_deg}, console, progress);
+  Study study =
+      asked_study(flags, {.required_draft_deg = flags.draft_settings.required_deg}, console, progress);
   const auto& model = study.shared_model();
-  const bool with_split =
-      required_deg > 0.0 || flags.drawn() || flags.files.need_split() || flags.compare_maps;
+  if (!flags.finish.empty()) {
+    Questions questions = study.questions();
+    questions.finishes = read_finishes(flags.finish, *model, flags.finish_settings.texture_rule, progress);
+    study.ask(std::move(questions));
+  }
+  const bool asks_draft = study.questions().draft().any();
+  const bool with_split = asks_draft || flags.drawn() || flags.files.need_split() || flags.compare_maps;
   if (flags.looks_at_maps()) {
     Classifier classifier(*context, model);
     Classification by_maps = classifier.classify(study.questions().query, progress, with_split);
@@ -71,7 +81,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
       with_split ? study.find<SplitRegions>(progress).result : study.find<Classification>(progress);
   for (const std::string& warning : result.warnings) console.warning(warning);
   log_result(result, console);
-  const DraftCheck* draft = required_deg > 0.0 ? &study.find<DraftCheck>(progress) : nullptr;
+  const DraftCheck* draft = asks_draft ? &study.find<DraftCheck>(progress) : nullptr;
 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
@@ -89,6 +99,11 @@ Json settings(const ClassifyFlags& flags) {
   Json json = study_settings(flags);
   json["compare_maps"] = flags.compare_maps;
   json.update(options_json(draft_options(), flags.draft_settings));
+  if (!flags.finish.empty()) {
+    // What it says counts, not where it is.
+    json["finish"] = std::string(FileContents(flags.finish, Progress()).bytes());
+    json.update(options_json(finish_options(), flags.finish_settings));
+  }
   return json;
 }
 
@@ -103,7 +118,8 @@ void add_classify_command(CLI::App& program, Request& request) {
                 {"--facets", "FILE.csv", "Write a table of facets with the area and share of each region"});
   add_file_flag(*command, files.faces,
                 {"--faces", "FILE.csv",
-                 "Write the same table of the CAD faces of a STEP file, or of a file's polygons"});
+                 "Write the same table of faces: the CAD faces of a STEP file, else planes, round walls and "
+                 "fillets that the facets form"});
   add_file_flag(*command, files.mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
                  "Write the part, split at the borders of its exact regions, each facet in the colour of its "
@@ -118,12 +134,17 @@ void add_classify_command(CLI::App& program, Request& request) {
   command->add_flag(
       "--compare-maps", flags->compare_maps,
       "Measure the difference between the shadow maps and the exact regions, by --samples surface samples");
-  CLI::Option* required = add_option_flag(*command, draft_options().front(), flags->draft_settings);
+  add_option_flag(*command, draft_options().front(), flags->draft_settings);
+  CLI::Option* finish = add_file_flag(
+      *command, flags->finish,
+      {"--finish", "FILE.csv",
+       "Required draft by finish: a line \"FACE,FINISH\" for each face, by the numbers that --faces writes. "
+       "Finishes: polished, shut-off, texture DEPTH, draft ANGLE, none"});
+  add_option_flag(*command, finish_options().front(), flags->finish_settings)->needs(finish);
   add_file_flag(*command, flags->draft,
                 {"--draft", "FILE.csv",
                  "Write a table of the walls with too little draft: angle and line of the turn, and the "
-                 "thickness that it costs"})
-      ->needs(required);
+                 "thickness that it costs"});
   CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part in the colours of its regions, with a legend");
   add_live_flag(*command, flags->report);

@@ -61,7 +61,9 @@ int run(const CompareFlags& flags, Console& console, const Progress& progress) {
   const auto a = load_part(flags.a.part, flags.a.reading, progress);
   const auto b = load_part(flags.b, flags.a.reading, progress);
   validate(flags.method, a->frame.diagonal);
-  Comparison comparison = prepare_comparison(a, b, flags.settings, progress);
+  CompareSettings settings = flags.settings;
+  settings.with_mold = settings.with_mold || flags.choice == DirectionChoice::given;
+  Comparison comparison = prepare_comparison(a, b, settings, progress);
   compare_parts(comparison, compared_query(flags, comparison, progress), progress);
   for (const auto& [name, part] : {std::pair("A", &comparison.a), std::pair("B", &comparison.b)})
     for (const std::string& warning : part->result.warnings)

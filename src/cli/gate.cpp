@@ -30,6 +30,12 @@ CLI::Option* add_gate_flags(CLI::App& command, Gate& gate, const std::vector<std
   return criteria;
 }
 
+void require_no_change(std::span<const Criterion> criteria) {
+  for (const Criterion& criterion : criteria)
+    if (criterion.of_change)
+      throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
+}
+
 std::vector<GateCase> gate_cases(std::string_view part, std::span<const Criterion> criteria,
                                  std::span<const ComparedFigure> figures) {
   std::vector<GateCase> cases;

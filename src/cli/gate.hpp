@@ -19,6 +19,9 @@ struct Gate {
 /// --fail-on for these figures, and --junit. The option of the first.
 CLI::Option* add_gate_flags(CLI::App& command, Gate& gate, const std::vector<std::string_view>& figures);
 
+/// Throws UsageError for a criterion on a change: there is nothing earlier.
+void require_no_change(std::span<const Criterion> criteria);
+
 /// A criterion tried on a part.
 struct GateCase {
   std::string part, criterion;

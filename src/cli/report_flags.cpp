@@ -11,6 +11,7 @@
 #include "base/shown_text.hpp"
 #include "classify/option_json.hpp"
 #include "cli/console.hpp"
+#include "cli/title_flags.hpp"
 #include "compare/compare_figures.hpp"
 #include "io/file_contents.hpp"
 #include "report/writers.hpp"
@@ -24,6 +25,19 @@ Json read_report(const std::string& file) {
   auto json = Json::parse(contents.bytes(), nullptr, false);
   if (json.is_discarded()) throw FileError(file, "", "is not JSON, as --json writes it");
   return json;
+}
+
+/// What is sent names files without the folders that they lie in.
+std::vector<std::string> without_folders(std::vector<std::string> words) {
+  namespace fs = std::filesystem;
+  for (std::string& word : words) {
+    const std::size_t value = word.starts_with("--") ? word.find('=') + 1 : 0;  // 0 where there is no =
+    const fs::path path = word.substr(value);
+    std::error_code ignored;
+    if (path.has_parent_path() && fs::is_directory(path.parent_path(), ignored))
+      word = word.substr(0, value) + path.filename().string();
+  }
+  return words;
 }
 
 }  // namespace
@@ -42,6 +56,7 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
                   flags.paper = text == "a4" ? report::Paper::a4 : report::Paper::letter;
                 })
       ->needs(pdf);
+  add_title_flags(command, flags.title);
 }
 
 void add_live_flag(CLI::App& command, ReportFlags& flags) {
@@ -62,7 +77,8 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
           .palette = palette,
           .live = flags.live,
           .version = MOLDLIGHT_VERSION,
-          .command = "moldlight " + shell_text(flags.request->words)};
+          .command = "moldlight " + shell_text(without_folders(flags.request->words)),
+          .title = flags.title};
 }
 
 void write_reports(const ReportFlags& flags, const report::Report& report, Console& console) {
@@ -86,9 +102,7 @@ Baseline::Baseline(const BaselineFlags& flags, std::string command, const std::s
 
 void Baseline::compare(const std::function<Json()>& report) {
   if (flags_.file.empty() && flags_.gate.criteria.empty()) return;
-  for (const Criterion& criterion : flags_.gate.criteria)
-    if (criterion.of_change && flags_.file.empty())
-      throw UsageError(fmt::format("--fail-on: '{}' limits a change; give --baseline, too", criterion.text));
+  if (flags_.file.empty()) require_no_change(flags_.gate.criteria);
   const Json now = report();
   figures_ = report_figures(command_, flags_.file.empty() ? now : before_, now, one_line(flags_.file));
   cases_ = gate_cases(part_, flags_.gate.criteria, figures_);

@@ -24,6 +24,7 @@ struct ReportFlags {
   std::string html, pdf;
   bool live = false;
   report::Paper paper = report::Paper::a4;
+  report::TitleFacts title;
   const Request* request = nullptr;  // that has the command line
 
   [[nodiscard]] bool any() const { return !html.empty() || !pdf.empty(); }

@@ -50,10 +50,33 @@ double longest_travel(const ActionPlan& plan) {
 Found volume(const ComparedPart& part) {
   return part.model->health.closed ? Found(part.model->health.volume) : std::nullopt;
 }
+Found verdict_state(const ComparedPart& part) {
+  return part.verdict ? Found(static_cast<double>(part.verdict->state)) : std::nullopt;
+}
 Found place_count(const SurfaceChange& surface) { return static_cast<double>(surface.places.size()); }
+
+/// Of a mold that was asked for.
+template <typename Find>
+Found of_mold(const Comparison& comparison, const Find& find) {
+  return comparison.mold ? Found(find(*comparison.mold)) : std::nullopt;
+}
+Found steel_to_cut(const Comparison& comparison) {
+  return of_mold(comparison, [](const MoldChange& mold) { return mold.to_cut.volume; });
+}
+Found steel_to_add(const Comparison& comparison) {
+  return of_mold(comparison, [](const MoldChange& mold) { return mold.to_add.volume; });
+}
+Found parting_moved(const Comparison& comparison) {
+  return of_mold(comparison, [](const MoldChange& mold) {
+    double most = 0.0;
+    for (const LineStretch& one : mold.line.fresh) most = std::max(most, one.farthest);
+    return most;
+  });
+}
 
 /// What criteria know of a part beside its regions.
 constexpr FigureRow<ComparedPart> k_plan_figures[] = {
+    {k_verdict_figure, "", Kind::number, verdict_state},
     {"volume", "", Kind::volume, volume},
     {"undercuts", "", Kind::count, of_plan<undercut_count>},
     {"actions", "", Kind::count, of_plan<action_count<any_action>>},
@@ -68,6 +91,13 @@ constexpr FigureRow<SurfaceChange> k_change_figures[] = {
     {"new", "", Kind::area, member<&SurfaceChange::added, &MeasuredArea::area>},
     {"places", "", Kind::count, place_count},
     {"other_region", "", Kind::area, member<&SurfaceChange::other_region>},
+};
+
+/// Of what becomes of the mold.
+constexpr FigureRow<Comparison> k_mold_figures[] = {
+    {"steel_to_add", "", Kind::volume, steel_to_add},
+    {"steel_to_cut", "", Kind::volume, steel_to_cut},
+    {"parting_moved", "", Kind::length, parting_moved},
 };
 
 /// Of a part, in the order of their names.
@@ -194,6 +224,7 @@ std::vector<std::string_view> comparison_figure_names() {
     add(region_figures());
     add(k_plan_figures);
     add(k_change_figures);
+    add(k_mold_figures);
     return names;
   }();
   return {k_names.begin(), k_names.end()};
@@ -213,6 +244,11 @@ std::vector<ComparedFigure> comparison_figures(const Comparison& comparison) {
           {*name, *was[k].value, *is[k].value, was[k].kind == Kind::area ? doubt : 0.0, whole(was[k].kind)});
   for (const FigureRow<SurfaceChange>& row : k_change_figures)
     figures.push_back({*name++, 0.0, *row.find(comparison.surface), 0.0, whole(row.kind)});
+  for (const FigureRow<Comparison>& row : k_mold_figures) {
+    const double volume = row.kind == Kind::volume ? b.model->health.volume : 0.0;
+    if (const Found found = row.find(comparison)) figures.push_back({*name, 0.0, *found, 0.0, volume});
+    ++name;
+  }
   return figures;
 }
 

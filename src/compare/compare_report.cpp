@@ -30,15 +30,54 @@ Json alignment_json(const Alignment& alignment) {
 
 Json area_json(const MeasuredArea& measured) { return {{"area", measured.area}, {"error", measured.error}}; }
 
+Json volume_json(const MeasuredVolume& measured) {
+  return {{"volume", measured.volume}, {"error", measured.error}};
+}
+
+Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& steel, bool is_cut) {
+  if (!steel) return {};
+  Json json = volume_json(steel->volume);
+  json["area"] = steel->area;
+  json["depth"] = steel->depth;
+  json["centre"] = vector_json(steel->centre);
+  json["of"] = Json::array();
+  for (const auto& [owner, area] : steel->of)
+    json["of"].push_back({{"name", steel_owner_text(comparison, owner, is_cut)}, {"area", area}});
+  return json;
+}
+
+Json stretches_json(const std::vector<LineStretch>& stretches) {
+  Json list = Json::array();
+  for (const LineStretch& one : stretches)
+    list.push_back({{"length", one.length}, {"farthest", one.farthest}, {"at", vector_json(one.at)}});
+  return list;
+}
+
+Json mold_json(const Comparison& comparison) {
+  if (!comparison.mold) return {};
+  const MoldChange& mold = *comparison.mold;
+  return {{"sentence", mold_change_text(comparison, mold)},
+          {"steel_to_cut", volume_json(mold.to_cut)},
+          {"steel_to_add", volume_json(mold.to_add)},
+          {"parting_line",
+           {{"within", mold.line.within},
+            {"new", stretches_json(mold.line.fresh)},
+            {"gone", stretches_json(mold.line.gone)}}}};
+}
+
 Json places_json(const Comparison& comparison) {
   const bool closed = comparison.surface.closed;
   Json list = Json::array();
-  for (const ChangedPlace& place : comparison.surface.places) {
+  for (std::size_t k = 0; k < comparison.surface.places.size(); ++k) {
+    const ChangedPlace& place = comparison.surface.places[k];
+    const PlaceSteel steel = comparison.mold ? comparison.mold->places[k] : PlaceSteel();
     list.push_back({{"gone", area_json(place.gone)},
                     {"new", area_json(place.added)},
                     {"volume", closed ? Json(place.volume.volume) : Json()},
                     {"volume_error", closed ? Json(place.volume.error) : Json()},
                     {"joined", place.joined},
+                    {"steel_to_cut", steel_json(comparison, steel.cut, true)},
+                    {"steel_to_add", steel_json(comparison, steel.add, false)},
                     {"centre", vector_json(place.centre)},
                     {"bounds", bounds_json(place.bounds)}});
   }
@@ -93,7 +132,7 @@ Json changes_json(const std::vector<MatchedChange>& changes, const std::vector<T
 }  // namespace
 
 Json compare_json(const Comparison& comparison) {
-  const auto& [a, b, settings, alignment, scale, surface, undercuts, actions, remarks] = comparison;
+  const auto& [a, b, settings, alignment, scale, surface, undercuts, actions, mold, remarks] = comparison;
   Json json;
   json["schema"] = "moldlight.compare/1";
   json["a"] = part_json(*a.model, a.result.warnings);
@@ -110,6 +149,7 @@ Json compare_json(const Comparison& comparison) {
                      {"new", area_json(surface.added)},
                      {"volume_elsewhere", surface.closed ? Json(surface.volume_elsewhere) : Json()}};
   json["places"] = places_json(comparison);
+  json["mold"] = mold_json(comparison);
   std::vector<FoundFigure> differences;
   for (const FigureRow<ComparedPart>& row : region_figures())
     if (row.kind != FigureKind::error)
@@ -124,6 +164,8 @@ Json compare_json(const Comparison& comparison) {
     json["undercuts"] = changes_json(undercuts, a.plan->undercuts, b.plan->undercuts, undercut_json);
     json["actions"] = changes_json(actions, a.plan->actions, b.plan->actions, action_json);
   }
+  json["verdicts"] = {{"a", a.verdict ? verdict_json(*a.verdict) : Json()},
+                      {"b", b.verdict ? verdict_json(*b.verdict) : Json()}};
   json["remarks"] = remarks;
   json["verdict"] = comparison_verdict(comparison);
   return json;

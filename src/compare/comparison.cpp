@@ -86,6 +86,37 @@ std::string undercut_text(const Comparison& comparison, const FigureStyle& style
                      change.empty() ? "" : ", ", change);
 }
 
+const ActionPlan* plan_of(const ComparedPart& part) { return part.plan ? &*part.plan : nullptr; }
+
+void find_plan(const ActionSettings& settings, ComparedPart& part, const Progress& progress) {
+  part.plan = find_actions(*part.model, part.result, settings, progress);
+  part.verdict = verdict_of(*part.model, part.result, *part.plan);
+}
+
+void compare_molds(const OverlaySide& side_a, const OverlaySide& side_b, const ComparedQuery& query,
+                   Comparison& comparison, const Progress& progress) {
+  const ComparedPart &a = comparison.a, &b = comparison.b;
+  if (!comparison.surface.closed) {
+    comparison.remarks.emplace_back("The steel to cut and to add is not known, since a part is not closed");
+    return;
+  }
+  const Assignment of_a = assign_sides(*a.model, {query.a, a.result.settings}, {}, progress),
+                   of_b = assign_sides(*b.model, {query.b, b.result.settings}, {}, progress);
+  MoldChange mold;
+  mold.places =
+      find_steel({side_a, of_a, plan_of(a)}, {side_b, of_b, plan_of(b)}, comparison.surface, progress);
+  for (const PlaceSteel& place : mold.places)
+    for (const auto& [part, sum] : {std::pair(&place.cut, &mold.to_cut), std::pair(&place.add, &mold.to_add)})
+      if (*part) {
+        sum->volume += (*part)->volume.volume;
+        sum->error += (*part)->volume.error;
+      }
+  mold.line = find_line_change(parting_line(of_a), parting_line(of_b),
+                               comparison.surface.tolerance.apart + comparison.surface.chords,
+                               a.model->frame.diagonal);
+  comparison.mold = std::move(mold);
+}
+
 void compare_plans(const PlannedSide& a, const PlannedSide& b, Comparison& comparison) {
   comparison.undercuts = match_undercuts(a, b, comparison.surface);
   comparison.actions = match_actions(a, b, comparison.undercuts, comparison.surface);
@@ -94,7 +125,7 @@ void compare_plans(const PlannedSide& a, const PlannedSide& b, Comparison& compa
 }  // namespace
 
 std::span<const Option<CompareSettings>> compare_options() {
-  static const std::array<Option<CompareSettings>, 3> k_options = {
+  static const std::array<Option<CompareSettings>, 4> k_options = {
       {{.key = "align",
         .flag = "--align",
         .label = "Align",
@@ -113,7 +144,15 @@ std::span<const Option<CompareSettings>> compare_options() {
         .label = "Side actions",
         .unit = "",
         .help = "Compare the undercuts one by one, with their side actions",
-        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_actions}}}};
+        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_actions}},
+       {.key = "mold",
+        .flag = "--mold",
+        .label = "Mold",
+        .unit = "",
+        .help =
+            "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. "
+            "On where --direction names a direction.",
+        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_mold}}}};
   return k_options;
 }
 
@@ -171,9 +210,11 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
     comparison.b.result = comparison.a.result;
     const OverlaySide side(a, comparison.a.result);
     comparison.surface = no_surface_change(side, tolerance);
+    if (settings.with_mold) comparison.mold.emplace();
     if (!settings.with_actions) return;
-    comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
+    find_plan(settings.actions, comparison.a, progress);
     comparison.b.plan = comparison.a.plan;
+    comparison.b.verdict = comparison.a.verdict;
     const PlannedSide planned{side, *comparison.a.plan};
     compare_plans(planned, planned, comparison);
     return;
@@ -184,10 +225,12 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   if (!comparison.surface.places.empty())
     comparison.scale = find_scale(*a, *comparison.b.model, settings.align,
                                   tolerance.apart + comparison.surface.chords, progress);
-  if (!settings.with_actions) return;
-  comparison.a.plan = find_actions(*a, comparison.a.result, settings.actions, progress);
-  comparison.b.plan = find_actions(*comparison.b.model, comparison.b.result, settings.actions, progress);
-  compare_plans({side_a, *comparison.a.plan}, {side_b, *comparison.b.plan}, comparison);
+  if (settings.with_actions) {
+    find_plan(settings.actions, comparison.a, progress);
+    find_plan(settings.actions, comparison.b, progress);
+    compare_plans({side_a, *comparison.a.plan}, {side_b, *comparison.b.plan}, comparison);
+  }
+  if (settings.with_mold && query.a == query.b) compare_molds(side_a, side_b, query, comparison, progress);
 }
 
 std::string comparison_verdict(const Comparison& comparison) {
@@ -217,7 +260,8 @@ std::string comparison_verdict(const Comparison& comparison) {
                         ? fmt::format("side actions as before, {}", actions_text(*comparison.b.plan))
                         : fmt::format("side actions: {}, were {} ({})", actions_text(*comparison.b.plan),
                                       actions_text(*comparison.a.plan), actions));
-  return fmt::format("{}.", fmt::join(facts, "; "));
+  const std::string steel = comparison.mold ? " " + mold_change_text(comparison, *comparison.mold) : "";
+  return fmt::format("{}.{}", fmt::join(facts, "; "), steel);
 }
 
 }  // namespace moldlight

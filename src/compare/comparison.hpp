@@ -13,14 +13,18 @@
 #include "classify/json.hpp"
 #include "classify/option.hpp"
 #include "compare/alignment.hpp"
+#include "compare/line_change.hpp"
+#include "compare/steel_change.hpp"
 #include "compare/surface_change.hpp"
 #include "compare/undercut_change.hpp"
+#include "study/verdict.hpp"
 
 namespace moldlight {
 
 struct CompareSettings {
   bool align = false;        // B is turned and moved onto A; else the parts are compared as they lie
   bool with_actions = true;  // undercuts one by one, and their side actions
+  bool with_mold = false;    // what becomes of the mold of A, where both parts have one direction
   ActionSettings actions;
   double same_within =
       0.0;  // surface that is no farther apart is the same, in A's unit; 0: 1e-4 of A's diagonal
@@ -39,6 +43,14 @@ struct ComparedPart {
   std::shared_ptr<const PartModel> model;
   Classification result;           // with its split mesh
   std::optional<ActionPlan> plan;  // where it was asked for
+  std::optional<Verdict> verdict;  // with the plan
+};
+
+/// What becomes of the mold of A. Volumes and lengths are in A's unit.
+struct MoldChange {
+  std::vector<PlaceSteel> places;  // of the surface's
+  MeasuredVolume to_cut, to_add;
+  LineChange line;
 };
 
 /// Lengths and areas are in A's unit.
@@ -49,6 +61,7 @@ struct Comparison {
   std::optional<UniformScale> scale;   // of B, where surface changed
   SurfaceChange surface;
   std::vector<MatchedChange> undercuts, actions;  // none without plans
+  std::optional<MoldChange> mold;                 // where it was asked for and both parts are closed
   std::vector<std::string> remarks;               // a sentence each
 };
 
@@ -69,6 +82,13 @@ struct Comparison {
 /// Fills in what changed. The same to the bit for any number of threads. Throws Cancelled.
 void compare_parts(Comparison& comparison, const ComparedQuery& query, const Progress& progress);
 
+/// "core", "slide 1": who has steel that is cut, in A's mold, or that is added.
+[[nodiscard]] std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner,
+                                           bool is_cut);
+/// Of all that have some, "core and slide 1".
+[[nodiscard]] std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut);
+/// Whether the mold of A survives: "3 places cut steel; 1 needs steel: 12.4 mm³ at (1, 2, 3) mm, cavity."
+[[nodiscard]] std::string mold_change_text(const Comparison& comparison, const MoldChange& mold);
 /// What changed, in a sentence or two.
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);
 

@@ -70,11 +70,6 @@ const ComparedFigure& figure_of(const Criterion& criterion, std::span<const Comp
   return *found;
 }
 
-std::string value_text(const ComparedFigure& compared, double value) {
-  return compared.name == k_verdict_figure ? std::string(k_verdict_states[static_cast<std::size_t>(value)])
-                                           : figure(value);
-}
-
 std::string percent_text(const ComparedFigure& figure) {
   if (figure.name == k_verdict_figure) return {};
   const std::string change = change_percent(figure.before, figure.after);
@@ -82,6 +77,18 @@ std::string percent_text(const ComparedFigure& figure) {
 }
 
 }  // namespace
+
+std::string value_text(const ComparedFigure& compared, double value) {
+  return compared.name == k_verdict_figure ? std::string(k_verdict_states[static_cast<std::size_t>(value)])
+                                           : figure(value);
+}
+
+std::string change_text(const ComparedFigure& compared) {
+  const double change = compared.after - compared.before;
+  if (!(std::abs(change) > 0.0)) return {};
+  if (compared.name == k_verdict_figure) return change > 0.0 ? "worse" : "better";
+  return fmt::format("{:+.6g}", change);
+}
 
 std::optional<double> verdict_number(std::string_view state) {
   const auto found = std::ranges::find(k_verdict_states, state);
@@ -142,10 +149,7 @@ std::string figure_changes_table(std::span<const ComparedFigure> figures) {
     const double change = one.after - one.before;
     if (std::abs(change) <= one.error) continue;
     text += fmt::format("{:<20} {:>12} {:>12} {:>12}{}\n", one.name, value_text(one, one.before),
-                        value_text(one, one.after),
-                        one.name == k_verdict_figure ? std::string(change > 0.0 ? "worse" : "better")
-                                                     : fmt::format("{:+.6g}", change),
-                        percent_text(one));
+                        value_text(one, one.after), change_text(one), percent_text(one));
   }
   if (text.empty()) return "No figure changed.\n";
   return fmt::format("{:<20} {:>12} {:>12} {:>12}\n", "figure", "was", "is", "change") + text;

@@ -22,6 +22,11 @@ inline constexpr std::string_view k_verdict_figure = "verdict";
 /// None for what is no state.
 [[nodiscard]] std::optional<double> verdict_number(std::string_view state);
 
+/// A value of the figure for people; of a verdict the state.
+[[nodiscard]] std::string value_text(const ComparedFigure& figure, double value);
+/// "+1.5"; of a verdict "worse" or "better"; empty where nothing changed.
+[[nodiscard]] std::string change_text(const ComparedFigure& figure);
+
 /// "+2.01 %" of what it was; empty where that was nothing, and where two decimals show no change.
 [[nodiscard]] std::string change_percent(double before, double after);
 

@@ -18,6 +18,8 @@ namespace {
 /// Draft angles nearer than this are one: beside the greatest draft of near-vertical surface rounding
 /// decides.
 constexpr double k_same_draft_deg = 0.01;
+/// How many facets beyond a place its ends may run.
+constexpr int k_rings = 4;
 /// Surface that faces farther apart is not the same, whatever its region.
 constexpr double k_least_same_facing = 0.5;
 
@@ -110,15 +112,23 @@ void find_places(const OverlaySide& a, const OverlaySide& b, double speck, Surfa
     }
     change.volume_elsewhere = volumes.elsewhere;
   }
+  std::vector<std::uint32_t> touched = place_of;
+  // The ends of a round wall that moved run over several facets.
+  for (int ring = 0; ring < k_rings; ++ring) left.add_explained(touched, progress);
   measure_places(left, place_of, change.places);
   const auto order =
       largest_first(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area; });
   reorder(change.places, order);
   std::erase_if(change.places, [](const ChangedPlace& p) { return p.gone.area + p.added.area <= 0.0; });
-  renumber(place_of, ranks(order));
-  const auto middle = place_of.begin() + static_cast<std::ptrdiff_t>(left.of_a());
-  change.place_of_a.assign(place_of.begin(), middle);
-  change.place_of_b.assign(middle, place_of.end());
+  const auto give = [&](std::vector<std::uint32_t>& places, std::vector<std::uint32_t>& of_a,
+                        std::vector<std::uint32_t>& of_b) {
+    renumber(places, ranks(order));
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(left.of_a());
+    of_a.assign(places.begin(), middle);
+    of_b.assign(middle, places.end());
+  };
+  give(place_of, change.place_of_a, change.place_of_b);
+  give(touched, change.touched_of_a, change.touched_of_b);
   for (const ChangedPlace& place : change.places) {
     change.gone.area += place.gone.area;
     change.gone.error += place.gone.error;

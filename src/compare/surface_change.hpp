@@ -44,6 +44,9 @@ struct SurfaceChange {
   /// Place of each of their left-over pieces, and region change of each of of_a.regions; or k_no_change:
   /// what the tolerance or the tessellation explains.
   std::vector<std::uint32_t> place_of_a, place_of_b, change_of_region;
+  /// Places of left-over pieces as above, with what is explained but touches a place: the thin ends of what
+  /// came or went.
+  std::vector<std::uint32_t> touched_of_a, touched_of_b;
 
   [[nodiscard]] bool any() const { return !places.empty() || !regions.empty(); }
   /// Area of all that changes its region.

@@ -82,6 +82,17 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
   json["unreleased"] = of_insert.unreleased;
 }
 
+}  // namespace
+
+std::string block_text(const PartModel& model, const MoldHalves& halves) {
+  const glm::dvec2 size = halves.scale * model.frame.diagonal * (halves.block_high - halves.block_low);
+  return fmt::format(
+      "{:.4g} × {:.4g} × {}", size.x, size.y,
+      FigureStyle(model).with_unit(FigureKind::length, halves.block_volume / (size.x * size.y)));
+}
+
+namespace {
+
 /// "8 shut-offs, planar parting surface, flat edge, 1 slide; block of 117 × 89 × 62 mm": of what was made.
 std::string made_text(const MoldReport& report) {
   constexpr double k_flat = 1e-4;  // of the diagonal
@@ -104,9 +115,7 @@ std::string made_text(const MoldReport& report) {
     text += fmt::format(", {} of steel on steel without draft", plural(halves.contacts.size(), "place"));
   if (slides > 0) text += ", " + plural(slides, "slide");
   if (loose > 0) text += ", " + plural(loose, "insert");
-  const glm::dvec2 size = halves.scale * report.model.frame.diagonal * (halves.block_high - halves.block_low);
-  return text + fmt::format("; block of {:.4g} × {:.4g} × {}", size.x, size.y,
-                            length(halves.block_volume / (size.x * size.y)));
+  return text + "; block of " + block_text(report.model, halves);
 }
 
 /// Of a body as it is written, in the mold's sequence: slides, halves, and by hand what leaves with the part.

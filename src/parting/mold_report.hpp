@@ -33,6 +33,9 @@ struct MoldReport {
 [[nodiscard]] std::string refusal_text(const PartModel& model, const MoldHalves& halves,
                                        const WrittenMold& written, std::string_view loop = {});
 
+/// "117 × 89 × 62 mm": the size of the mold's block.
+[[nodiscard]] std::string block_text(const PartModel& model, const MoldHalves& halves);
+
 /// Undercuts that the halves cannot form and that are not left to inserts, with their places; empty where
 /// there are none.
 [[nodiscard]] std::string unfilled_text(const PartModel& model, const MoldSettings& settings,

@@ -227,8 +227,8 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
           "facet without area.")
       .def_property_readonly("facet_areas", facet_areas, "m x 4 float64: the area of each region in a facet.")
       .def_property_readonly("face_areas", face_table,
-                             "(numbers, areas): of each CAD face or polygon of the file its number and the "
-                             "area of each region, f and f x 4; None where each facet is its own.");
+                             "(numbers, areas): of each face its number and the area of each region, f and "
+                             "f x 4. Faces are those of CAD, else planes and bent walls that facets form.");
 }
 
 constexpr std::string_view k_classify_text =

@@ -186,6 +186,15 @@ std::string block_html(const Block& block) {
   return std::visit([](const auto& each) { return to_html(each); }, block);
 }
 
+/// As the corner of a drawing has it.
+std::string title_html(const TitleBlock& title) {
+  std::string html = "<div class=\"title\">\n";
+  if (!title.logo.rgba.empty())
+    html += fmt::format("<img src=\"{}\" alt=\"\">\n", page::picture_url(title.logo));
+  for (const Block& block : title.blocks) html += block_html(block);
+  return html + "</div>\n";
+}
+
 constexpr std::string_view tone_class(Tone tone) {
   constexpr std::array<std::string_view, 3> k_classes = {"good", "attention", "bad"};
   return k_classes[static_cast<std::size_t>(tone)];
@@ -261,7 +270,9 @@ std::string html_page(const Report& report) {
       html_text(report.kind), html_text(report.part), html_text(report.subject), tone_class(report.tone),
       html_text(report.sentence));
   if (!report.lead.empty()) html += fmt::format("<p class=\"lead\">{}</p>\n", html_text(report.paragraph()));
-  html += "</header>\n" + view_html(report);
+  html += "</header>\n";
+  if (report.title) html += title_html(*report.title);
+  html += view_html(report);
   for (const Section& section : report.sections) {
     html += fmt::format("<section>\n<h2>{}</h2>\n", html_text(section.title));
     for (const Block& block : section.blocks) html += block_html(block);

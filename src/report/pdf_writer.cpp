@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -112,6 +113,22 @@ std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) 
   return pieces;
 }
 
+/// The logo at the right, above the facts.
+void add_title(const Setting& setting, const TitleBlock& title, Pieces& pieces) {
+  constexpr glm::dvec2 k_most_logo_pt(140.0, 36.0);
+  if (!title.logo.rgba.empty()) {
+    const glm::dvec2 pixels(title.logo.width, title.logo.height);
+    const glm::dvec2 size = pixels * std::min(k_most_logo_pt.x / pixels.x, k_most_logo_pt.y / pixels.y);
+    pieces.add({.height = size.y,
+                .gap = 8.0,
+                .with_next = true,
+                .draw = [&title, size](Canvas& canvas, const glm::dvec2& corner) {
+                  canvas.picture(title.logo, {corner, size});
+                }});
+  }
+  for (const Block& block : title.blocks) pieces.add(block_pieces(setting, block));
+}
+
 void add_view(const Setting& setting, const Report& report, Pieces& pieces) {
   if (report.still.light.rgba.empty()) return;
   // The caption says how the view is used that paper does not have.
@@ -144,6 +161,7 @@ void add_section(const Setting& setting, const Section& section, Pieces& pieces)
 std::vector<Piece> report_pieces(const Setting& setting, const Report& report) {
   Pieces pieces(setting);
   add_head(setting, report, pieces);
+  if (report.title) add_title(setting, *report.title, pieces);
   add_view(setting, report, pieces);
   for (const Section& section : report.sections) add_section(setting, section, pieces);
   return std::move(pieces.all());

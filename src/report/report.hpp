@@ -103,12 +103,23 @@ struct Facts {
 
 using Block = std::variant<FigureGrid, ShareBar, Table, Pictures, DraftBars, Text, Facts>;
 
+/// The block that a drawing has in its corner: facts first.
+struct TitleBlock {
+  Image logo;
+  std::vector<Block> blocks;
+};
+
 struct Section {
   std::string title;
   std::vector<Block> blocks;
   bool pages_only = false;  // left out of a terminal's text
 };
 
+/// Who sends the report, and of what; what is empty is not known.
+struct TitleFacts {
+  std::string revision = {}, material = {}, company = {}, author = {}, date = {}, note = {};
+  Image logo = {};
+};
 enum class Tone : std::uint8_t { good, attention, bad };
 
 struct Report {
@@ -117,8 +128,9 @@ struct Report {
   std::string subject;   // "along +Z"
   std::string sentence;  // the verdict
   Tone tone = Tone::good;
-  std::vector<std::string> lead;  // sentences below it
-  Picture still;                  // what stands for the view where there is none
+  std::vector<std::string> lead;         // sentences below it
+  std::optional<TitleBlock> title = {};  // for pages
+  Picture still;                         // what stands for the view where there is none
   std::optional<ModelView> view;
   std::optional<LiveView> live;  // of the same part and direction as `view`
   std::string not_live;          // why not, where it was asked for

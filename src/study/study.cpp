@@ -140,12 +140,12 @@ std::shared_ptr<const MoldPieces> Asked<MoldPieces>::find(Study& study, const Pr
 }
 
 Asked<DraftCheck>::Inputs Asked<DraftCheck>::inputs(const Study& study) {
-  return {Asked<MoldLine>::inputs(study), study.questions().required_draft_deg};
+  return {Asked<MoldLine>::inputs(study), study.questions().draft()};
 }
 std::shared_ptr<const DraftCheck> Asked<DraftCheck>::find(Study& study, const Progress& progress) {
   const Assignment& assignment = study.find<MoldLine>(progress).assignment;
   return shared(check_draft(study.model(), assignment, study.find<Classification>(progress).reverse_draft,
-                            study.questions().required_draft_deg));
+                            study.questions().draft()));
 }
 
 SweepSettings Asked<SweepResult>::inputs(const Study& study) { return study.questions().sweep; }
@@ -233,7 +233,7 @@ std::vector<std::string> mold_warnings(Study& study, const Progress& progress) {
 
 Json classify_json(Study& study, const Progress& progress) {
   Json json = classify_json(study.model(), study.find<Classification>(progress));
-  if (study.questions().required_draft_deg > 0.0)
+  if (study.questions().draft().any())
     json["draft"] = draft_json(study.model(), study.find<DraftCheck>(progress));
   json["verdict"] = verdict_json(study.verdict(progress));
   add_best_direction(study, json);

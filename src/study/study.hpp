@@ -34,8 +34,11 @@ struct Questions {
   ActionSettings actions = {};
   MoldSettings mold = {};
   double required_draft_deg = 0.0;
-  SweepSettings sweep = {};        // with the method of its own
-  SweepListener sweep_shows = {};  // while it runs; the answer does not depend on it
+  std::vector<FaceFinish> finishes = {};  // faces that ask for a draft of their own
+  SweepSettings sweep = {};               // with the method of its own
+  SweepListener sweep_shows = {};         // while it runs; the answer does not depend on it
+
+  [[nodiscard]] DraftDemand draft() const { return {required_draft_deg, finishes}; }
 };
 
 // Answers that the domain has no type for.
@@ -114,7 +117,7 @@ struct Asked<SweepResult> {
 };
 template <>
 struct Asked<DraftCheck> {
-  using Inputs = std::pair<Asked<MoldLine>::Inputs, double>;
+  using Inputs = std::pair<Asked<MoldLine>::Inputs, DraftDemand>;
   static Inputs inputs(const Study& study);
   static std::shared_ptr<const DraftCheck> find(Study& study, const Progress& progress);
 };

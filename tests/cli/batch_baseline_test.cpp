@@ -115,9 +115,34 @@ TEST_F(BatchBaseline, RefusesCriteriaThatNothingAnswers) {
   EXPECT_EQ(run.error_lines(), 1u) << run.err;
   EXPECT_EQ(file_bytes(parts_.path("new.csv")), "");
   EXPECT_EQ(merge({"--csv", table()}).exit_code, 2) << "what is read is not replaced";
-  EXPECT_EQ(parts_.batch("merge", {"--fail-on", "undercut > 0", "--csv", parts_.path("new.csv")}).exit_code,
-            2)
-      << "nothing to compare with";
+  for (const char* change : {"undercut > +0", "new-parts > 0"})
+    EXPECT_EQ(parts_.batch("merge", {"--fail-on", change, "--csv", parts_.path("new.csv")}).exit_code, 2)
+        << "nothing to compare with";
+}
+
+TEST_F(BatchBaseline, TriesWhatFiguresAreNowWithoutATable) {
+  const std::string junit = parts_.path("gate.xml");
+  const auto run = parts_.batch(
+      "merge", {"--fail-on", "verdict > side-actions, total > 1, failed-parts > 0", "--junit", junit});
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_EQ(run.out.find("against"), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find(field(2, "path") + ": criterion failed: total > 1: total is "), std::string::npos)
+      << run.err;
+  EXPECT_NE(file_bytes(junit).find("tests=\"7\" failures=\"3\">"), std::string::npos) << file_bytes(junit);
+  EXPECT_EQ(parts_.batch("merge", {"--fail-on", "verdict >= unknown"}).exit_code, 0);
+}
+
+TEST_F(BatchBaseline, TriesTheVerdict) {
+  const std::string verdict = field(1, "verdict");
+  ASSERT_EQ(merge({"--fail-on", "verdict > +0"}).exit_code, 2) << "a state is no number";
+  ASSERT_EQ(merge({"--fail-on", "verdict >= " + verdict}).exit_code, 3);
+  field(1, "verdict") = verdict == "two-plate" ? "undercuts" : "two-plate";
+  const auto run = merge({"--fail-on", "verdict >= unknown"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find(": verdict was "), std::string::npos) << run.out;
+  // What an earlier table has not is tried by what it is now.
+  field(1, "path") = "was there once.off";
+  EXPECT_EQ(merge({"--fail-on", "verdict >= " + verdict}).exit_code, 3);
 }
 
 }  // namespace

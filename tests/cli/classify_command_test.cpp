@@ -90,7 +90,7 @@ TEST(Classify, TellsWhereDraftIsMissing) {
   const Json json = json_of(run.out);
   const Json& draft = json["draft"];
   EXPECT_EQ(keys(draft), (std::vector<std::string>{"required_deg", "rounding_deg", "below", "reverse",
-                                                   "histogram", "faces"}));
+                                                   "histogram", "finishes", "faces"}));
   // Its walls are upright: the halves form nothing else with too little draft.
   const double below =
       draft["below"]["core"]["area"].get<double>() + draft["below"]["cavity"]["area"].get<double>();
@@ -110,6 +110,40 @@ TEST(Classify, TellsWhereDraftIsMissing) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(text, '\n')), draft["faces"].size() + 1);
   EXPECT_EQ(run_moldlight(part.classify({"--draft", table})).exit_code, 2) << "it needs the angle";
   EXPECT_EQ(run_moldlight(part.classify({"--required-draft", "46"})).exit_code, 2);
+}
+
+TEST(Classify, AsksForDraftByFinish) {
+  const SmallPart part;
+  const auto json_with = [&](const std::string& finishes, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments =
+        part.classify({"--json", "-", "--finish", part.folder().write("finish.csv", finishes)});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_moldlight(arguments);
+  };
+  const std::string table = part.output("walls.csv");
+  const auto run = json_with("face,finish\n*,texture 0.05\n", {"--draft", table});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json draft = json_of(run.out)["draft"];
+  ASSERT_EQ(draft["finishes"].size(), 1U);
+  EXPECT_NEAR(draft["finishes"][0]["required_deg"].get<double>(), 2.0, 1e-9);
+  EXPECT_GT(draft["finishes"][0]["below"]["area"].get<double>(), 0.0);
+  EXPECT_NEAR(draft["finishes"][0]["below"]["area"].get<double>(),
+              draft["below"]["core"]["area"].get<double>() + draft["below"]["cavity"]["area"].get<double>(),
+              1e-6);
+  for (const Json& wall : draft["faces"]) EXPECT_EQ(wall["finish"], "texture 0.05");
+  EXPECT_NE(file_bytes(table).find(",texture 0.05\n"), std::string::npos);
+  const Json inch = json_of(json_with("*,texture 0.0254 mm\n", {"--texture-rule", "inch"}).out);
+  EXPECT_NEAR(inch["draft"]["finishes"][0]["required_deg"].get<double>(), 1.5, 1e-9);
+  const auto wrong = json_with("0,polished\n1,shiny\n");
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_EQ(wrong.error_lines(), 1U) << wrong.err;
+  EXPECT_NE(wrong.err.find("line 2"), std::string::npos) << wrong.err;
+  // The numbers are those of --faces, of a mesh, too.
+  const std::string faces = part.output("faces.csv");
+  ASSERT_EQ(run_moldlight(part.classify({"--faces", faces})).exit_code, 0);
+  const std::string text = file_bytes(faces);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(text, '\n')),
+            draft["finishes"][0]["faces"].get<std::size_t>() + 1);
 }
 
 TEST(Classify, JsonFiguresBelongTogether) {

@@ -144,6 +144,43 @@ TEST_F(Compare, EndsWithThreeWhereACriterionFails) {
   EXPECT_EQ(compare(a, b, {"--actions", "off", "--fail-on", "actions > 0"}).exit_code, 2) << "not looked for";
 }
 
+/// The groove becomes deeper by 1: the slide that forms it needs steel.
+TEST_F(Compare, TellsWhetherTheMoldSurvives) {
+  const std::string a = bar("a.obj", 2.0), b = bar("b.obj", 3.0);
+  const auto json = json_of(compare(a, b, {"--json", "-"}).out);
+  const double steel = 1.0 * 4.0 * 30.0;
+  EXPECT_NEAR(json["mold"]["steel_to_add"]["volume"].get<double>(), steel, 1e-9 * steel);
+  EXPECT_EQ(json["mold"]["steel_to_cut"]["volume"], 0.0);
+  EXPECT_TRUE(json["mold"]["sentence"].get<std::string>().starts_with(
+      "No place cuts steel; 1 needs steel: 120 mm³ at (17.5, 15, 6) mm, slide 1."))
+      << json["mold"]["sentence"];
+  const auto& place = json["places"][0];
+  EXPECT_TRUE(place["steel_to_cut"].is_null());
+  EXPECT_EQ(place["steel_to_add"]["of"][0]["name"], "slide 1");
+  EXPECT_NEAR(place["steel_to_add"]["depth"].get<double>(), 4.0, 1e-9);
+  const auto back = json_of(compare(b, a, {"--json", "-"}).out);
+  EXPECT_NEAR(back["mold"]["steel_to_cut"]["volume"].get<double>(), steel, 1e-9 * steel);
+  EXPECT_EQ(back["mold"]["steel_to_add"]["volume"], 0.0);
+  const auto text = compare(a, b).out;
+  EXPECT_NE(text.find("Does the mold survive?"), std::string::npos) << text;
+  EXPECT_TRUE(json_of(compare(a, a, {"--json", "-"}).out)["mold"]["sentence"].get<std::string>().starts_with(
+      "No steel of the mold changes."));
+  EXPECT_TRUE(json_of(compare(a, b, {"--direction", "best", "--actions", "off", "--json", "-"}).out)["mold"]
+                  .is_null())
+      << "it was not asked for";
+}
+
+TEST_F(Compare, FailsOnSteelAndOnTheVerdict) {
+  const std::string a = bar("a.obj", 2.0), b = bar("b.obj", 3.0), none = bar("none.obj", 0.0);
+  EXPECT_EQ(compare(a, b, {"--fail-on", "steel-to-add > 0"}).exit_code, 3);
+  EXPECT_EQ(compare(a, b, {"--fail-on", "steel-to-add > 121, steel-to-cut > 0"}).exit_code, 0);
+  EXPECT_EQ(compare(b, a, {"--fail-on", "steel-to-cut > 1%"}).exit_code, 3) << "of the part's volume";
+  EXPECT_EQ(compare(a, b, {"--fail-on", "verdict > side-actions"}).exit_code, 0);
+  const auto worse = compare(none, b, {"--fail-on", "verdict > two-plate"});
+  EXPECT_EQ(worse.exit_code, 3);
+  EXPECT_NE(worse.err.find("verdict was two-plate, is side-actions"), std::string::npos) << worse.err;
+}
+
 TEST_F(Compare, TellsAnotherUnit) {
   const auto run = compare(bar("a.obj", 2.0), bar("b.obj", 2.0, 1.0 / 25.4), {"--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -10,7 +10,7 @@ import blocks
 LONGEST_LINE = 120
 MOST_WORDS, MEAN_WORDS = 30, 16
 README_LINES, README_WORDS = 130, 900
-KINDS = {"console", "python", "output", "sh", "made by"}
+KINDS = {"console", "python", "output", "sh", "yaml", "made by"}
 
 
 def sentences(lines):

@@ -39,7 +39,7 @@ TEST_F(Draft, FollowsTheRequiredDraftAsTheCommandDoes) {
   ASSERT_TRUE(state().mold.line && state().mold.line->draft);
   EXPECT_EQ(check().required_deg, state().settings.required_draft.deg);
   const DraftCheck same = check_draft(*state().model, state().mold.line->assignment,
-                                      state().figures.shown->reverse_draft, check().required_deg);
+                                      state().figures.shown->reverse_draft, {check().required_deg});
   EXPECT_EQ(check().below, same.below);
   ASSERT_EQ(check().walls.size(), 4U);
   const double lean = glm::degrees(std::atan(0.01));

@@ -46,7 +46,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"parting", k_parting},
       {"sweep", k_sweep},
       {"study", k_study},
-      {"compare", k_parting},
+      {"compare", k_python},
       {"batch", {"base", "io", "page", "classify"}},
       {"report", k_report},
       {"step", {"io", "mesh"}},

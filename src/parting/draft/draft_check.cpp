@@ -70,6 +70,7 @@ WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Sh
   const double outward = side == MoldSide::core ? 1.0 : -1.0;  // along which the half leaves
   WallDraft wall;
   wall.side = side;
+  wall.required_deg = required_deg;
   wall.area = shallow.area;
   wall.least_deg = std::ranges::min(shallow.pieces, {}, &Shallow::Piece::draft_deg).draft_deg;
   double low = INFINITY, high = -INFINITY;
@@ -114,15 +115,76 @@ WallDraft wall_of(const PartModel& model, const Assignment& assignment, const Sh
   return wall;
 }
 
+/// Which of the finishes each face has.
+class FinishesOfFaces {
+ public:
+  FinishesOfFaces(const DraftDemand& demand, std::size_t faces) : number_(faces, k_none) {
+    for (const FaceFinish& one : demand.finishes)
+      if (std::ranges::find(all_, one.finish, &FinishDraft::finish) == all_.end())
+        all_.push_back({.finish = one.finish});
+    std::ranges::stable_sort(all_, std::greater(),
+                             [](const FinishDraft& one) { return one.finish.required_deg; });
+    for (const FaceFinish& one : demand.finishes) {
+      const auto found = std::ranges::find(all_, one.finish, &FinishDraft::finish);
+      number_[one.face] = static_cast<std::uint32_t>(found - all_.begin());
+      ++found->faces;
+    }
+  }
+  [[nodiscard]] const std::vector<FinishDraft>& all() const { return all_; }
+  /// Null for a face that has none.
+  [[nodiscard]] FinishDraft* of(std::uint32_t face, std::vector<FinishDraft>& all) const {
+    return number_[face] == k_none ? nullptr : &all[number_[face]];
+  }
+
+ private:
+  static constexpr std::uint32_t k_none = ~0U;
+  std::vector<FinishDraft> all_;
+  std::vector<std::uint32_t> number_;  // of each face
+};
+
+/// Of faces of which a half forms a part that leans against it, what leans as much and is an undercut.
+double undercut_that_leans_back(const PartModel& model, const Assignment& assignment, const Faces& faces) {
+  const auto upward_deg = [&](PieceIndex piece) {
+    return draft_angle_deg(model.geometry.normals[assignment.mesh.pieces[piece].facet], assignment.direction);
+  };
+  std::map<std::uint32_t, double> sense_of;  // of faces that lean back: that of the half
+  for (PieceIndex k = 0; k < assignment.sides.size(); ++k) {
+    const MoldSide side = assignment.sides[k];
+    const double sense = side == MoldSide::core ? 1.0 : side == MoldSide::cavity ? -1.0 : 0.0;
+    if (sense * upward_deg(k) < -k_draft_rounding_deg)
+      sense_of[faces.of_facet[assignment.mesh.pieces[k].facet]] = sense;
+  }
+  double area = 0.0;
+  for (PieceIndex k = 0; k < assignment.sides.size(); ++k) {
+    if (assignment.sides[k] != MoldSide::action) continue;
+    const auto found = sense_of.find(faces.of_facet[assignment.mesh.pieces[k].facet]);
+    if (found != sense_of.end() && found->second * upward_deg(k) < -k_draft_rounding_deg)
+      area += 0.5 * glm::length(twice_piece_area(assignment.mesh, k));
+  }
+  return area;
+}
+
+/// "below 1.5°", or below what each finish asks for.
+std::string below_text(const DraftCheck& check) {
+  return check.finishes.empty() ? fmt::format("below {}°", figure(check.required_deg))
+                                : std::string("below the draft of its finish");
+}
+
 std::string short_area(double area, const std::string& unit) { return fmt::format("{:.4g} {}", area, unit); }
 
 Json wall_json(const WallDraft& wall) {
   Json line;
   if (wall.foot_line) line = {point_json((*wall.foot_line)[0]), point_json((*wall.foot_line)[1])};
-  return {{"face", wall.face},         {"side", side_name(wall.side)},
-          {"area", wall.area},         {"least_deg", wall.least_deg},
-          {"height", wall.height},     {"foot", {{"height", wall.foot}, {"line", line}}},
-          {"turn_deg", wall.turn_deg}, {"thickness", wall.thickness}};
+  return {{"face", wall.face},
+          {"side", side_name(wall.side)},
+          {"finish", wall.finish.empty() ? Json() : Json(wall.finish)},
+          {"required_deg", wall.required_deg},
+          {"area", wall.area},
+          {"least_deg", wall.least_deg},
+          {"height", wall.height},
+          {"foot", {{"height", wall.foot}, {"line", line}}},
+          {"turn_deg", wall.turn_deg},
+          {"thickness", wall.thickness}};
 }
 
 // Lengths at scale 1.
@@ -172,12 +234,14 @@ std::span<const Option<DraftSettings>> draft_options() {
 }
 
 DraftCheck check_draft(const PartModel& model, const Assignment& assignment, const ReverseDraft& reverse,
-                       double required_deg) {
+                       const DraftDemand& demand) {
   DraftCheck check;
-  check.required_deg = required_deg;
+  check.required_deg = demand.required_deg;
   check.reverse = reverse;
   check.histogram = empty_bins();
   const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
+  const FinishesOfFaces finish_of(demand, faces.count());
+  check.finishes = finish_of.all();
   std::map<std::pair<std::uint32_t, MoldSide>, Shallow> shallow;
   for (PieceIndex k = 0; k < assignment.sides.size(); ++k) {
     const MoldSide side = assignment.sides[k];
@@ -189,16 +253,31 @@ DraftCheck check_draft(const PartModel& model, const Assignment& assignment, con
     const double area = 0.5 * glm::length(twice_piece_area(assignment.mesh, k));
     if (area <= 0.0) continue;
     bin_of(check.histogram, draft).area[half] += area;
-    if (draft >= required_deg - k_draft_rounding_deg) continue;
+    const std::uint32_t number = faces.of_facet[facet];
+    FinishDraft* const finish = finish_of.of(number, check.finishes);
+    const double required_deg = finish != nullptr ? finish->finish.required_deg : demand.required_deg;
+    const bool is_below = required_deg > 0.0 && draft < required_deg - k_draft_rounding_deg;
+    if (finish != nullptr) {
+      finish->area += area;
+      finish->least_deg = std::min(finish->least_deg.value_or(draft), draft);
+      if (is_below) finish->below += area;
+    }
+    if (!is_below) continue;
     check.below[half] += area;
-    Shallow& face = shallow[{faces.of_facet[facet], side}];
+    Shallow& face = shallow[{number, side}];
     face.pieces.push_back({k, area, draft});
     face.area += area;
   }
+  check.reverse_undercut = undercut_that_leans_back(model, assignment, faces);
   for (const auto& [key, face] : shallow) {
     ++check.faces_below[static_cast<std::size_t>(key.second)];
-    check.walls.push_back(wall_of(model, assignment, face, key.second, required_deg));
-    check.walls.back().face = key.first;
+    FinishDraft* const finish = finish_of.of(key.first, check.finishes);
+    const double required_deg = finish != nullptr ? finish->finish.required_deg : demand.required_deg;
+    WallDraft& wall = check.walls.emplace_back(wall_of(model, assignment, face, key.second, required_deg));
+    wall.face = key.first;
+    if (finish == nullptr) continue;
+    ++finish->faces_below;
+    wall.finish = finish->finish.name;
   }
   std::ranges::stable_sort(check.walls, std::greater(), &WallDraft::thickness);
   return check;
@@ -216,14 +295,24 @@ Json draft_json(const PartModel& model, const DraftCheck& check) {
     bins.push_back(
         {{"from_deg", bin.from_deg}, {"to_deg", bin.to_deg}, {"core", bin.area[0]}, {"cavity", bin.area[1]}});
   for (const WallDraft& wall : check.walls) walls.push_back(wall_json(wall));
+  Json finishes = Json::array();
+  for (const FinishDraft& one : check.finishes)
+    finishes.push_back({{"finish", one.finish.name},
+                        {"required_deg", one.finish.required_deg},
+                        {"faces", one.faces},
+                        {"area", one.area},
+                        {"least_deg", one.least_deg ? Json(*one.least_deg) : Json()},
+                        {"below", {{"area", one.below}, {"faces", one.faces_below}}}});
   return {{"required_deg", check.required_deg},
           {"rounding_deg", k_draft_rounding_deg},
           {"below", below},
           {"reverse",
            {{"area", check.reverse.area},
             {"worst_deg", check.reverse.worst_deg},
+            {"undercut_area", check.reverse_undercut},
             {"place", check.reverse.facet ? point_json(worst / 3.0) : Json()}}},
           {"histogram", bins},
+          {"finishes", finishes},
           {"faces", walls}};
 }
 
@@ -241,11 +330,17 @@ std::string draft_sentence(const PartModel& model, const DraftCheck& check) {
     text += fmt::format("{}{} {} on {}", text.empty() ? "" : ", ", side_name(side),
                         short_area(check.below[k], unit), plural(check.faces_below[k], "face"));
   }
-  text = text.empty() ? fmt::format("every wall has {}° or more", figure(check.required_deg))
-                      : fmt::format("below {}°: {}", figure(check.required_deg), text);
+  if (!text.empty())
+    text = fmt::format("{}: {}", below_text(check), text);
+  else
+    text = check.finishes.empty() ? fmt::format("every wall has {}° or more", figure(check.required_deg))
+                                  : std::string("every wall has the draft of its finish");
   if (check.reverse.facet)
-    text += fmt::format(" · reverse draft {}, at worst {:.3g}°", short_area(check.reverse.area, unit),
-                        check.reverse.worst_deg);
+    text += fmt::format(" · reverse draft {}, at worst {:.3g}°{}", short_area(check.reverse.area, unit),
+                        check.reverse.worst_deg,
+                        check.reverse_undercut > 0.0 ? fmt::format("; {} more of these walls is undercut",
+                                                                   short_area(check.reverse_undercut, unit))
+                                                     : std::string());
   return text;
 }
 
@@ -253,7 +348,7 @@ void write_draft_csv(const std::string& path, const DraftCheck& check) {
   AtomicFile file(path);
   file.write(
       "face,side,area,least_draft_deg,height,turn_deg,thickness,foot_height,foot_x1,foot_y1,foot_z1,foot_x2,"
-      "foot_y2,foot_z2\n");
+      "foot_y2,foot_z2,required_draft_deg,finish\n");
   for (const WallDraft& wall : check.walls) {
     std::string row = fmt::format("{},{},{},{},{},{},{},{}", wall.face, side_name(wall.side), wall.area,
                                   wall.least_deg, wall.height, wall.turn_deg, wall.thickness, wall.foot);
@@ -265,7 +360,8 @@ void write_draft_csv(const std::string& path, const DraftCheck& check) {
         row += ",,,";
       }
     }
-    file.write(row += '\n');
+    fmt::format_to(std::back_inserter(row), ",{},{}\n", wall.required_deg, wall.finish);
+    file.write(row);
   }
   file.commit();
 }
@@ -290,13 +386,13 @@ Image with_draft_histogram(const Image& picture, const PartModel& model, const D
   const std::string unit = powered_unit(model.part, 2);
   const FigureColumn areas(check.below[0] + check.below[1]);
   at.elided({k_padding, k_padding + k_line_at},
-            fmt::format("below {}°: core {}, cavity {} {}", figure(check.required_deg),
-                        areas.text(check.below[0]), areas.text(check.below[1]), unit),
+            fmt::format("{}: core {}, cavity {} {}", below_text(check), areas.text(check.below[0]),
+                        areas.text(check.below[1]), unit),
             at.small(Align::left), inner);
   draw_bars(at, check, style);
   at.line({k_padding, k_padding + k_chart_bottom}, {k_width - k_padding, k_padding + k_chart_bottom},
           inks.faint, 1.0);
-  if (check.required_deg <= k_to_deg) {
+  if (check.required_deg > 0.0 && check.required_deg <= k_to_deg) {
     const double x = place_of(check.required_deg);
     at.line({x, k_padding + k_chart_top - 4.0}, {x, k_padding + k_chart_bottom}, inks.strong, 1.5);
   }

@@ -18,15 +18,24 @@
 #include "classify/still_picture.hpp"
 #include "mold/measure.hpp"
 #include "parting/assignment.hpp"
+#include "parting/draft/finish.hpp"
 
 namespace moldlight {
-
-inline constexpr double k_most_required_deg = 45.0;
 
 struct DraftSettings {
   double required_deg = 0.0;  // up to k_most_required_deg; 0: draft is not looked at
 };
 [[nodiscard]] std::span<const Option<DraftSettings>> draft_options();
+
+/// How much draft is asked for.
+struct DraftDemand {
+  double required_deg = 0.0;              // of faces without a finish, [0, 45]; 0: of none
+  std::vector<FaceFinish> finishes = {};  // rising
+
+  /// Whether draft is looked at.
+  [[nodiscard]] bool any() const { return required_deg > 0.0 || !finishes.empty(); }
+  bool operator==(const DraftDemand&) const = default;
+};
 
 /// Areas of what core and cavity form with a draft from `from_deg` up to `to_deg`, each seen from the half
 /// that forms it: negative where the surface leans against it.
@@ -40,6 +49,8 @@ struct DraftBin {
 struct WallDraft {
   std::uint32_t face = 0;  // of part_faces()
   MoldSide side = MoldSide::core;
+  double required_deg = 0.0;
+  std::string finish;      // empty where it has none
   double area = 0.0;       // with too little draft
   double least_deg = 0.0;  // negative where it leans back
   double height = 0.0;     // of that surface along the direction
@@ -49,20 +60,31 @@ struct WallDraft {
   double thickness = 0.0;  // that the turn takes at the end away from the foot
 };
 
+/// What the halves form of all faces of one finish.
+struct FinishDraft {
+  Finish finish;
+  std::size_t faces = 0, faces_below = 0;
+  double area = 0.0, below = 0.0;
+  std::optional<double> least_deg = {};  // none where side actions form all of it
+};
+
 /// Areas and lengths are in the part's unit. Surface of side actions is not looked at: its draft is that
 /// along their own directions.
 struct DraftCheck {
-  double required_deg = 0.0;
+  double required_deg = 0.0;                 // of faces without a finish; 0: it is not looked at
   std::array<double, 2> below{};             // area with less draft than required, by half
   std::array<std::size_t, 2> faces_below{};  // faces that have some of it
   ReverseDraft reverse;
+  double reverse_undercut = 0.0;    // area of the same faces that leans back and is an undercut: neither half
+                                    // reaches beyond what the lateral tolerance lets pass
   std::vector<DraftBin> histogram;  // all that the halves form, from -90 to 90 degrees
   std::vector<WallDraft> walls;     // those that cost most thickness first
+  std::vector<FinishDraft> finishes;  // the one that asks for most first
 };
 
-/// `reverse` is the classification's of the assignment's direction; `required_deg` in (0, 45].
+/// `reverse` is the classification's of the assignment's direction.
 [[nodiscard]] DraftCheck check_draft(const PartModel& model, const Assignment& assignment,
-                                     const ReverseDraft& reverse, double required_deg);
+                                     const ReverseDraft& reverse, const DraftDemand& demand);
 
 /// The member `draft` of a classification's report. Areas and lengths are in the part's unit.
 [[nodiscard]] Json draft_json(const PartModel& model, const DraftCheck& check);

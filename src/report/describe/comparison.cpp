@@ -79,11 +79,10 @@ Section Describer::criteria(const CriteriaShown& asked) const {
     const auto found =
         std::ranges::find(asked.figures, std::string_view(criterion.name), &ComparedFigure::name);
     if (found == asked.figures.end()) continue;
-    const double difference = found->after - found->before;
     table.rows.push_back({{{criterion.text},
-                           {figure(found->before)},
-                           {figure(found->after)},
-                           {with_minus((difference > 0.0 ? "+" : "") + figure(difference))},
+                           {value_text(*found, found->before)},
+                           {value_text(*found, found->after)},
+                           {with_minus(change_text(*found))},
                            {criterion.is_met_by(*found) ? "fails" : "holds"}}});
   }
   section.blocks.emplace_back(std::move(table));
@@ -324,6 +323,7 @@ Report compare_report(const ReportContext& context, const Comparison& comparison
   if (failed.empty() && !asked.criteria.empty()) report.lead.emplace_back("No criterion fails.");
   if (context.drawn()) add_pictures(context, comparison, report);
   if (!asked.criteria.empty()) report.sections.push_back(describer.criteria(asked));
+  if (comparison.mold) report.sections.push_back(mold_change_section(comparison));
   report.sections.push_back(describer.places());
   report.sections.push_back(describer.regions());
   if (comparison.a.plan && comparison.b.plan) {

@@ -22,6 +22,7 @@ struct ReportContext {
   Palette palette = Palette::paper;
   bool live = false;  // the page is to find the regions of any direction, where the report has that
   std::string version = {}, command = {};  // to repeat it: the program's, and its command line
+  TitleFacts title = {};
 
   /// For pages, with all sections.
   [[nodiscard]] bool drawn() const { return gl != nullptr; }

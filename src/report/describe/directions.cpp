@@ -24,7 +24,7 @@ constexpr double k_histogram_deg = 1.0;
 Section checked_draft_section(const ReportContext& context, const Study& study) {
   Study with_draft = study;
   Questions questions = study.questions();
-  const bool asked = questions.required_draft_deg > 0.0;
+  const bool asked = questions.draft().any();
   if (!asked) questions.required_draft_deg = k_histogram_deg;
   with_draft.ask(std::move(questions));
   return draft_section(context, {with_draft.find<DraftCheck>(context.progress), asked});
@@ -185,7 +185,7 @@ Report classify_report(const ReportContext& context, Study& study) {
   take_verdict(study.verdict(context.progress), report);
   report.sections.push_back(regions_section(context, result, ""));
   if (context.drawn()) add_pages(context, study, report);
-  if (context.drawn() || study.questions().required_draft_deg > 0.0)
+  if (context.drawn() || study.questions().draft().any())
     report.sections.push_back(checked_draft_section(context, study));
   report.sections.push_back(part_section(context, result.warnings));
   report.sections.push_back(repeat_section(context, classify_json(model, result)["settings"]));

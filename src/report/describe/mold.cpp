@@ -1,5 +1,6 @@
 // The report of a mold: its parting line and its halves.
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -92,7 +93,7 @@ Section details_section(const MoldReport& found) {
   return section;
 }
 
-Section halves_section(const MoldReport& found) {
+Section halves_section(const MoldReport& found, bool drawn) {
   const MoldHalves& halves = found.halves;
   Section section{"Halves", {}};
   const auto notice = [&](const std::string& text) {
@@ -106,8 +107,11 @@ Section halves_section(const MoldReport& found) {
   if (found.pieces == nullptr) notice(sentence_of(unfilled_text(found.model, found.settings, halves)));
   section.blocks.emplace_back(grid_of(FigureStyle(found.model), found_figures(halves_figures(), halves), ""));
   for (const std::string& remark : halves_remarks(found)) notice(remark);
+  // What is sent names no folder.
   for (const WrittenBody& body : found.written.bodies)
-    if (!body.file.empty()) section.blocks.emplace_back(Text{body.file, TextLook::quiet});
+    if (!body.file.empty())
+      section.blocks.emplace_back(
+          Text{drawn ? std::filesystem::path(body.file).filename().string() : body.file, TextLook::quiet});
   return section;
 }
 
@@ -115,6 +119,7 @@ Section halves_section(const MoldReport& found) {
 Section insert_actions_section(const MoldReport& found) {
   Section section{"Side actions", {}};
   section.blocks.emplace_back(actions_table(found.model, *found.plan, {}));
+  section.blocks.emplace_back(bodies_table(found.model, *found.plan, {}));
   return section;
 }
 
@@ -181,6 +186,10 @@ Report mold_report(const ReportContext& context, Study& study) {
   take_verdict(mold_verdict(study, context.progress), report);
   if (!found.written.refusal.empty()) report.tone = Tone::bad;
   if (context.drawn()) {
+    auto& title = std::get<Facts>(report.title->blocks.front()).facts;
+    if (found.settings.shrink_pct > 0.0)
+      title.emplace_back("Shrinkage", figure(found.settings.shrink_pct) + " %");
+    if (found.halves.made()) title.emplace_back("Mold block", block_text(found.model, found.halves));
     StillSettings still;
     still.size = k_mold_px;
     still.backdrop = Backdrop::none;
@@ -194,7 +203,7 @@ Report mold_report(const ReportContext& context, Study& study) {
   }
   report.sections.push_back(sides_section(context, found));
   report.sections.push_back(line_section(found));
-  report.sections.push_back(halves_section(found));
+  report.sections.push_back(halves_section(found, context.drawn()));
   if (found.plan != nullptr && !found.plan->actions.empty())
     report.sections.push_back(insert_actions_section(found));
   report.sections.push_back(part_section(context, mold_warnings(study, context.progress)));

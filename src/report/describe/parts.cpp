@@ -36,28 +36,82 @@ std::string spoken(std::string key) {
   return key;
 }
 
+/// No sign where the two decimals are 0.
+std::string angle_text(double degrees) { return with_minus(component_text(degrees, 2)) + "°"; }
+
 Table walls_table(const ReportContext& context, const DraftCheck& check) {
   const PartModel& model = *context.model;
   const FigureStyle style(model);
-  Table table{{{"wall", true},
-               {"area " + powered_unit(model.part, 2)},
-               {"least draft"},
-               {"height " + length_unit(model.part)},
-               {"what helps", true}},
-              {}};
+  Table table{{{"wall", true}, {"area " + powered_unit(model.part, 2)}}, {}};
+  const bool finished = !check.finishes.empty();
+  if (finished) table.columns.insert(table.columns.end(), {{"face"}, {"finish", true}, {"required"}});
+  table.columns.insert(table.columns.end(),
+                       {{"least draft"}, {"height " + length_unit(model.part)}, {"what helps", true}});
   for (std::size_t k = 0; k < std::min(check.walls.size(), k_most_walls); ++k) {
     const WallDraft& wall = check.walls[k];
     const Region region = wall.side == MoldSide::core ? Region::core : Region::cavity;
-    table.rows.push_back({{{std::string(side_name(wall.side))},
-                           {style.text(FigureKind::area, wall.area)},
-                           {with_minus(fmt::format("{:.2f}°", wall.least_deg))},
-                           {figure(wall.height)},
-                           {suggestion(model, wall)}},
-                          region_mark(region, context.palette)});
+    const auto value = [&](std::string text, std::string_view name, double found) {
+      return number(std::move(text), fmt::format("/draft/faces/{}/{}", k, name), found);
+    };
+    Row row{{{std::string(side_name(wall.side))},
+             value(style.text(FigureKind::area, wall.area), "area", wall.area)},
+            region_mark(region, context.palette)};
+    if (finished)
+      row.cells.insert(row.cells.end(),
+                       {{fmt::format("{}", wall.face)},
+                        {wall.finish.empty() ? "–" : wall.finish},
+                        value(angle_text(wall.required_deg), "required_deg", wall.required_deg)});
+    row.cells.insert(row.cells.end(), {value(angle_text(wall.least_deg), "least_deg", wall.least_deg),
+                                       value(figure(wall.height), "height", wall.height),
+                                       {suggestion(model, wall)}});
+    table.rows.push_back(std::move(row));
   }
   if (check.walls.size() > k_most_walls)
     table.rest = fmt::format("… {} walls in all; --draft FILE.csv lists them.", check.walls.size());
   return table;
+}
+
+Table finishes_table(const FigureStyle& style, const DraftCheck& check) {
+  Table table{{{"finish", true},
+               {"required"},
+               {"faces"},
+               {style.heading("area", FigureKind::area)},
+               {"least draft"},
+               {style.heading("too little", FigureKind::area)}},
+              {}};
+  for (std::size_t k = 0; k < check.finishes.size(); ++k) {
+    const FinishDraft& one = check.finishes[k];
+    const std::string key = fmt::format("/draft/finishes/{}/", k);
+    table.rows.push_back(
+        {{{one.finish.name},
+          number(angle_text(one.finish.required_deg), key + "required_deg", one.finish.required_deg),
+          number(fmt::format("{}", one.faces), key + "faces", static_cast<double>(one.faces)),
+          number(style.text(FigureKind::area, one.area), key + "area", one.area),
+          one.least_deg ? number(angle_text(*one.least_deg), key + "least_deg", *one.least_deg) : Value{"–"},
+          number(style.text(FigureKind::area, one.below), key + "below/area", one.below)}});
+  }
+  return table;
+}
+
+TitleBlock title_block(const ReportContext& context) {
+  const PartModel& model = *context.model;
+  const TitleFacts& title = context.title;
+  const FigureStyle style(model);
+  Facts facts;
+  const auto add = [&](std::string name, std::string value) {
+    if (!value.empty()) facts.facts.emplace_back(std::move(name), std::move(value));
+  };
+  add("File", part_name(model.part));
+  add("Revision", title.revision);
+  add("Material", title.material);
+  add("Size", fmt::format("{} {}", style.point(model.health.bounds.max - model.health.bounds.min),
+                          length_unit(model.part)));
+  add("Company", title.company);
+  add("Author", title.author);
+  add("Date", title.date);
+  TitleBlock block{title.logo, {std::move(facts)}};
+  if (!title.note.empty()) block.blocks.emplace_back(Text{title.note});
+  return block;
 }
 
 /// Why the undercut is not known to rounding; empty where it is.
@@ -138,6 +192,7 @@ Report begin_report(const ReportContext& context, std::string kind, const glm::d
   report.kind = std::move(kind);
   report.part = part_name(context.model->part);
   report.subject = "along " + with_minus(direction_words(direction));
+  if (context.drawn()) report.title = title_block(context);
   return report;
 }
 
@@ -227,7 +282,7 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   bars.core = region_mark(Region::core, context.palette);
   bars.cavity = region_mark(Region::cavity, context.palette);
   bars.unit = area_unit;
-  if (draft.asked) bars.required_deg = check.required_deg;
+  if (draft.asked && check.required_deg > 0.0) bars.required_deg = check.required_deg;
   double beyond = 0.0;
   for (const DraftBin& bin : check.histogram) {
     const bool shown = bin.from_deg >= k_least_draft_deg && bin.to_deg <= k_most_draft_deg;
@@ -245,7 +300,9 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   FigureGrid grid;
   for (const std::size_t half : {0U, 1U}) {
     grid.figures.push_back(
-        {fmt::format("{} below {}°", half == 0 ? "Core" : "Cavity", figure(check.required_deg)),
+        {fmt::format("{} {}", half == 0 ? "Core" : "Cavity",
+                     check.finishes.empty() ? fmt::format("below {}°", figure(check.required_deg))
+                                            : std::string("with too little draft")),
          number(style.text(FigureKind::area, check.below[half]),
                 fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
          area_unit, plural(check.faces_below[half], "face")});
@@ -255,7 +312,13 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
         {"Reverse draft",
          number(style.text(FigureKind::area, check.reverse.area), "/draft/reverse/area", check.reverse.area),
          area_unit, fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
+  if (check.reverse.facet && check.reverse_undercut > 0.0)
+    grid.figures.push_back({"Undercut of these walls",
+                            number(style.text(FigureKind::area, check.reverse_undercut),
+                                   "/draft/reverse/undercut_area", check.reverse_undercut),
+                            area_unit, "leans back, and neither half reaches it"});
   section.blocks.emplace_back(std::move(grid));
+  if (!check.finishes.empty()) section.blocks.emplace_back(finishes_table(style, check));
   Table walls = walls_table(context, check);
   if (!walls.rows.empty()) section.blocks.emplace_back(std::move(walls));
   return section;

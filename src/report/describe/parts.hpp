@@ -84,6 +84,9 @@ class Illustrator {
 /// A row an action.
 [[nodiscard]] Table actions_table(const PartModel& model, const ActionPlan& plan, const Place& keys);
 
+/// The solids that the actions move, when they do, and whether they are clear.
+[[nodiscard]] Table bodies_table(const PartModel& model, const ActionPlan& plan, const Place& keys);
+
 /// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
 /// apart.
 [[nodiscard]] ModelView region_view(const ReportContext& context, const Classification& result,
@@ -91,6 +94,9 @@ class Illustrator {
 
 /// How the view is used.
 [[nodiscard]] std::string view_caption();
+
+/// Of a comparison that has what becomes of the mold.
+[[nodiscard]] Section mold_change_section(const Comparison& comparison);
 
 /// Both parts, their facets in the groups of the regions, beside each other until they are moved over each
 /// other, with what differs lit.

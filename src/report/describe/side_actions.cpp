@@ -1,4 +1,7 @@
 // The report of side actions.
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -53,23 +56,6 @@ Section plan_section(const ActionsReport& found) {
                                          : "A cheaper set may exist: the search ended at its limit.";
   section.blocks.emplace_back(Text{small, TextLook::quiet});
   return section;
-}
-
-/// The solids that the actions move, and whether they are clear in the mold's sequence.
-Section bodies_section(const ActionsReport& found) {
-  const FigureStyle style(found.model);
-  Table table{{{"action", true}}, {}};
-  add_columns(style, body_figures(), table);
-  table.columns.push_back({"in the mold's sequence", true});
-  for (std::size_t k = 0; k < found.plan.actions.size(); ++k) {
-    const SideAction& action = found.plan.actions[k];
-    if (!action.body) continue;
-    Row row{{{title(found.plan, k)}}, Mark{action_colour(k)}};
-    add_cells(style, found_figures(body_figures(), action), fmt::format("/actions/{}", k), row);
-    row.cells.push_back({clear_text(action, found.plan, length_unit(found.model.part))});
-    table.rows.push_back(std::move(row));
-  }
-  return {"Bodies", {std::move(table)}};
 }
 
 /// What would have to be changed of the part instead.
@@ -179,6 +165,26 @@ Table actions_table(const PartModel& model, const ActionPlan& plan, const Place&
   return table;
 }
 
+Table bodies_table(const PartModel& model, const ActionPlan& plan, const Place& keys) {
+  constexpr std::array<std::string_view, 4> k_turns = {"1: before the mold opens", "2: as the mold opens",
+                                                       "3: with the ejection", "4: by hand"};
+  const FigureStyle style(model);
+  Table table{{{"action", true}, {"moves", true, TableColumnRoom::pages}}, {}};
+  add_columns(style, body_figures(), table);
+  table.columns.push_back({"in the mold's sequence", true});
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const SideAction& action = plan.actions[k];
+    if (!action.body) continue;
+    const auto turn = static_cast<std::size_t>(sequence_of(action.kind));
+    Row row{{{title(plan, k)}, {std::string(k_turns[turn - 1])}}, Mark{action_colour(k)}};
+    add_cells(style, found_figures(body_figures(), action),
+              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
+    row.cells.push_back({clear_text(action, plan, length_unit(model.part))});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Report actions_report(const ReportContext& context, Study& study) {
   const ActionsReport found = moldlight::actions_report(study, context.progress);
   const ActionPlan& plan = found.plan;
@@ -191,7 +197,8 @@ Report actions_report(const ReportContext& context, Study& study) {
     report.view = actions_view(context, found, pictures.to_viewer());
   }
   report.sections.push_back(plan_section(found));
-  if (!plan.actions.empty()) report.sections.push_back(bodies_section(found));
+  if (!plan.actions.empty())
+    report.sections.push_back({"Bodies", {bodies_table(found.model, plan, "/actions")}});
   if (!plan.undercuts.empty()) report.sections.push_back(undercuts_section(context, pictures, plan));
   if (!found.changes.empty()) report.sections.push_back(changes_section(found));
   Section regions = regions_section(context, found.result, std::nullopt);

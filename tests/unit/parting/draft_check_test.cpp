@@ -31,7 +31,7 @@ DraftCheck check_of(const PartModel& model, double required_deg, double toleranc
   query.method.tolerance = tolerance;
   const Classification result = classify_exact(model, query, Progress{});
   const Assignment assignment = assign_sides(model, query, {}, Progress{});
-  const DraftCheck check = check_draft(model, assignment, result.reverse_draft, required_deg);
+  const DraftCheck check = check_draft(model, assignment, result.reverse_draft, {required_deg});
   double binned = 0.0;
   for (const DraftBin& bin : check.histogram) binned += bin.area[0] + bin.area[1];
   EXPECT_NEAR(binned, assignment.area(MoldSide::core) + assignment.area(MoldSide::cavity), 1e-9 * binned);
