@@ -1,6 +1,9 @@
 // moldlight actions: the slides, lifters and other side actions that release the undercuts of one direction.
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +37,10 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   Baseline baseline(flags.baseline, flags.command, flags.part.part);
   // Before long work, which would be for nothing where there is none.
   const auto context = flags.drawn() ? create_context(flags.query.method.backend) : nullptr;
-  Study study = asked_study(flags, {.with_actions = true, .actions = flags.settings}, console, progress);
+  Questions questions;
+  questions.with_actions = true;
+  questions.actions = flags.settings;
+  Study study = asked_study(flags, std::move(questions), console, progress);
   const Classification& result = study.find<SplitRegions>(progress).result;
   for (const std::string& warning : result.warnings) console.warning(warning);
   const ActionsReport found = actions_report(study, progress);

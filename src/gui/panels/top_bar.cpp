@@ -104,16 +104,16 @@ void draw_step_tab(const PanelContext& context, const StepTab& tab) {
   write(ui.fonts.body, ui.colours->muted, tab.number);
   write(here ? ui.fonts.strong : ui.fonts.body, here || item.hovered ? ui.colours->text : ui.colours->muted,
         step_title(tab.step));
-  using Sign = StepMark::Sign;
-  const bool warns = tab.mark.sign == Sign::warning;
+  using MarkSign = StepMark::Sign;
+  const bool warns = tab.mark.sign == MarkSign::warning;
   if (!tab.mark.text.empty()) {
     at.x += ui.px(6);
     write(ui.fonts.body, warns ? ui.colours->warning : ui.colours->text, tab.mark.text);
   }
   const glm::vec2 sign(at.x + ui.px(10), item.box.centre().y);
-  if (tab.mark.sign == Sign::good) draw_icon(list, Icon::check, sign, ui.px(11), ui.colours->text);
+  if (tab.mark.sign == MarkSign::good) draw_icon(list, Icon::check, sign, ui.px(11), ui.colours->text);
   if (warns) draw_icon(list, Icon::alert, sign, ui.px(12), ui.colours->warning);
-  if (tab.mark.sign == Sign::working)
+  if (tab.mark.sign == MarkSign::working)
     list.AddCircle(im(sign), ui.px(3), ui.colours->muted, 0, 1.5F * ui.scale);
   tooltip(ui, fmt::format("{} ({})", step_title(tab.step), static_cast<int>(tab.step) + 1), tab.mark.tip);
   if (item.clicked) context.edits.step = tab.step;
