@@ -223,13 +223,19 @@ class Finder {
   void add_lifters_without_room(ActionPlan& plan) const {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
-    std::vector<const Pull*> first(undercuts_.counted.size(), nullptr);
+    std::vector<std::optional<Pull>> first(undercuts_.counted.size());
+    std::vector<std::vector<UndercutSample>> samples(undercuts_.counted.size());
     for (const UndercutPart& undercut_part : undercut_parts_) {
-      if (!undercut_part.rejected.empty() && first[undercut_part.undercut] == nullptr)
-        first[undercut_part.undercut] = &undercut_part.rejected.front();
+      const std::size_t undercut = undercut_part.undercut;
+      samples[undercut].insert(samples[undercut].end(), undercut_part.samples.begin(),
+                               undercut_part.samples.end());
+      if (!undercut_part.rejected.empty() && !first[undercut])
+        first[undercut] = undercut_part.rejected.front();
     }
     for (std::size_t undercut = 0; undercut < first.size(); ++undercut) {
-      if (first[undercut] == nullptr || is_well_released(plan, undercut)) continue;
+      if (is_well_released(plan, undercut)) continue;
+      if (!first[undercut]) first[undercut] = pulls_.lifter_without_room(samples[undercut], tried_[undercut]);
+      if (!first[undercut]) continue;
       const Pull& pull = *first[undercut];
       plan.rejected.push_back({.undercut = undercut,
                                .kind = pull.kind,

@@ -26,7 +26,7 @@ constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what ca
 constexpr int k_most_rounds = 40;
 /// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
-constexpr double k_most_left = 0.5;  // of an undercut: where more stays, what releases the rest is in vain
+constexpr double k_most_left = 0.2;  // of an undercut: where more stays, what releases the rest is in vain
 constexpr int k_most_unproved = 4;   // rounds whose cover was given up
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
 
@@ -223,21 +223,31 @@ class LeastSet {
     return draft;
   }
 
-  /// Undercut parts that the cover releases although most of their undercut stays, so that the part stays in
-  /// the mold anyway; not those that are pinned.
+  /// Undercut parts that the cover releases in vain, as the part stays in the mold anyway: by loose inserts
+  /// where not all of their undercut is released, and by all where much of it is not; not those that are
+  /// pinned.
   [[nodiscard]] std::vector<bool> released_in_vain(const Cover& cover) const {
-    std::map<std::size_t, double> whole, left;  // areas by undercut
-    for (const UndercutPart& each : undercut_parts_) whole[each.undercut] += each.shallow ? 0.0 : each.area();
-    for (const std::size_t k : cover.uncovered) {
-      const UndercutPart& each = undercut_parts_[k];
-      left[each.undercut] += each.shallow ? 0.0 : each.area();
+    std::vector<bool> by_hand(undercut_parts_.size(), false), left(undercut_parts_.size(), false);
+    for (const std::size_t c : cover.options) {
+      for (const std::size_t k : options_[c].undercut_parts)
+        by_hand[k] = options_[c].pull.kind == ActionKind::insert;
     }
-    std::vector<bool> in_vain(undercut_parts_.size(), true);
-    for (const std::size_t k : cover.uncovered) in_vain[k] = false;
-    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-      const UndercutPart& each = undercut_parts_[k];
-      in_vain[k] = in_vain[k] && !each.shallow && each.pin == nullptr &&
-                   left[each.undercut] > k_most_left * whole[each.undercut];
+    for (const std::size_t k : cover.uncovered) left[k] = true;
+    std::map<std::size_t, double> whole;  // areas by undercut
+    for (const UndercutPart& each : undercut_parts_) whole[each.undercut] += each.shallow ? 0.0 : each.area();
+    std::vector<bool> in_vain(undercut_parts_.size(), false);
+    for (const auto& [most, hands_alone] : {std::pair(k_stuck_share, true), std::pair(k_most_left, false)}) {
+      std::map<std::size_t, double> stays;
+      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+        const UndercutPart& each = undercut_parts_[k];
+        if ((left[k] || in_vain[k]) && !each.shallow) stays[each.undercut] += each.area();
+      }
+      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+        const UndercutPart& each = undercut_parts_[k];
+        if (!left[k] && !each.shallow && each.pin == nullptr && (by_hand[k] || !hands_alone) &&
+            stays[each.undercut] > most * whole[each.undercut])
+          in_vain[k] = true;
+      }
     }
     return in_vain;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -245,7 +246,8 @@ void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {
 }
 
 std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> samples,
-                                              std::span<const PullCandidate> tried, double least) const {
+                                              std::span<const PullCandidate> tried, double least,
+                                              double room) const {
   constexpr double k_first = 1.0 / 512.0, k_growth = 1.2;
   constexpr std::size_t k_every = 3;  // of the fan
   std::optional<Pull> best;
@@ -264,10 +266,10 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     for (const bool core_side : {true, false}) {
       LifterWay way{candidate.direction, core_side ? direction_ : -direction_, k_first};
       for (double& length = way.length; length < longest_lifter_; length *= k_growth) {
-        const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + lifter_room_; };
+        const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + room; };
         if (area_that(reaches) <= most * (1.0 + 1e-9)) break;
-        const double cleared = area_that(
-            [&](const UndercutSample& s) { return release_.clears(s, way, lifter_room_, lengths); });
+        const double cleared =
+            area_that([&](const UndercutSample& s) { return release_.clears(s, way, room, lengths); });
         if (cleared <= most * (1.0 + 1e-9)) continue;
         most = cleared;
         best = Pull{.kind = ActionKind::lifter,
@@ -279,6 +281,23 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     }
   }
   return best;
+}
+
+std::optional<Pull> PullFinder::lifter_without_room(std::span<const UndercutSample> samples,
+                                                    std::span<const PullCandidate> tried) const {
+  constexpr double k_most_of = 0.5, k_some_room = 0.1;  // of the samples' area; of what a lifter needs
+  const double room = k_some_room * lifter_room_;
+  auto lifter = most_clearing(samples, tried, k_most_of * area_of(samples), room);
+  if (!lifter) return std::nullopt;
+  const LifterWay way{lifter->direction, lifter->core_side ? direction_ : -direction_, lifter->travel};
+  std::vector<UndercutSample> freed;
+  std::ranges::copy_if(samples, std::back_inserter(freed),
+                       [&](const UndercutSample& sample) { return release_.clears(sample, way, room); });
+  FreeLengths lengths(release_, freed, lifter->direction);
+  if (const auto least = release_.first_clear(lengths, {lifter->direction, way.side, least_travel_}))
+    lifter->travel = std::min(*least, lifter->travel);
+  set_lack(lengths, *lifter);
+  return lifter->lack ? lifter : std::nullopt;
 }
 
 std::vector<Pull> PullFinder::turned(std::span<const UndercutSample> samples,
@@ -320,7 +339,8 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
   for (int round = 0; round < k_most_parts; ++round) {
     double most = 0.0;
     std::optional<Pull> found = most_freeing(rest, tried, only, most);
-    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most) : std::nullopt)
+    if (const auto lifter =
+            lifters ? most_clearing(rest, tried, k_worth_lifting * most, lifter_room_) : std::nullopt)
       found = lifter;
     if (!found) break;
     Pull& best = *found;

@@ -76,6 +76,9 @@ class PullFinder {
   [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
                                        std::span<const PullCandidate> tried,
                                        std::optional<ActionKind> only = {}) const;
+  /// A lifter that would clear most of the samples if it had its room; none where none would.
+  [[nodiscard]] std::optional<Pull> lifter_without_room(std::span<const UndercutSample> samples,
+                                                        std::span<const PullCandidate> tried) const;
   /// The slides among the pulls turned toward either end of what is free, if that is wide, and those that
   /// were for sharing alone.
   [[nodiscard]] std::vector<Pull> turned(std::span<const UndercutSample> samples,
@@ -112,10 +115,11 @@ class PullFinder {
   [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
                                                           std::span<const PullCandidate> others) const;
   void set_lack(FreeLengths& lengths, Pull& lifter) const;
-  /// The lifter that clears most of the samples with its room, more than `least` of their area; none where
-  /// there is none. Its travel is one at which it does.
+  /// The lifter that clears most of the samples with so much room, more than `least` of their area; none
+  /// where there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
-                                                  std::span<const PullCandidate> tried, double least) const;
+                                                  std::span<const PullCandidate> tried, double least,
+                                                  double room) const;
   /// Two slides on one line, if they free all of it: of the first such line among those that are tried.
   [[nodiscard]] std::vector<FreedPart> opposite_slides(std::span<const UndercutSample> samples,
                                                        std::span<const PullCandidate> tried) const;

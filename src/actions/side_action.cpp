@@ -46,7 +46,6 @@ double speck_area(const ActionPlan& plan) {
 }
 
 bool is_stuck(double left, double area, double lateral) {
-  constexpr double k_stuck_share = 0.005;
   return left > k_stuck_share * area && left > lateral * lateral;
 }
 

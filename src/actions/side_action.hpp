@@ -112,8 +112,8 @@ struct ActionPlan {
   /// Of each undercut that no action of the mold releases the shortest lifter that fails, and what of each
   /// kind was not taken since its body hits.
   std::vector<RejectedAction> rejected;
-  /// Undercuts that nothing releases, or not all of, rising. Where most of one stays, no action is listed for
-  /// the rest of it.
+  /// Undercuts that nothing releases, or not all of, rising. Where more than a fifth of one stays, no action
+  /// is listed for the rest of it, and no loose insert where anything stays.
   std::vector<std::size_t> unreleased;
   std::vector<double> unreleased_areas;       // what of each of these is left
   double unreleased_area = 0.0;               // of all
@@ -143,6 +143,7 @@ struct ActionTotals {
 
 /// Whether what is left of an undercut keeps the part in its mold: more than 0.5 % of its area, and more than
 /// the lateral tolerance squared.
+inline constexpr double k_stuck_share = 0.005;
 [[nodiscard]] bool is_stuck(double left, double area, double lateral);
 /// Of specks that are no part of an undercut that counts.
 [[nodiscard]] std::size_t speck_count(const ActionPlan& plan);

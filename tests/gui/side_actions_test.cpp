@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int k_escape = 256, k_delete = 261;
+constexpr int k_delete = 261;
 
 class SideActions : public ::testing::Test {
  protected:
