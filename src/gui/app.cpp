@@ -55,7 +55,6 @@ void App::open(const std::string& path) {
   const std::string part = error ? path : absolute.lexically_normal().string();
   if (batch::is_batch(part)) return open_batch(part);
   const bool again = state_.model && part == state_.path;
-  whole_.reset();  // the file may be another one by now
   PartNotes notes = again ? PartNotes() : notes_of(part);
   ReadOptions reading = again ? state_.reading : options_.reading;
   if (!again) {
@@ -76,17 +75,10 @@ void App::open_batch(const std::string& path) {
 
 void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
   compared_next_.reset();
-  state_.loading =
-      Loading{.path = path, .status = {"reading", 0.0}, .notes = std::move(notes), .since_s = now_s_};
-  // Another body of a file that is in memory is not read again.
-  ReadOptions same = reading;
-  if (whole_) same.body = whole_->reading.body;
-  const auto whole = whole_ && whole_->path == path && same == whole_->reading ? whole_ : std::nullopt;
-  loader_.start(
-      [path, reading, whole](const Progress& progress) -> Loaded {
-        return whole ? body_for_window(*whole, reading, progress) : load_for_window(path, reading, progress);
-      },
-      state_.loading->status);
+  state_.loading = Loading{.path = path, .status = {"reading", 0.0}, .notes = std::move(notes)};
+  loader_.start([path, reading](
+                    const Progress& progress) -> Loaded { return load_for_window(path, reading, progress); },
+                state_.loading->status);
 }
 
 PartNotes App::notes_of(const std::string& path) {
@@ -139,8 +131,7 @@ void App::frame(const FrameInput& input) {
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
   state_.can_undo = history_.can_undo();
   state_.can_redo = history_.can_redo();
-  state_.mold_open =
-      state_.model && has_mold(state_) && (state_.step == Step::mold || state_.step == Step::parting_line);
+  state_.mold_open = state_.model && has_mold_bar(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
   take_dropped(input.dropped, edits);
@@ -219,9 +210,8 @@ bool App::close_innermost(bool typing, Edits& edits) {
   if (memory.typing_id != 0 || memory.popups.close_one()) return true;
   Dialogs& dialogs = edits.dialogs;
   Dialogs none;
-  none.panels_hidden = dialogs.panels_hidden && !dialogs.presenting;
+  none.panels_hidden = dialogs.panels_hidden;
   if (!(dialogs == none)) {
-    if (dialogs.presenting) edits.ask(&Commands::fit_view);
     dialogs = none;
     return true;
   }
@@ -284,7 +274,6 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.reading = part.reading;
   state_.extremes = part.geometry->extremes;
   state_.path = part.path;
-  if (part.model->part.chosen_body == 0 && part.model->part.bodies.size() > 1) whole_ = part;
   state_.features = std::move(part.features);
   pictures_.reset();
   state_.sweep_choices.compared.reset();
@@ -312,10 +301,6 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.notes_beside = options_.persistent && notes_path(part.path) == notes_path_beside(part.path);
   state_.settings = notes.settings;
   state_.bookmarks = notes.bookmarks;
-  // Another part is looked at in the same step.
-  ColourMode& colours = state_.settings.look.colour_mode;
-  if (colours == ColourMode::draft_angle) state_.step = Step::draft;
-  if (state_.step == Step::draft) colours = ColourMode::draft_angle;
   history_.reset(state_.settings);
   flight_.stop();
   state_.camera = Camera{};
@@ -332,7 +317,6 @@ void App::apply(const Edits& edits) {
     load(state_.path, wanted, {});
   }
   if (!(state_.camera == former.camera)) flight_.stop();
-  if (state_.step != former.step) enter_step(former.step);
   if (state_.action_choices.chosen != former.action_choices.chosen) action_loop_.start(now_s_);
   if (!(state_.window == former.window)) settle_frames_ = k_settle_frames;
   SweepChoices& choices = state_.sweep_choices;

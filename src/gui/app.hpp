@@ -167,8 +167,6 @@ class App {
   /// The same to where most undercut of a mesh is seen, with these points.
   void look_at(SplitMesh undercuts, std::vector<glm::vec3> points);
   void keep_fitted();
-  /// What suits the step that was chosen: colours, and the camera where the user has not moved it.
-  void enter_step(Step former);
   /// Whether the picture has the mold's steel, once that is known.
   [[nodiscard]] bool steel_wanted() const;
   [[nodiscard]] bool line_shown() const;
@@ -212,7 +210,6 @@ class App {
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<RevisionPicture> revision_;  // of the one that is prepared
   LitBodies lit_;                              // of the part
-  std::optional<LoadedPart> whole_;            // the file that is shown, with all of its bodies
   std::optional<std::string> compared_next_;   // with the part that is being loaded
   /// What a comparison hides.
   struct Before {

@@ -1,13 +1,11 @@
 // Everything the window shows, as plain values. Panels read it; only the app writes it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/job.hpp"
@@ -27,17 +25,6 @@
 namespace moldlight::gui {
 
 struct BatchTable;
-
-/// The places along the top: what is shown of the part, and set, at one time.
-enum class Step : std::uint8_t { part, direction, undercuts, parting_line, draft, mold, report };
-inline constexpr std::array<std::string_view, 7> k_step_titles = {
-    "Part", "Direction", "Undercuts", "Parting line", "Draft", "Mold", "Report"};
-[[nodiscard]] constexpr std::string_view step_title(Step step) {
-  return k_step_titles[static_cast<std::size_t>(step)];
-}
-
-/// What is unfolded along the bottom.
-enum class Drawer : std::uint8_t { none, maps, directions, sweep_options };
 
 /// The measured figures and how far they may be trusted.
 struct Figures {
@@ -166,7 +153,6 @@ struct Loading {
   JobStatus status;
   PartNotes notes;  // to be taken with the part, if it is another one
   bool batch = false;
-  double since_s = 0.0;
 };
 
 struct Toast {
@@ -178,8 +164,8 @@ struct Toast {
 
 /// Which dialogs are open.
 struct Dialogs {
-  bool panels_hidden = false, presenting = false, help = false, settings = false, browser = false,
-       exporting = false, batch = false, exporting_mold = false;
+  bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false,
+       batch = false, exporting_mold = false;
   bool browser_compares = false;       // the browser is for another revision
   std::optional<std::string> dropped;  // path of a part that is to be opened or compared
   std::optional<bool> large_map;       // true: of +d
@@ -195,8 +181,6 @@ struct Editable {
   WindowSettings window;
   std::vector<Bookmark> bookmarks;
   Camera camera;
-  Step step = Step::direction, former_step = Step::direction;
-  Drawer drawer = Drawer::none;
   Dialogs dialogs;
   SweepChoices sweep_choices;
   ActionChoices action_choices;
@@ -219,7 +203,7 @@ struct AppState : Editable {
   std::optional<Verdict> verdict;  // of the study; none while undercuts are not counted
   MoldState mold;
   RevisionState revisions;                  // of the part and another revision of it
-  bool mold_open = false;                   // the step of the mold, or of its line, is shown
+  bool mold_open = false;                   // the panel of the mold is unfolded
   std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
   std::optional<CutPlane> cut;              // by the section that is shown
   std::optional<Hover> hover;

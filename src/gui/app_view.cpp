@@ -73,29 +73,11 @@ void App::find_mold(bool moving) {
     loop = mold.line && former ? nearest_loop(*mold.line, *former, *loop) : std::nullopt;
 }
 
-void App::enter_step(Step former) {
-  state_.former_step = former;
-  ColourMode& colours = state_.settings.look.colour_mode;
-  if (state_.step == Step::draft) colours = ColourMode::draft_angle;
-  if (former == Step::draft) colours = ColourMode::regions;
-  // What is looked at, or held, belongs to its step.
-  if (former == Step::undercuts) state_.action_choices.chosen.reset();
-  if (former == Step::parting_line) state_.mold_choices = {};
-  // A camera that the user has moved stays where it is.
-  const bool looked_close = !fitted_points_.empty();
-  if (!state_.model || !fitted_) return;
-  Commands commands{*this};
-  if (state_.step == Step::undercuts && state_.figures.undercuts.value_or(UndercutTotals{}).count > 0)
-    commands.look_at_undercuts();
-  else if (looked_close)
-    commands.fit_view();
-}
-
 bool App::steel_wanted() const {
   const LookSettings& look = state_.settings.look;
   if (!state_.model || state_.window.halves == HalvesLook::surface || split_view()) return false;
   return look.open_mold > 0.0 || opening_.at(now_s_) > 0.0 ||
-         (state_.mold_open && state_.step == Step::mold && look.section != Section::off);
+         (state_.mold_open && look.section != Section::off);
 }
 
 bool App::line_shown() const {
@@ -140,8 +122,6 @@ void App::pick() {
 SceneSettings App::scene_settings() const {
   SceneSettings scene;
   scene.query = state_.settings;
-  // The maps look as far out as their own kernel, whatever the exact regions do.
-  if (scene.query.method.kernel > 0) scene.query.method.tolerance = 0.0;
   const LookSettings& look = state_.settings.look;
   ViewSettings& shown = scene.view.settings;
   shown = {look};

@@ -59,8 +59,6 @@ void escape(const Pressed& p) {
     p.edits.ask(&Commands::choose_face, std::nullopt);
   } else if (p.state.revisions.on()) {
     p.edits.ask(&Commands::leave_revisions);
-  } else {
-    p.edits.drawer = Drawer::none;
   }
 }
 
@@ -98,11 +96,6 @@ void compare_next(const Pressed& p) {
   compared = next < count ? std::optional(next) : std::nullopt;
 }
 
-/// To a step, and with the same key back.
-void go_to_step(const Pressed& p, Step step) {
-  p.edits.step = p.state.step == step ? p.state.former_step : step;
-}
-
 /// Views as on the number pad of other programs; with Ctrl from the other side.
 void look_from_side(const Pressed& p) {
   const auto [view, opposite] = p.key.key == '1'   ? std::pair(StandardView::front, StandardView::back)
@@ -117,9 +110,8 @@ Section next_section(Section section) {
                                       : Section::off;
 }
 
-/// When a key acts: with a part alone or without one, too; with Ctrl alone, without it, or either way; with
-/// Shift, or on the number pad.
-enum class When : std::uint8_t { always, with_ctrl, part, part_no_ctrl, part_shifted };
+/// When a key acts: with a part alone or without one, too; with Ctrl alone, without it, or either way.
+enum class When : std::uint8_t { always, with_ctrl, part, part_no_ctrl };
 
 /// A line of the help sheet, and what its keys do; a line without keys is the mouse's.
 struct Shortcut {
@@ -171,33 +163,26 @@ const std::vector<Shortcut>& shortcuts() {
        {'M'},
        [](P p) { p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball; }},
 
-      {{view, "1 … 7", "the steps along the top"},
-       part_no_ctrl,
-       {'1', '2', '3', '4', '5', '6', '7'},
-       [](P p) { p.edits.step = static_cast<Step>(p.key.key - '1'); }},
-      {{view, "Shift + 1 / 3 / 7", "front, right, top; also on the number pad"},
-       part_shifted,
+      {{view, "1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
+       part,
        {'1', '3', '7'},
        look_from_side},
-      {{view, "Ctrl + 1 / 3 / 7", "back, left, bottom"}},
       {{view, "0", "along the parting direction"}, part, {'0'}, asks(&Commands::look_along_direction)},
       {{view, "U", "the undercuts, from the best point of view"},
        part_no_ctrl,
        {'U'},
        asks(&Commands::look_at_undercuts)},
-      {{view, "Shift + 5", "parallel or perspective; also on the number pad"},
-       part_shifted,
-       {'5'},
-       asks(&Commands::toggle_projection)},
+      {{view, "5", "parallel or perspective"}, part, {'5'}, asks(&Commands::toggle_projection)},
       {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
       {{view, "O / Space", "open or close the mold, or stop it"},
        part_no_ctrl,
        {'O', GLFW_KEY_SPACE},
        [](P p) {
          if (p.key.key == GLFW_KEY_SPACE) return p.edits.ask(&Commands::stop_opening);
-         p.edits.ask(&Commands::play_shot);
+         p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
+         p.edits.ask(&Commands::fit_view);
        }},
-      {{view, "G", "the mold, and back"}, part_no_ctrl, {'G'}, [](P p) { go_to_step(p, Step::mold); }},
+      {{view, "G", "the mold: parting line and halves"}, part_no_ctrl, {'G'}, asks(&Commands::unfold_mold)},
       {{view, "S", "section across, along the direction, none"},
        part_no_ctrl,
        {'S'},
@@ -206,14 +191,10 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'R'},
        [](P p) { p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{}); }},
-      {{view, "D", "draft with its colours, and back"},
+      {{view, "D", "colour by region or by draft angle"},
        part_no_ctrl,
        {'D'},
-       [](P p) { go_to_step(p, Step::draft); }},
-      {{view, "K", "the shadow maps, and back"},
-       part_no_ctrl,
-       {'K'},
-       [](P p) { p.edits.drawer = p.state.drawer == Drawer::maps ? Drawer::none : Drawer::maps; }},
+       [](P p) { take_the_other(p.look.colour_mode); }},
       {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
       {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
 
@@ -242,10 +223,6 @@ const std::vector<Shortcut>& shortcuts() {
        {'Z', 'Y'},
        [](P p) { p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo); }},
       {{program, "Tab, Space, arrows", "go to a control, press, change it"}},
-      {{program, "F5", "present: the part and a caption alone"},
-       part_no_ctrl,
-       {GLFW_KEY_F5},
-       asks(&Commands::present)},
       {{program, "Ctrl+Tab", "hide the panels"},
        with_ctrl,
        {GLFW_KEY_TAB},
@@ -264,9 +241,7 @@ const std::vector<Shortcut>& shortcuts() {
 bool acts(When when, const KeyPress& press, const AppState& state) {
   if (when == When::always) return true;
   if (when == When::with_ctrl) return press.ctrl;
-  if (when == When::part_shifted) return state.model && (press.shift || press.ctrl);
-  const bool digit = press.key >= '1' && press.key <= '9';
-  return state.model && (when == When::part || (!press.ctrl && !(digit && press.shift)));
+  return state.model && (when == When::part || !press.ctrl);
 }
 
 }  // namespace
@@ -276,10 +251,7 @@ bool leaves(const KeyPress& press) { return press.key == GLFW_KEY_ESCAPE; }
 bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'; }
 
 void apply_shortcut(KeyPress press, const AppState& state, Edits& edits) {
-  if (press.key >= GLFW_KEY_KP_0 && press.key <= GLFW_KEY_KP_9) {
-    press.key += '0' - GLFW_KEY_KP_0;
-    press.shift = true;
-  }
+  if (press.key >= GLFW_KEY_KP_0 && press.key <= GLFW_KEY_KP_9) press.key += '0' - GLFW_KEY_KP_0;
   for (const Shortcut& each : shortcuts()) {
     const bool meant = std::ranges::find(each.keys, press.key) != each.keys.end();
     if (meant && acts(each.when, press, state)) return each.act({press, state, edits});

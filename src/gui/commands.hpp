@@ -41,14 +41,10 @@ struct Commands {
   void look_from(const glm::dquat& orientation);
   /// Looks along the parting direction, onto the core.
   void look_along_direction();
-  /// Flies to where most of the undercuts is seen; without any to a mark that counts as none.
+  /// Flies to where most of the undercuts is seen; without any to the largest mark that counts as none.
   void look_at_undercuts();
-  /// Flies to the largest mark that counts as none.
-  void look_at_speck();
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);
-  /// Flies to a body of the part, from 0, and chooses a face of it.
-  void look_at_body(std::size_t body);
   /// And for one loop of the parting line.
   void look_at_loop(std::size_t loop);
   /// And for a wall with too little draft, whose face is chosen then.
@@ -57,8 +53,7 @@ struct Commands {
   void move_face(FacetIndex facet);
   /// The same for the one under the cursor.
   void move_hovered_face();
-  /// Opens the mold, or closes one that is open.
-  void play_shot();
+  void unfold_mold();
   void toggle_projection();
   /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
   void take_normal();
@@ -67,15 +62,11 @@ struct Commands {
   void fly_to_direction(const glm::dvec3& direction);
   /// Chooses the face of the facet; of nothing, none.
   void choose_face(const std::optional<FacetIndex>& facet);
-  /// Shows the part and a caption alone, or the panels again.
-  void present();
   /// A picture beside those of this session; the first one asks where.
   void take_picture();
   void save_picture(const std::string& path);
   /// Writes files that `classify` would write too, and a picture, each if its path is not empty.
   void export_files(const OutputPaths& files, const std::string& picture);
-  /// Writes the report of the mold beside the part, as a page or as pages of paper.
-  void make_report(bool paper);
   /// Writes what `mold` would write too.
   void export_mold(const MoldPaths& paths);
   /// Compares the part with another revision of it, a file, beside it.

@@ -17,8 +17,6 @@
 #include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"
 #include "parting/line_files.hpp"
-#include "report/describe/describe.hpp"
-#include "report/writers.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::gui {
@@ -65,14 +63,8 @@ void Commands::look_at_undercuts() {
   const glm::dvec3& direction = app.state_.settings.direction.unit();
   if (app.state_.figures.undercuts.value_or(UndercutTotals{}).count > 0)
     return look_from(revealing_orientation(model, std::span(&split, 1), direction));
-  look_at_speck();
-}
-
-void Commands::look_at_speck() {
-  const auto& split = app.state_.figures.split;
   const auto& plan = app.state_.actions.plan;
-  if (!split || !plan || plan->specks.empty()) return;
-  const PartModel& model = *app.state_.model;
+  if (!plan || plan->specks.empty()) return;
   // Nothing that counts: the largest of what is ignored, and why it is.
   constexpr double k_reach = 0.1;  // unit frame
   const Speck& speck = plan->specks.front();
@@ -81,7 +73,7 @@ void Commands::look_at_speck() {
                   speck_text(speck.reason)),
       false);
   app.fitted_points_ = points_around(model.frame.to_unit(speck.place), k_reach);
-  app.turn_camera(revealing_orientation(model, std::span(&split, 1), app.state_.settings.direction.unit()));
+  app.turn_camera(revealing_orientation(model, std::span(&split, 1), direction));
 }
 
 void Commands::look_at_undercut(std::size_t undercut) {
@@ -133,12 +125,6 @@ void Commands::choose_face(const std::optional<FacetIndex>& facet) {
   app.measure_face();
 }
 
-void Commands::present() {
-  Dialogs& dialogs = app.state_.dialogs;
-  dialogs.presenting = dialogs.panels_hidden = !dialogs.presenting;
-  fit_view();
-}
-
 void Commands::take_picture() {
   if (!app.state_.model) return;
   const bool asks = app.saved_to_.empty();
@@ -181,7 +167,6 @@ void Commands::export_files(const OutputPaths& files, const std::string& picture
 void Commands::start_sweep() {
   app.state_.hints_done.insert(Hint::sweep);
   app.state_.sweep_choices.compared.reset();
-  app.state_.drawer = Drawer::directions;
   app.sweep_.start(app.state_, app.state_.sweep, app.now_s_);
 }
 
@@ -204,19 +189,6 @@ void Commands::dismiss_toasts() { app.state_.toasts.clear(); }
 void Commands::say(const std::string& text, bool failure) { app.say(text, failure); }
 
 void Commands::quit() { app.quitting_ = true; }
-
-void Commands::look_at_body(std::size_t number) {
-  const PartModel& model = *app.state_.model;
-  if (number >= model.part.bodies.size()) return;
-  const Body& body = model.part.bodies[number];
-  Bounds box;
-  for (FacetIndex facet = body.first_facet; facet < body.first_facet + body.facet_count; ++facet)
-    for (int corner = 0; corner < 3; ++corner) box.add(model.part.mesh.corner(facet, corner));
-  choose_face(body.first_facet);
-  app.fitted_points_.clear();
-  for (const glm::dvec3& corner : box.corners()) app.fitted_points_.push_back(model.frame.to_unit(corner));
-  app.turn_camera(app.state_.camera.orientation);
-}
 
 void Commands::look_at_loop(std::size_t loop) {
   const auto& line = app.state_.mold.line;
@@ -261,39 +233,7 @@ void Commands::move_hovered_face() {
   if (app.state_.hover) move_face(app.state_.hover->point.facet);
 }
 
-void Commands::play_shot() {
-  double& open = app.state_.settings.look.open_mold;
-  open = open < 1.0 ? 1.0 : 0.0;
-  fit_view();
-}
-
-void Commands::make_report(bool paper) {
-  const AppState& state = app.state_;
-  if (app.export_.running() || !is_settled(state.actions) || !state.mold.line || state.mold.line_awaited)
-    return say("The report is made once the parting line and the side actions are there", false);
-  Study study = measured_study(state);
-  study.keep(state.actions.plan);
-  study.keep<moldlight::MoldLine>(state.mold.line);
-  const std::string path =
-      fs::path(state.path).replace_extension().string() + (paper ? "-report.pdf" : "-report.html");
-  const std::string command = fmt::format("moldlight mold {} --direction {} --html report.html",
-                                          fs::path(state.path).filename().string(),
-                                          direction_text(state.settings.direction.given(), 6));
-  app.export_.start([study, path, command, paper, palette = state.settings.look.palette,
-                     make_context = app.options_.make_context](const Progress& progress) mutable {
-    const auto gl = make_context(study.questions().query.method.backend);
-    const report::Report report = report::mold_report({.model = study.shared_model(),
-                                                       .progress = progress,
-                                                       .gl = gl.get(),
-                                                       .palette = palette,
-                                                       .version = MOLDLIGHT_VERSION,
-                                                       .command = command},
-                                                      study);
-    paper ? report::write_pdf(path, report, report::Paper::a4) : report::write_html(path, report);
-    return fmt::format("Report written to {}", path);
-  });
-  say("Making the report …", false);
-}
+void Commands::unfold_mold() { app.layout_.fold_bottom("Mold", app.state_.mold_open); }
 
 void Commands::export_mold(const MoldPaths& paths) {
   const MoldState& mold = app.state_.mold;

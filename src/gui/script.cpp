@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, int> k_key_names[] = {
     {"Right", GLFW_KEY_RIGHT},   {"Up", GLFW_KEY_UP},
     {"Down", GLFW_KEY_DOWN},     {"F1", GLFW_KEY_F1},
     {"F12", GLFW_KEY_F12},       {"Backspace", GLFW_KEY_BACKSPACE},
-    {"Delete", GLFW_KEY_DELETE}, {"F5", GLFW_KEY_F5},
+    {"Delete", GLFW_KEY_DELETE},
 };
 
 int key_code(const std::string& name) {

@@ -1,6 +1,4 @@
-// The step of the part: its unit, and the body that is molded.
-#include <filesystem>
-
+// The Part panel: the draft that is required, the unit, and the body that is molded.
 #include <fmt/format.h>
 
 #include "gui/store/part_notes.hpp"
@@ -35,7 +33,7 @@ class Bodies : public WindowWithPart {
   Bodies() {
     window.app().open(part.folder().write("cubes.stl", cubes(3)));
     window.wait_until_loaded();
-    go_to(Step::part);
+    window.settle();
   }
   void wait() {
     window.wait_until_loaded();
@@ -67,52 +65,12 @@ TEST_F(Bodies, AreGoneThroughOneByOne) {
 }
 
 TEST_F(Bodies, AreChosenFromAList) {
-  wait();
-  const Camera before = state().camera;
-  click("body 2");
+  click("body");
   window.settle();
-  ASSERT_TRUE(state().face);
-  EXPECT_NE(state().camera, before) << "it is looked at";
-  EXPECT_EQ(state().model->part.chosen_body, 0U);
-  click("Mold this body");
-  EXPECT_FALSE(state().toasts.size());
+  click("body 2");
   wait();
   EXPECT_EQ(area(), 24.0);
   EXPECT_EQ(state().model->part.bodies[0].name, "two");
-}
-
-TEST_F(Bodies, AThousandAreFilteredAndAnotherIsThereWithoutReading) {
-  std::string text;
-  for (int n = 0; n < 1000; ++n) {
-    const auto corners = moldlight::test::box_corners({2.0 * n, 0, 0}, {2.0 * n + 1, 1, 1});
-    text += fmt::format("solid pin{:04}\n", n);
-    for (std::size_t i = 0; i < corners.size(); i += 3) {
-      text += "facet normal 0 0 0\nouter loop\n";
-      for (std::size_t k = i; k < i + 3; ++k)
-        text += fmt::format("vertex {} {} {}\n", corners[k].x, corners[k].y, corners[k].z);
-      text += "endloop\nendfacet\n";
-    }
-    text += "endsolid\n";
-  }
-  const std::string path = part.folder().write("pins.stl", text);
-  window.app().open(path);
-  window.wait_until_loaded();
-  window.settle();
-  EXPECT_TRUE(window.app().controls().contains("body 1"));
-  EXPECT_FALSE(window.app().controls().contains("body 900")) << "not in sight";
-  std::filesystem::remove(path);  // what is in memory is not read again
-  click("body filter");
-  window.type("pin0899");
-  window.frames(3);
-  click("body 900");
-  window.settle();
-  click("Mold this body");
-  wait();
-  EXPECT_EQ(state().model->part.chosen_body, 900U);
-  EXPECT_EQ(area(), 6.0);
-  click("All bodies as one part");
-  window.wait_until_loaded();
-  EXPECT_EQ(state().model->part.bodies.size(), 1000U);
 }
 
 TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
@@ -126,12 +84,9 @@ TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
 }
 
 TEST_F(Bodies, KeepDirectionAndDraft) {
-  open_maps();
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
-  go_to(Step::direction);
   click("+X");
-  go_to(Step::part);
   click("next body");
   wait();
   EXPECT_EQ(method().tau_deg, tau);
@@ -140,7 +95,6 @@ TEST_F(Bodies, KeepDirectionAndDraft) {
 
 TEST_F(WindowWithPart, AUnitIsNamedAndThenConvertsNothing) {
   window.wait_until_measured();
-  go_to(Step::part);
   const double before = state().figures.shown->total_area;
   EXPECT_EQ(state().model->part.unit, "");
   for (const std::string unit : {"in", "mm"}) {
@@ -176,7 +130,6 @@ TEST_F(WindowWithPart, LengthsKeepTheirSizeInAnotherUnit) {
   window.wait_until_measured();
   ASSERT_EQ(state().model->part.unit, "in");
   const double diagonal = state().model->frame.diagonal;
-  go_to(Step::part);
   click("Unit=mm");
   window.wait_until_loaded();
   window.wait_until_measured();

@@ -68,54 +68,24 @@ TEST_F(Controls, OfTheMethod) {
   const auto settings = [&] { return method(); };
   const std::span<const Option<MethodSettings>> options = method_options();
   std::size_t folded = 0;
-  open_maps();
   for (std::size_t k = 0; k < options.size(); ++k) {
     const bool fold = std::ranges::find(k_accuracy_options, options[k].key) != k_accuracy_options.end();
-    if (fold) click("Accuracy");
-    if (options[k].key != "kernel") walk(options.subspan(k, 1), settings, true);
+    if (fold) click("disclosure");
+    walk(options.subspan(k, 1), settings, true);
     if (!fold) continue;
-    move_to({640, 70});  // beside it: it closes
+    move_to({640, 660});  // beside it: it closes
     press();
     ++folded;
   }
   EXPECT_EQ(folded, k_accuracy_options.size());
 }
 
-TEST_F(Controls, TheKernelIsOfTheMapsAloneUnlessItIsCoupled) {
-  window.wait_until_measured();
-  open_maps();
-  const double diagonal = state().model->frame.diagonal, standard = lateral_tolerance({}, diagonal);
-  const auto tolerance = [&] { return lateral_tolerance(method(), diagonal); };
-  const RegionValues before = state().figures.shown->areas;
-  slide("Kernel", 0.7F);
-  EXPECT_GT(method().kernel, 3);
-  EXPECT_EQ(tolerance(), standard);
-  slide("Map resolution", 0.2F);
-  EXPECT_EQ(tolerance(), standard);
-  window.wait_until_measured();
-  for (const Region region : k_regions) EXPECT_EQ(state().figures.shown->areas[region], before[region]);
-  click("Couple δ to the kernel");
-  EXPECT_EQ(tolerance(), 0.5 * (method().kernel - 1) * diagonal / method().resolution);
-  slide("Kernel", 0.95F);
-  EXPECT_EQ(tolerance(), 0.5 * (method().kernel - 1) * diagonal / method().resolution);
-  const double coupled = tolerance();
-  click("Couple δ to the kernel");
-  EXPECT_EQ(tolerance(), coupled) << "it keeps what it has";
-  slide("Kernel", 0.1F);
-  EXPECT_EQ(tolerance(), coupled);
-}
-
 TEST_F(Controls, OfTheLook) {
   window.resize({1280, 800});  // the panel is whole with a section's controls
-  unfold_look();
+  window.settle();
   click("Section=along");  // its place and its turn are shown with it
-  open_maps();
-  const auto all = look_options();
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].key == "open_mold") go_to(Step::mold);
-    walk(
-        all.subspan(k, 1), [&] { return state().settings.look; }, true);
-  }
+  walk(
+      look_options(), [&] { return state().settings.look; }, true);
 }
 
 TEST_F(Controls, OfTheWindow) {
@@ -155,7 +125,6 @@ TEST_F(Controls, OfTheSweep) {
 }
 
 TEST_F(Controls, RightClickResets) {
-  open_maps();
   slide("Near-vertical below", 0.9F);
   EXPECT_GT(method().tau_deg, 5.0);
   move_to(window.control("Near-vertical below").centre());
@@ -169,7 +138,6 @@ TEST_F(Controls, RightClickResets) {
 }
 
 TEST_F(Controls, ValuesAreTypedAfterADoubleClick) {
-  open_maps();
   move_to(window.control("Near-vertical below").centre());
   press();
   press();

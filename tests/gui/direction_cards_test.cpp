@@ -93,19 +93,21 @@ TEST_F(CardWindow, LeadToWhatTheRankingRecommends) {
   EXPECT_FALSE(window.app().sweeping());
 }
 
-TEST_F(CardWindow, StandInTheStepOfTheDirectionBesideAllDirections) {
+TEST_F(CardWindow, FoldsAndShowsAllDirections) {
   open_part();
   window.wait_until_swept();
   ASSERT_TRUE(has("card 1"));
-  click("step 3");
-  EXPECT_FALSE(has("card 1")) << "another step has other things";
-  EXPECT_TRUE(writes("Along ")) << "the verdict has it, with a button";
-  EXPECT_TRUE(has("Go there"));
-  click("step 2");
+  click("fold");
+  window.frames(2);
+  EXPECT_FALSE(has("card 1"));
+  EXPECT_TRUE(writes("recommended ")) << "the bar says it";
+  click("fold");
+  window.frames(2);
   ASSERT_TRUE(has("card 1"));
-  click("All directions");
+  click("disclosure");
   window.frames(2);
   EXPECT_TRUE(has("direction 1"));
+  EXPECT_FALSE(has("card 1"));
 }
 
 TEST_F(CardWindow, StartAnewWhenSettingsOfSideActionsChange) {

@@ -85,16 +85,12 @@ TEST_F(Draft, AWallIsLookedAtAndItsFootShown) {
   EXPECT_EQ(wall_of_face(state(), wall.face, wall.side), &wall);
 }
 
-TEST_F(Draft, IsAStepWithItsColours) {
-  EXPECT_TRUE(window.app().controls().contains("wall 1"));
-  EXPECT_EQ(state().step, Step::draft);
+TEST_F(Draft, IsAskedForByItsColours) {
+  EXPECT_TRUE(window.app().controls().contains("panel Draft"));
   key({.key = 'D'});
   settle();
   EXPECT_FALSE(says("below 1°: "));
   EXPECT_FALSE(window.app().controls().contains("wall 1"));
-  EXPECT_EQ(state().settings.look.colour_mode, ColourMode::regions);
-  go_to(Step::draft);
-  EXPECT_EQ(state().settings.look.colour_mode, ColourMode::draft_angle);
 }
 
 }  // namespace

@@ -121,10 +121,9 @@ TEST_F(Dragging, TheSplitMeshComesWhenTheHandRests) {
 }
 
 TEST_F(WindowWithPart, FiguresByAnotherReadoutComeWhenTheSettingsRest) {
-  open_maps();
-  click("Accuracy");
+  click("disclosure");
   click("Readout=facet-id");
-  move_to({640, 70});  // beside the list of accuracy: it closes
+  move_to({640, 660});  // beside the list of accuracy: it closes
   press();
   window.wait_until_measured();
   EXPECT_EQ(state().figures.shown->settings.readout, Readout::facet_id);

@@ -101,24 +101,24 @@ TEST_F(Hovering, IsExplainedBesideTheCursor) {
 }
 
 TEST_F(Hovering, TheReadoutIsNeitherUnderTheCursorNorUnderAPanelNorOutside) {
-  key({.key = '7', .shift = true});
+  key({.key = '7'});
   move_to({640, 360});
   for (int step = 0; step < 3; ++step) {  // the part grows over the whole window
     window.turn_wheel(6.0F);
     window.frames(2);
   }
-  const ScreenBox left = window.control("panel Step"), right = window.control("panel Verdict");
-  const float bottom = static_cast<float>(window.size().y);
+  const ScreenBox left = window.control("panel Direction"), right = window.control("panel Regions"),
+                  below = window.control("panel Sweep");
   int seen = 0;
   for (float x = left.max.x + 4.0F; x < right.min.x; x += 110.0F) {
-    for (float y = 50.0F; y < bottom; y += 110.0F) {
+    for (float y = 50.0F; y < below.min.y; y += 110.0F) {
       move_to({x, y});
       if (!state().hover) continue;
       ++seen;
       const ScreenBox box = window.control("readout");
       EXPECT_TRUE(x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) << x << " " << y;
       EXPECT_TRUE(box.min.x >= left.max.x && box.max.x <= right.min.x && box.min.y >= 40.0F &&
-                  box.max.y <= bottom)
+                  box.max.y <= below.min.y)
           << x << " " << y;
     }
   }
@@ -128,12 +128,12 @@ TEST_F(Hovering, TheReadoutIsNeitherUnderTheCursorNorUnderAPanelNorOutside) {
 TEST_F(Hovering, NothingBesideThePart) {
   move_to({640, 700});
   EXPECT_FALSE(state().hover);
-  move_to(window.control("+X").centre());
+  move_to(window.control("Kernel").centre());
   EXPECT_FALSE(state().hover) << "a panel lies over the part";
 }
 
 TEST_F(Hovering, ADoubleClickTakesTheNormal) {
-  key({.key = '1', .shift = true});
+  key({.key = '1'});
   window.settle();
   find(Region::both);
   press();
@@ -175,7 +175,7 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
 /// No nudge of the mouse is needed to see what a rest of the mouse calls up.
 TEST_F(WindowWithPart, ATooltipComesByItself) {
   window.settle();
-  window.move_mouse(window.control("+X").centre());
+  window.move_mouse(window.control("Near-vertical below").centre());
   window.frames_asked_for();
   const std::vector<std::uint8_t> before = window.pixels();
   window.pass_time(0.6);

@@ -7,10 +7,7 @@ namespace {
 
 class RegionsAre : public WindowWithPart {
  protected:
-  RegionsAre() {
-    window.wait_until_measured();
-    open_maps();
-  }
+  RegionsAre() { window.wait_until_measured(); }
 
   [[nodiscard]] RegionsBy by() const { return state().settings.look.regions_by; }
   /// Pixels of the scene that differ by more than rounding, in all.
@@ -46,7 +43,7 @@ TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   EXPECT_EQ(by(), RegionsBy::exact) << "it is not the maps' alone";
 }
 
-TEST_F(RegionsAre, SwitchedInTheDrawer) {
+TEST_F(RegionsAre, SwitchedInTheLegend) {
   click("Regions by=maps");
   EXPECT_EQ(by(), RegionsBy::maps);
   click("Regions by=exact");

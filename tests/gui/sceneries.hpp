@@ -39,46 +39,37 @@ class WindowSceneries : public WindowWithPart {
     };
     return {
         {"part", [] {}, [] {}},
-        {"shadow maps", press('K'), [] {}},
-        {"accuracy", click_on("Accuracy"), press(k_escape)},
-        {"regions by maps", click_on("Regions by=maps"),
-         [click_on, press] {
-           click_on("Regions by=exact")();
-           press('K')();
-         }},
-        {"look", click_on("fold Look"), click_on("fold Look")},
-        {"step of the part", press('1'), press('2')},
-        {"report", press('7'), press('2')},
+        {"accuracy", click_on("disclosure"), press(k_escape)},
         {"recent files", click_on("part name"), press(k_escape)},
         {"bookmarks", click_on("bookmark"), press(k_escape)},
         {"section across", press('S'), [] {}},
         {"section along", press('S'), press('S')},
         {"measuring", press('R'), press(k_escape)},
+        {"regions by maps", click_on("Regions by=maps"), click_on("Regions by=exact")},
         {"help", press('H'), press(k_escape)},
         {"settings", click_on("settings"), press(k_escape)},
         {"export", press('E', true), press(k_escape)},
         {"picture", press(k_f12), press(k_escape)},
         {"files", press('O', true), press(k_escape)},
-        {"side actions", press('3'), [] {}},
+        {"side actions", click_on("fold actions"), [] {}},
         {"a side action", click_on("undercut 1"), [] {}},
         {"its pin", click_on("pin 1"), press(k_escape)},
         {"options of side actions", click_on("action options"),
          [this, click_on, press] {
            click_on("action options")();
-           press('2')();
+           click_on("fold actions")();
            press(k_escape)();
            press('F')();
            window.settle();
          }},
-        {"parting line", press('4'), [] {}},
+        {"mold", press('G'), [] {}},
         {"a loop", click_on("loop 1"), press(k_escape)},
-        {"mold", press('6'), [] {}},
         {"options of the mold", click_on("mold options"), click_on("mold options")},
         {"export of the mold", click_on("export mold"), press(k_escape)},
         {"opened halves", press('O'),
          [this, press] {
            press('O')();
-           press('2')();
+           press('G')();
            press('F')();
            window.settle();
          }},

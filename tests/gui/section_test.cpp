@@ -16,7 +16,7 @@ class Sections : public WindowWithPart {
                             "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
     window.wait_until_loaded();
     window.wait_until_measured();
-    unfold_look();
+    window.settle();
   }
   [[nodiscard]] const LookSettings& look() const { return state().settings.look; }
   /// What is said at a place of the part.
@@ -91,7 +91,7 @@ TEST_F(Sections, TellTheGapBetweenWalls) {
   window.wait_until_loaded();
   window.settle();
   click("Section=across");
-  key({.key = '7', .shift = true});
+  key({.key = '7'});
   window.settle();
   const glm::dvec3 middle = state().model->frame.center;
   const Lines lines = said_at(middle + glm::dvec3(3.0, 2.0, 0.0));

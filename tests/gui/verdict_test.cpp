@@ -58,7 +58,7 @@ TEST_F(Verdicts, LeadToTheBestDirection) {
   window_.wait_until_measured();
   EXPECT_TRUE(verdict().good());
   EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut.");
-  click("All directions");
+  click("fold");
   EXPECT_TRUE(window_.app().controls().contains("direction 1"));
 }
 
@@ -103,7 +103,6 @@ TEST_F(LongVerdicts, AChangeOfTheSettingsBeginsTheSweepThatNobodyAskedForAnew) {
   open(moldlight::test::plate_with_side_pocket({}).mesh);
   window_.frames(3);
   ASSERT_TRUE(window_.state().sweep.running.has_value());
-  click("fold Look");
   click("Palette=safe");  // the palette
   EXPECT_TRUE(window_.state().sweep.running.has_value()) << "what only looks different ends nothing";
   click("+Y");

@@ -73,19 +73,6 @@ class WindowWithPart : public ::testing::Test {
     window.hold_modifiers(false, false, false);
     window.frames(3);
   }
-  /// To a step along the top, by its key.
-  void go_to(Step step) {
-    key({.key = '1' + static_cast<int>(step)});
-    window.settle();
-  }
-  void open_maps() {
-    key({.key = 'K'});
-    window.settle();
-  }
-  void unfold_look() {
-    click("fold Look");
-    window.settle();
-  }
   void undo() { key({.key = 'Z', .ctrl = true}); }
 
   moldlight::test::SmallPart part;

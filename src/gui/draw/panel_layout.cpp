@@ -14,9 +14,10 @@ namespace moldlight::gui {
 
 namespace {
 
+constexpr float k_least_room = 96.0F;       // layout units: with less a panel is collapsed
 constexpr float k_widest_bottom = 1120.0F;  // layout units
-constexpr float k_bottom_row = 40.0F;       // layout units: the head of a panel along the bottom
-constexpr float k_least_bottom = 480.0F;    // with less between the side panels it reaches below them
+constexpr float k_bottom_row = 40.0F;       // layout units: a folded panel along the bottom
+constexpr float k_least_bottom = 600.0F;    // with less between the side panels it reaches below them
 
 /// Layout units that panels and dialogs have at least.
 constexpr glm::vec2 k_least_size(960.0F, 600.0F);
@@ -100,7 +101,7 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
   scale_ = scale;
   for (Panel& each : panels_) {
     // What was not drawn there any more takes no room from those on the sides.
-    if (!each.drawn) {
+    if (each.bottom && !each.drawn) {
       each.bottom = false;
       each.min = each.max = glm::vec2(0.0F);
     }
@@ -115,9 +116,6 @@ float PanelLayout::floor_at(const Ui& ui, float x, float y) const {
     if (other.bottom) floor = std::min(floor, other.min.y);
     if (!other.bottom && other.place.offset.y > y) titles += ui.px(k_title_height) + ui.px(8);
   }
-  // The tab of the drawer stands at the left, while there is no drawer.
-  if (floor >= static_cast<float>(size_.y) && x < ui.px(k_panel_width + 12))
-    floor -= ui.px(k_tab_height + 12);
   return floor - titles - ui.px(8);
 }
 
@@ -139,7 +137,7 @@ glm::vec2 PanelLayout::corner_of(const Ui& ui, const Panel& each) const {
   return glm::round(at);
 }
 
-bool PanelLayout::begin(const Ui& ui, const char* name, std::string_view title) {
+bool PanelLayout::begin(const Ui& ui, const char* name) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
   open_ = &each;
@@ -154,12 +152,19 @@ bool PanelLayout::begin(const Ui& ui, const char* name, std::string_view title) 
     each.put = each.min;
   }
   const glm::vec2 at = moved ? each.put : corner_of(ui, each);
-  if (fresh || at != each.put) ImGui::SetNextWindowPos(im(each.put = at));
+  const bool put_anew = fresh || at != each.put;
+  if (put_anew) ImGui::SetNextWindowPos(im(each.put = at));
   const float room = floor_at(ui, each.put.x, each.place.offset.y) - each.put.y;
-  bool& folded = sides_folded_ ? each.folded_aside : each.place.collapsed;
-  each.folded = folded;
-  ImGui::SetNextWindowCollapsed(folded);
+  // A title that a click has opened stays open.
+  const bool crowded = room < ui.px(k_least_room) && (put_anew || each.squeezed);
+  const bool squeezed = !each.toggle && (crowded || (sides_folded_ && (fresh || each.squeezed)));
+  if (fresh || squeezed != each.squeezed) ImGui::SetNextWindowCollapsed(squeezed || each.place.collapsed);
+  each.squeezed = squeezed;
   ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, std::max(room, ui.px(64))));
+  if (each.toggle) {
+    ImGui::SetNextWindowCollapsed(!each.collapsed);
+    each.toggle = false;
+  }
   // ImGui's own title bar would have the body font and a heavy arrow.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(ui.px(8), 0.5F * (ui.px(k_title_height) - ui.fonts.body.size)));
@@ -170,29 +175,28 @@ bool PanelLayout::begin(const Ui& ui, const char* name, std::string_view title) 
   each.min = from_im(ImGui::GetWindowPos());
   each.max = each.min + from_im(ImGui::GetWindowSize());
   each.drawn = true;
-  const bool clicked = draw_title(ui, each, title.empty() ? std::string_view(each.place.name) : title);
-  // ImGui folds a window by itself at a double click on its title.
-  if (clicked || ImGui::IsWindowCollapsed() != folded) folded = !folded;
+  each.collapsed = ImGui::IsWindowCollapsed();
+  if (!each.squeezed) each.place.collapsed = each.collapsed;
+  draw_title(ui, each);
   return open;
 }
 
-bool PanelLayout::draw_title(const Ui& ui, const Panel& each, std::string_view title) {
+void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = each.min.y + 0.5F * ui.px(k_title_height);
   ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
   list.PushClipRect(im(each.min), im(each.max));
   draw_text(list, {ui.fonts.strong, ui.colours->text},
-            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, title);
+            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.place.name);
   const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
-  draw_icon(list, each.folded ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
+  draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
             hovered ? ui.colours->text : ui.colours->muted);
-  const ScreenBox fold{chevron - reach, chevron + reach};
-  ui.memory->controls["fold " + each.place.name] = fold;
-  const bool focused = has_keyboard(ui, "title", fold);
+  const bool focused = has_keyboard(ui, "title", {chevron - reach, chevron + reach});
   list.PopClipRect();
-  return (hovered && ImGui::IsMouseClicked(0)) || (focused && ui.memory->keyboard.takes(ControlKey::press));
+  each.toggle =
+      (hovered && ImGui::IsMouseClicked(0)) || (focused && ui.memory->keyboard.takes(ControlKey::press));
 }
 
 void PanelLayout::end() {
@@ -201,12 +205,16 @@ void PanelLayout::end() {
   open_ = nullptr;
 }
 
-void PanelLayout::begin_bottom(const Ui& ui, const char* name) {
+bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
   each.drawn = false;
   const FreeArea area = free_area(false);
-  const float gap = ui.px(12), bottom = static_cast<float>(size_.y) - gap;
+  const float gap = ui.px(12);
+  float bottom = static_cast<float>(size_.y) - gap;
+  for (const Panel& other : panels_) {
+    if (other.drawn && other.bottom) bottom = std::min(bottom, other.min.y - ui.px(8));
+  }
   open_ = &each;
   each.bottom = each.drawn = true;
   const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
@@ -224,6 +232,17 @@ void PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   // give way to a guess.
   if (ImGui::IsWindowAppearing()) each.min.y = std::round(bottom - ui.px(k_bottom_row));
   ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
+  return !each.place.collapsed;
+}
+
+void PanelLayout::fold_bottom(std::string_view name, bool collapsed) {
+  for (Panel& each : panels_) {
+    if (each.place.name == name) {
+      each.place.collapsed = collapsed;
+    } else if (each.bottom && !collapsed) {
+      each.place.collapsed = true;
+    }
+  }
 }
 
 glm::vec2 FreeArea::beside(const glm::vec2& point, const glm::vec2& size, float gap) const {
@@ -239,10 +258,8 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
   if (panels_hidden) return area;
   area.min.y = static_cast<int>(k_bar_height * scale_);
   for (const Panel& each : panels_) {
-    // Before the panels of this frame are drawn, it is those of the last one.
-    if (each.max == glm::vec2(0.0F)) continue;
-    if (each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
-    if (each.folded || each.bottom) continue;
+    if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
+    if (!each.drawn || each.collapsed || each.bottom) continue;
     if (each.place.from_right) {
       area.max.x = std::min(area.max.x, static_cast<int>(each.min.x));
     } else {

@@ -2,6 +2,7 @@
 // of the window's size and scale: a panel keeps its distance to the nearer edges.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,7 @@ namespace moldlight::gui {
 /// Width of every panel and height of the bar on top, layout units.
 inline constexpr float k_panel_width = 272.0F;
 inline constexpr float k_bar_height = 40.0F;
-inline constexpr float k_title_height = 28.0F, k_tab_height = 28.0F;
+inline constexpr float k_title_height = 28.0F;
 
 /// Where a panel's upper left corner is: in layout units from the window's left or right edge and from its
 /// top.
@@ -58,17 +59,25 @@ class PanelLayout {
   /// `size` in pixels. Panels are put back in place when it or the scale changed.
   void begin_frame(const glm::ivec2& size, float scale);
   /// Begins the panel's window; false if there is nothing to draw in it. Call end() either way.
-  /// `title`: what is written on top; empty: the name.
-  bool begin(const Ui& ui, const char* name, std::string_view title = {});
+  bool begin(const Ui& ui, const char* name);
   void end();
-  /// Begins the one panel along the bottom, between those on the sides or, where that is little, below them;
-  /// it is as high as what is in it, and its first row is its title, which the panel draws.
-  void begin_bottom(const Ui& ui, const char* name);
+  /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
+  /// above those that have been drawn there;
+  /// it is as high as what is in it, and
+  /// its first row is its title, which the panel draws. False if it is folded up to that row.
+  bool begin_bottom(const Ui& ui, const char* name);
+  /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
+  /// one would leave little of the part.
+  void fold_bottom(std::string_view name, bool collapsed);
+  /// Whether a panel that was drawn in this frame or the last is not folded up.
+  [[nodiscard]] bool unfolded(std::string_view name) const {
+    return std::ranges::any_of(
+        panels_, [&](const Panel& each) { return each.place.name == name && !each.place.collapsed; });
+  }
 
   /// Whether panels on the sides begin folded up to their titles, which is not remembered; a click opens one.
   void keep_sides_folded(bool folded) {
-    if (folded != sides_folded_) pending_ = true;
-    for (Panel& each : panels_) each.folded_aside = each.folded_aside || !sides_folded_;
+    pending_ = pending_ || folded != sides_folded_;
     sides_folded_ = folded;
   }
   /// What the panels left free when they were last drawn.
@@ -85,12 +94,12 @@ class PanelLayout {
     glm::vec2 min{0.0F}, max{0.0F};  // on the screen when last drawn, pixels
     glm::vec2 put{-1.0F};            // where it was put: it is elsewhere once the user has moved it
     bool drawn = false;
-    bool folded = false;
-    bool folded_aside = true;  // while the sides are kept folded
+    bool collapsed = false;
+    bool squeezed = false;  // for want of room, which is not remembered
     bool bottom = false;
+    bool toggle = false;  // its chevron was clicked
   };
-  /// Whether it is to be folded up, or down.
-  static bool draw_title(const Ui& ui, const Panel& each, std::string_view title);
+  void draw_title(const Ui& ui, Panel& each) const;
   /// Where it goes: its place, but in the window and below the panels that are above it in its column.
   [[nodiscard]] glm::vec2 corner_of(const Ui& ui, const Panel& each) const;
   /// Down to where a panel of the column at this x may reach, if it leaves room for the titles of those

@@ -406,7 +406,7 @@ bool chips(const Ui& ui, std::span<const std::string_view> words, std::vector<st
 }
 
 bool disclosure(const Ui& ui, std::string_view label, bool open) {
-  const Pressable row = begin_row(ui, label);
+  const Pressable row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
   draw_row_text({ui.fonts.small, colour}, row.box.min.x + ui.px(8), row, label);
   ImDrawList& list = *ImGui::GetWindowDrawList();

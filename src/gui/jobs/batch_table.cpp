@@ -30,11 +30,9 @@ std::optional<double> figure_of(const PartResult& row) {
   return row.figure(k_figure);
 }
 /// By BatchColumn.
-constexpr std::array<ColumnFacts, 9> k_batch_columns = {
+constexpr std::array<ColumnFacts, 7> k_batch_columns = {
     {{"part"},
      {"state"},
-     {"verdict"},
-     {"unit"},
      {"undercut", figure_of<Figure::undercut_area>},
      {"share", [](const PartResult& row) { return row.undercut_share(); }},
      {"undercuts", figure_of<Figure::undercuts>},
@@ -45,6 +43,8 @@ std::optional<double> value_of(const PartResult& row, BatchColumn column) {
   const auto value = k_batch_columns[static_cast<std::size_t>(column)].value;
   return value != nullptr ? value(row) : std::nullopt;
 }
+
+bool is_text(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
 
 /// The settings among these that a table of options has.
 template <typename S>
@@ -58,8 +58,6 @@ void take_settings(std::span<const Option<S>> options, S& settings, const Json& 
 }
 
 }  // namespace
-
-bool is_text(BatchColumn column) { return column <= BatchColumn::unit; }
 
 BatchTable load_batch_table(const std::string& path, const Progress& progress) {
   BatchTable table;
@@ -77,8 +75,6 @@ std::string_view batch_column_name(BatchColumn column) {
 std::string batch_cell(const PartResult& row, BatchColumn column) {
   if (column == BatchColumn::part) return shown_text(row.path);
   if (column == BatchColumn::state) return std::string(batch::state_name(row.state));
-  if (column == BatchColumn::verdict) return row.verdict;
-  if (column == BatchColumn::unit) return row.unit;
   const auto value = value_of(row, column);
   if (!value) return "";
   return column == BatchColumn::share ? fmt::format("{:.2f} %", 100.0 * *value) : figure(*value);
@@ -88,8 +84,8 @@ std::vector<BatchColumn> used_columns(const BatchTable& table) {
   std::vector<BatchColumn> used;
   for (int k = 0; k <= static_cast<int>(BatchColumn::unreleased); ++k) {
     const auto column = static_cast<BatchColumn>(k);
-    const auto has = [&](const PartResult& row) { return !batch_cell(row, column).empty(); };
-    if (std::ranges::any_of(table.rows, has)) used.push_back(column);
+    const auto has = [&](const PartResult& row) { return value_of(row, column).has_value(); };
+    if (is_text(column) || std::ranges::any_of(table.rows, has)) used.push_back(column);
   }
   return used;
 }

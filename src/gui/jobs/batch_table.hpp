@@ -22,19 +22,7 @@ struct BatchTable {
 [[nodiscard]] BatchTable load_batch_table(const std::string& path, const Progress& progress);
 
 /// What the table is sorted by.
-enum class BatchColumn : std::uint8_t {
-  part,
-  state,
-  verdict,
-  unit,
-  undercut,
-  share,
-  undercuts,
-  side_actions,
-  unreleased
-};
-/// Of words, not of figures.
-[[nodiscard]] bool is_text(BatchColumn column);
+enum class BatchColumn : std::uint8_t { part, state, undercut, share, undercuts, side_actions, unreleased };
 [[nodiscard]] std::string_view batch_column_name(BatchColumn column);
 /// As the table shows it; empty where the row has none.
 [[nodiscard]] std::string batch_cell(const batch::PartResult& row, BatchColumn column);

@@ -4,7 +4,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/numbers.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 
 namespace moldlight::gui {
@@ -44,20 +43,6 @@ LoadedPart load_for_window(const std::string& path, const ReadOptions& options, 
   loaded.features = feature_directions(*loaded.model, progress);
   progress.report("ready", 1.0);
   return loaded;
-}
-
-LoadedPart body_for_window(const LoadedPart& whole, const ReadOptions& options, const Progress& progress) {
-  const auto number = number_from<std::size_t>(options.body);
-  const Part& part = whole.model->part;
-  if (!number || *number < 1 || *number > part.bodies.size()) {
-    LoadedPart all = whole;
-    all.reading = options;
-    return all;
-  }
-  LoadedPart body =
-      pictured_part(whole.path, options, prepare_part(extract_body(part, *number - 1), progress), progress);
-  body.features = feature_directions(*body.model, progress);
-  return body;
 }
 
 glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features, const glm::dvec3& direction) {

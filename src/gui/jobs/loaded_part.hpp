@@ -34,10 +34,6 @@ struct LoadedPart {
 [[nodiscard]] LoadedPart load_for_window(const std::string& path, const ReadOptions& options,
                                          const Progress& progress);
 
-/// The body that `options` choose of a file whose bodies all are in memory, or all of them. Throws Cancelled.
-[[nodiscard]] LoadedPart body_for_window(const LoadedPart& whole, const ReadOptions& options,
-                                         const Progress& progress);
-
 /// A part that is in memory, without the directions. Throws Cancelled.
 [[nodiscard]] LoadedPart pictured_part(const std::string& path, const ReadOptions& options,
                                        std::shared_ptr<const PartModel> part, const Progress& progress);

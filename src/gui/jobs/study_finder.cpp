@@ -191,7 +191,6 @@ void StudyFinder::find_solids(const AppState& state, MoldState& mold, const Want
     study.keep<moldlight::MoldLine>(mold.line);
     solids_job_.start([study](const Progress& progress) { return shown_solids(study, progress); });
   }
-  if (ready && !solids_of_ && !wants.solids) mold.solids.reset();  // they are of other settings
   if (auto outcome = solids_job_.take()) {
     if (!outcome->error.empty()) mold.error = std::move(outcome->error);
     mold.solids.reset();

@@ -11,7 +11,9 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_part_row = 28.0F, k_row_with_picture = 54.0F, k_thumbnail_width = 68.0F;  // layout units
-constexpr float k_state_width = 64.0F, k_verdict_width = 108.0F, k_figure_width = 76.0F;
+constexpr float k_state_width = 74.0F, k_figure_width = 104.0F;
+
+bool is_left(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
 
 }  // namespace
 
@@ -56,18 +58,14 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
   if (end_dialog(ui)) context.edits.dialogs.batch = false;
 }
 
-/// Right end of a column from the row's left end; the first takes what the others leave. Figures have less
-/// than half of the width, since the reasons of failures stand there, too.
+/// Right end of a column from the row's left end; the first takes what the others leave. Figures have half of
+/// the width, since the reasons of failures stand there, too.
 float BatchPanel::right_of(const Ui& ui, std::size_t column, float width) const {
-  const auto figures = std::max<std::ptrdiff_t>(
-      1, std::ranges::count_if(columns_, [](BatchColumn each) { return !is_text(each); }));
-  const float figure =
-      std::max(ui.px(k_figure_width), std::floor(0.42F * width / static_cast<float>(figures)));
+  const auto figures = static_cast<float>(std::max<std::size_t>(columns_.size(), 3) - 2);
+  const float figure = std::max(ui.px(k_figure_width), std::floor(0.5F * width / figures));
   float right = width;
   for (std::size_t k = columns_.size(); k-- > column + 1;)
-    right -= columns_[k] == BatchColumn::verdict ? ui.px(k_verdict_width)
-             : is_text(columns_[k])              ? ui.px(k_state_width)
-                                                 : figure;
+    right -= columns_[k] == BatchColumn::state ? ui.px(k_state_width) : figure;
   return right;
 }
 
@@ -83,12 +81,12 @@ void BatchPanel::draw_headings(const PanelContext& context) {
     const std::string name(batch_column_name(column));
     const Pressable heading = pressable(ui, ("by " + name).c_str(), {right - left, height});
     if (heading.clicked) {
-      order_.descending = order_.column == column ? !order_.descending : !is_text(column);
+      order_.descending = order_.column == column ? !order_.descending : !is_left(column);
       order_.column = column;
     }
     const bool chosen = order_.column == column;
     const std::string text = name + (chosen ? (order_.descending ? " ↓" : " ↑") : "");
-    const float inset = is_text(column) ? 0.0F : right - left - text_size(ui.fonts.small, text).x;
+    const float inset = is_left(column) ? 0.0F : right - left - text_size(ui.fonts.small, text).x;
     draw_text(*ImGui::GetWindowDrawList(),
               {ui.fonts.small, heading.hovered || chosen ? ui.colours->text : ui.colours->muted},
               {start.x + left + inset, start.y + 0.5F * (height - ui.fonts.small.size)}, text);
@@ -156,15 +154,13 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
                          : tells_reason                        ? ui.colours->warning
                                                                : ui.colours->muted;
     const float inset =
-        is_text(column) || tells_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
+        is_left(column) || tells_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
     draw_text(list, {ui.fonts.body, colour},
               {min.x + left + inset, 0.5F * (min.y + max.y - ui.fonts.body.size)}, text);
     if (tells_reason) break;
     left = right;
   }
-  tooltip(ui, row.path,
-          row.settings + (row.reason.empty() ? "" : "\n" + row.reason) +
-              (row.sentence.empty() ? "" : "\n" + row.sentence));
+  tooltip(ui, row.path, row.settings + (row.reason.empty() ? "" : "\n" + row.reason));
   if (line.clicked) {
     context.edits.ask(&Commands::open_batch_part, rows_[index]);
     context.edits.dialogs.batch = false;

@@ -14,9 +14,9 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_head = 31.0F, k_line_height = 15.0F;  // layout units: without the lines, of each
-constexpr float k_picture_width = 84.0F, k_picture_height = 52.0F;
-constexpr float k_high_window = 800.0F;
+constexpr float k_card_height = 108.0F, k_widest_card = 380.0F, k_line_height = 15.0F;  // layout units
+constexpr float k_picture_width = 100.0F, k_picture_height = 62.0F;
+constexpr std::size_t k_most_lines = 5;
 
 /// What the card is, below its picture.
 std::string_view role(const SweepState& sweep, std::size_t place) {
@@ -34,11 +34,10 @@ std::string card_help(const DirectionCard& card) {
 
 void draw_card(const PanelContext& context, std::size_t place, float width, unsigned picture) {
   const Ui& ui = context.ui;
-  const std::size_t most_lines = ImGui::GetIO().DisplaySize.y >= ui.px(k_high_window) ? 5 : 4;
-  const float height = ui.px(k_head + k_line_height * static_cast<float>(most_lines));
   const AppState& state = context.state;
   const DirectionCard& card = state.sweep.cards[place];
-  const Pressable item = pressable(ui, fmt::format("card {}", place + 1).c_str(), {width, height});
+  const Pressable item =
+      pressable(ui, fmt::format("card {}", place + 1).c_str(), {width, ui.px(k_card_height)});
   const glm::vec2 min = item.box.min, max = item.box.max, inset(ui.px(6));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(im(min), im(max), item.hovered ? ui.colours->field_hovered : ui.colours->field,
@@ -53,7 +52,7 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
   draw_text(list, {ui.fonts.strong, ui.colours->text}, {left, top},
             fitted(ui.fonts.strong, with_minus(card.name), room));
   top += ui.px(k_line_height + 4);
-  std::size_t lines_left = most_lines;
+  std::size_t lines_left = k_most_lines;
   const auto write = [&](ImU32 colour, const std::string& text, std::size_t most) {
     for (const std::string& line : lines_within(ui.fonts.small, text, room, std::min(most, lines_left))) {
       draw_text(list, {ui.fonts.small, colour}, {left, top}, line);
@@ -63,7 +62,7 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
   };
   const float alpha = state.figures.pale ? 0.4F : 1.0F;
   const MoldTrade& trade = card.trade;
-  write(ui.colours->text, card.verdict, trade.wins.empty() && trade.costs.empty() ? most_lines : 2);
+  write(ui.colours->text, card.verdict, 2);
   // What it costs is told in any case.
   if (!trade.wins.empty())
     write(faded(ui.colours->muted, alpha), fmt::format("+ {}", fmt::join(trade.wins, ", ")),
@@ -77,10 +76,15 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
 }  // namespace
 
 void draw_direction_cards(const PanelContext& context, std::span<const unsigned> pictures) {
+  const Ui& ui = context.ui;
   const std::vector<DirectionCard>& cards = context.state.sweep.cards;
-  for (std::size_t k = 0; k < cards.size(); ++k)
-    draw_card(context, k, ImGui::GetContentRegionAvail().x,
-              cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
+  const float gap = ui.px(8),
+              share = (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(cards.size());
+  const float width = std::floor(std::min(share - gap, ui.px(k_widest_card)));
+  for (std::size_t k = 0; k < cards.size(); ++k) {
+    if (k > 0) ImGui::SameLine(0.0F, gap);
+    draw_card(context, k, width, cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
+  }
 }
 
 }  // namespace moldlight::gui

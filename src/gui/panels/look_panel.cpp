@@ -1,8 +1,13 @@
-// Settings of the picture: section, colours, edges.
+// Settings of the picture: the mold's opening, section, colours, edges.
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
+#include "gui/view/side_actions.hpp"
+#include "render/view_settings.hpp"
 
 namespace moldlight::gui {
 
@@ -20,6 +25,32 @@ void draw_chips(const Ui& ui, LookSettings& look) {
   }
 }
 
+/// The colours of the draft angles, each between two of the limits that stand below.
+void draw_draft_key(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const DraftScale scale =
+      draft_scale(context.state.settings.required_draft.deg, context.state.settings.look.palette);
+  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos()) + glm::vec2(ui.px(8), ui.px(3));
+  const float step =
+      (ImGui::GetContentRegionAvail().x - ui.px(16)) / static_cast<float>(scale.colours.size());
+  const float height = ui.px(8);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t k = 0; k < scale.colours.size(); ++k) {
+    const glm::vec2 min = start + glm::vec2(static_cast<float>(k) * step, 0.0F);
+    list.AddRectFilled(im(min), im(min + glm::vec2(step - ui.px(1), height)), packed(scale.colours[k]),
+                       ui.px(2));
+  }
+  for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
+    const double limit = scale.limits_deg[k];
+    const std::string text = fmt::format("{}{:.3g}°", limit < 0.0 ? "−" : "", std::abs(limit));
+    draw_text(list, {ui.fonts.small, ui.colours->muted},
+              start + glm::vec2(static_cast<float>(k + 1) * step - 0.5F * text_size(ui.fonts.small, text).x,
+                                height + ui.px(3)),
+              text);
+  }
+  ImGui::Dummy(ImVec2(1.0F, height + ui.px(6) + ui.fonts.small.size));
+}
+
 }  // namespace
 
 void draw_look_panel(const PanelContext& context) {
@@ -29,11 +60,18 @@ void draw_look_panel(const PanelContext& context) {
     const PartLengths lengths(context.state);
     for (const Option<LookSettings>& option : look_options()) {
       const bool is_switch = std::holds_alternative<SwitchKind<LookSettings>>(option.kind);
-      if (is_switch || is_among(k_map_look_options, option) || option.key == "open_mold") continue;
+      if (is_switch || is_among(k_map_look_options, option)) continue;
       if (option.key == "section_at" && look.section == Section::off) continue;
       if (option.key == "section_turn" && look.section != Section::along) continue;
-      option_row(ui, option, look, {.lengths = &lengths});
-      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
+      RowOptions row{.lengths = &lengths};
+      if (option.key == "open_mold")
+        row.text = [&](double open) { return opening_text(context.state, open); };
+      option_row(ui, option, look, row);
+      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) {
+        option_row(ui, required_draft_options().front(), context.edits.settings.required_draft);
+        draw_draft_key(context);
+      }
+      if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
     }
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));
     draw_chips(ui, look);

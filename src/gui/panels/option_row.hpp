@@ -85,19 +85,10 @@ template <typename S>
   return std::holds_alternative<SetKind<S>>(option.kind) || std::holds_alternative<TextKind<S>>(option.kind);
 }
 
-/// The settings as they are by themselves. Not inlined: GCC 12 takes the kinds of options that settings with
-/// few members do not have for accesses beyond them.
-template <typename S>
-[[gnu::noinline]] const S& standard_settings() {
-  static const S k_standard{};
-  return k_standard;
-}
-
 /// Edits one option in place; values out of its range cannot be entered. Returns true if it changed.
 template <typename S>
 bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOptions& row = {}) {
-  const std::string before = option_text(option, settings),
-                    standard = option_text(option, standard_settings<S>());
+  const std::string before = option_text(option, settings), standard = option_text(option, S{});
   const bool modified = before != standard;
   std::optional<std::string> after;  // what was entered
   const auto number_row = [&](double number, int decimals, SliderSpec spec) {

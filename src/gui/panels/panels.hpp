@@ -33,27 +33,24 @@ struct BallDrag {
   glm::vec2 grip{0.0F};  // from the cursor to the marker, pixels
 };
 
-/// Options that the drawer of the shadow maps shows, and those under its Accuracy; other panels show the rest
+/// Options that the panel of the shadow maps shows, and those under its Accuracy; other panels show the rest
 /// of their tables.
 inline constexpr std::array<std::string_view, 4> k_map_options = {"kernel", "kernel_shape", "edge_thickness",
                                                                   "resolution"};
 inline constexpr std::array<std::string_view, 2> k_map_look_options = {"regions", "mark_difference"};
-inline constexpr std::array<std::string_view, 3> k_accuracy_options = {"readout", "samples", "backend"};
+inline constexpr std::array<std::string_view, 4> k_accuracy_options = {"tolerance", "readout", "samples",
+                                                                       "backend"};
 
 void draw_top_bar(const PanelContext& context);
-/// What opens the drawer of the shadow maps, at the foot of the step's panel.
-void draw_drawer_tab(const PanelContext& context);
-/// Of the step of the direction.
-void draw_direction_controls(const PanelContext& context, BallDrag& drag);
+void draw_direction_panel(const PanelContext& context, BallDrag& drag);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
+void draw_part_panel(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
-void draw_maps_drawer(const PanelContext& context, const MapTextures& textures);
-/// The colours of the draft angles, each between two of the limits that stand below.
-void draw_draft_key(const PanelContext& context);
+void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
 /// How far the shadow maps are from exact regions, while the regions come from them; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
-void draw_verdict_panel(const PanelContext& context);
+void draw_regions_panel(const PanelContext& context);
 void draw_chosen_face(const PanelContext& context);
 void draw_cursor_readout(const PanelContext& context);
 /// What the readout says of what is under the cursor; nothing beside the part.
@@ -141,12 +138,11 @@ struct VerdictCard {
 /// "1 slide, 2 lifters · 49.2 mm² left"; what comes of the plan of side actions.
 [[nodiscard]] std::string actions_summary(const AppState& state);
 
-/// At the top of the legend: a light, the sentence, and a button that leads to what it is of.
+/// At the top of the legend.
 void draw_verdict(const PanelContext& context);
 
-/// Whether the picture has room for it: not while directions or revisions are compared, or one is chosen on
-/// the large ball.
-[[nodiscard]] bool has_mold(const AppState& state);
+/// Not while directions are compared or chosen on the large ball, which leaves no room for it.
+[[nodiscard]] bool has_mold_bar(const AppState& state);
 
 /// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
 [[nodiscard]] std::string halves_refusal(const AppState& state);

@@ -7,7 +7,7 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/view/revision_view.hpp"
 #include "mold/direction.hpp"
 
@@ -204,50 +204,48 @@ void draw_changes(const PanelContext& context, RowCursor& cursor) {
             fitted(ui.fonts.small, regions, width - ui.px(16)));
 }
 
-StepNews revisions_news(const RevisionState& revisions) {
+BarNews revisions_news(const RevisionState& revisions) {
   const auto& running = revisions.running;
   if (revisions.awaited)
     return {.text = running && !running->stage.empty() ? running->stage + " …" : "comparing …",
             .progress = running ? running->fraction : 0.0};
-  if (!revisions.error.empty()) return {.text = revisions.error, .warning = true};
+  if (!revisions.error.empty()) return {.text = revisions.error, .warning = true, .tip = revisions.error};
   if (!revisions.result) return {};
-  const std::string text = comparison_verdict(revisions.result->comparison);
-  return {.text = revisions.stale ? "Cancelled. The figures are of other settings. " + text : text};
+  std::string text = comparison_verdict(revisions.result->comparison);
+  if (revisions.stale) text = "Cancelled. The figures are of other settings. " + text;
+  return {.text = text, .tip = text};
 }
 
-void draw_revisions_header(const PanelContext& context, StepMemory& memory) {
-  constexpr float k_cancel_width = 64.0F, k_progress_width = 96.0F;  // layout units
+void draw_revision_buttons(const PanelContext& context, BottomHeader& header) {
   const Ui& ui = context.ui;
-  BottomHeader header(ui, "Revisions");
-  if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
-    context.edits.ask(&Commands::leave_revisions);
-  if (header.button({"revision options", Icon::settings, "Settings of the comparison", memory.settings}))
-    memory.settings = !memory.settings;
   if (header.button({"exchange revisions", Icon::exchange, "Swap the revisions"}))
     context.edits.ask(&Commands::exchange_revisions);
-  if (context.state.revisions.awaited) {
-    header.place(ui.px(k_cancel_width));
-    if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
-      context.edits.ask(&Commands::cancel_revisions);
-    name_item(ui, "cancel revisions");
-  }
-  const StepNews news = revisions_news(context.state.revisions);
-  if (news.progress) header.progress(*news.progress, k_progress_width);
-  header.end(news.text, news.warning ? ui.colours->warning : ui.colours->muted, news.text);
+  if (!context.state.revisions.awaited) return;
+  constexpr float k_cancel_width = 64.0F;
+  header.place(ui.px(k_cancel_width));
+  if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
+    context.edits.ask(&Commands::cancel_revisions);
+  name_item(ui, "cancel revisions");
 }
 
 }  // namespace
 
-void draw_revisions_panel(const PanelContext& context, StepMemory& memory) {
+void draw_revisions_bar(const PanelContext& context, TableBar& bar) {
   const RevisionState& revisions = context.state.revisions;
   if (!revisions.on()) return;
-  context.layout.begin_bottom(context.ui, "Revisions");
-  draw_revisions_header(context, memory);
-  if (memory.settings)
-    draw_revision_settings(context);
-  else if (revisions.result)
-    draw_changes(context, memory.cursor);
-  context.layout.end();
+  TableBarParts parts{.name = "Revisions",
+                      .fold = "fold revisions",
+                      .options = "revision options",
+                      .options_hint = "Settings of the comparison",
+                      .news = revisions_news(revisions),
+                      .settings = [&] { draw_revision_settings(context); }};
+  parts.before = [&](BottomHeader& header) {
+    if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
+      context.edits.ask(&Commands::leave_revisions);
+  };
+  parts.after = [&](BottomHeader& header, bool) { draw_revision_buttons(context, header); };
+  if (revisions.result) parts.table = [&](RowCursor& cursor) { draw_changes(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

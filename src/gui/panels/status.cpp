@@ -40,7 +40,7 @@ struct HintPlace {
 constexpr HintPlace k_places[] = {
     {Hint::arrow, "core arrow", "Drag the arrow: regions and figures follow", {1.0F, 0.0F}},
     {Hint::verdict, "verdict", "The regions of the part along this direction", {-1.0F, 0.0F}},
-    {Hint::sweep, "Find directions", "Looking for the best parting direction", {1.0F, 0.0F}},
+    {Hint::sweep, "Find directions", "Looking for the best parting direction", {-1.0F, 0.0F}},
 };
 
 }  // namespace
@@ -60,12 +60,6 @@ void draw_loading(const PanelContext& context) {
   if (!context.state.loading) return;
   const Ui& ui = context.ui;
   const Loading& loading = *context.state.loading;
-  // What is there at once needs no word.
-  constexpr double k_at_once_s = 0.3;
-  if (ui.now_s < loading.since_s + k_at_once_s) {
-    ui.memory->wake_s = std::min(ui.memory->wake_s, loading.since_s + k_at_once_s);
-    return;
-  }
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   place_window({0.5F * window.x, 0.62F * window.y}, {0.5F, 0.5F});
   ImGui::Begin("Loading", nullptr, k_card_window);

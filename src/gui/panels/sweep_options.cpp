@@ -5,7 +5,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/table_bar.hpp"
 
 namespace moldlight::gui {
 

@@ -57,24 +57,21 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   if (!dialogs.panels_hidden) {
     draw_top_bar(context);
     if (context.state.model) {
-      draw_step(context, textures.candidates);
-      draw_verdict_panel(context);
+      draw_direction_panel(context, ball_);
+      draw_part_panel(context);
+      draw_maps_panel(context, textures.maps);
+      draw_regions_panel(context);
       draw_look_panel(context);
-      if (context.state.revisions.on()) {
-        draw_revisions_panel(context, revisions_);
-      } else if (context.state.drawer == Drawer::maps) {
-        draw_maps_drawer(context, textures.maps);
-      } else if (context.state.drawer != Drawer::none) {
-        sweep_.draw_drawer(context, textures.candidates);
-      }
-      draw_drawer_tab(context);
+      sweep_.draw(context, textures.candidates);
+      draw_actions_bar(context, actions_);
+      draw_mold_bar(context, mold_);
+      draft_.draw(context);
+      draw_revisions_bar(context, revisions_);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);
     }
   }
-  if (context.state.model && dialogs.presenting) {
-    draw_caption(context);
-  } else if (context.state.model) {
+  if (context.state.model) {
     draw_view_cube(context);
     draw_chosen_face(context);
     draw_measuring(context);
@@ -93,40 +90,6 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   draw_settings(context);
   help_.draw(context);
   draw_toasts(context);
-}
-
-void Workspace::draw_step(const PanelContext& context, std::span<const unsigned> candidates) {
-  const Step step = context.state.step;
-  StepMemory& memory = steps_[static_cast<std::size_t>(step)];
-  if (context.layout.begin(context.ui, "Step", step_title(step))) {
-    ImGui::PushID(static_cast<int>(step));
-    switch (step) {
-      case Step::part:
-        draw_part_step(context, bodies_);
-        break;
-      case Step::direction:
-        draw_direction_controls(context, ball_);
-        if (!context.state.revisions.on()) sweep_.draw(context, candidates);
-        break;
-      case Step::undercuts:
-        draw_undercuts_step(context, memory);
-        break;
-      case Step::parting_line:
-        draw_parting_line_step(context, memory);
-        break;
-      case Step::draft:
-        draft_.draw(context, memory);
-        break;
-      case Step::mold:
-        draw_mold_step(context, memory);
-        break;
-      case Step::report:
-        draw_report_step(context);
-        break;
-    }
-    ImGui::PopID();
-  }
-  context.layout.end();
 }
 
 void HelpSheet::draw(const PanelContext& context) {

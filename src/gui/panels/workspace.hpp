@@ -13,7 +13,7 @@
 
 #include "gui/jobs/batch_table.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "sweep/direction_figures.hpp"
 
 namespace moldlight::gui {
@@ -25,16 +25,16 @@ namespace moldlight::gui {
 [[nodiscard]] std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
                                                          bool descending);
 
-/// The sweep: how far it is, cards of what it recommends, and in a drawer the best directions as a table to
-/// sort and click, or its options.
+/// The sweep along the bottom: its options, how far it is, and what it found: cards of what a sweep by itself
+/// recommends, or the best directions as a table to sort and click.
 class SweepPanel {
  public:
-  /// In the step of the direction. `pictures`: a texture a candidate of the result; 0, or too few of them,
-  /// where there is none yet.
+  /// `pictures`: a texture a candidate of the result; 0, or too few of them, where there is none yet.
   void draw(const PanelContext& context, std::span<const unsigned> pictures);
-  void draw_drawer(const PanelContext& context, std::span<const unsigned> pictures);
 
  private:
+  void draw_header(const PanelContext& context, bool open);
+  void fold(const PanelContext& context, bool folded);
   void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
   using Figures = std::vector<const DirectionFigure*>;
   void draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
@@ -44,27 +44,19 @@ class SweepPanel {
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::vector<std::size_t> rows_;              // candidates in the order of the table
   RowCursor cursor_;                           // its row is a place among rows_
+  bool options_ = false;
+  enum class Shown : std::uint8_t { what_fits, cards, table } asked_for_ = Shown::what_fits;
 };
 
-/// The bodies of a file that has several: a click looks at one, or molds it.
-class BodyList {
+/// The draft along the bottom, while the surface is coloured by it: how much surface has how much of it, and
+/// the walls that have too little, with what turning them would cost.
+class DraftPanel {
  public:
   void draw(const PanelContext& context);
 
  private:
-  std::array<char, 64> filter_{};
-  RowCursor cursor_;
-};
-void draw_part_step(const PanelContext& context, BodyList& bodies);
-
-/// How much surface has how much draft, and the walls that have too little, with what turning them would
-/// cost.
-class DraftStep {
- public:
-  void draw(const PanelContext& context, StepMemory& memory);
-
- private:
-  [[nodiscard]] StepNews news(const AppState& state) const;
+  [[nodiscard]] BarNews news(const AppState& state) const;
+  void draw_walls(const PanelContext& context, RowCursor& cursor) const;
   void draw_row(const PanelContext& context, std::size_t wall, bool marked) const;
 
   [[nodiscard]] const DraftCheck* check() const { return line_ && line_->draft ? &*line_->draft : nullptr; }
@@ -72,6 +64,7 @@ class DraftStep {
   // The last one of the part; kept, so that the chart stays while its limit is dragged.
   std::shared_ptr<const MoldLine> line_;
   std::shared_ptr<const PartModel> model_;
+  TableBar bar_;
 };
 
 /// The chart's, as it is drawn: from which to which draft, and the areas' ends in it.
@@ -236,15 +229,10 @@ class Workspace {
   void give_up_drag() { ball_.active = large_ball_.active = false; }
 
  private:
-  /// The panel at the left: what the step has, and nothing of others.
-  void draw_step(const PanelContext& context, std::span<const unsigned> candidates);
-
   BallDrag ball_, large_ball_;
   SweepPanel sweep_;
-  std::array<StepMemory, k_step_titles.size()> steps_;
-  StepMemory revisions_;
-  DraftStep draft_;
-  BodyList bodies_;
+  TableBar actions_, mold_, revisions_;
+  DraftPanel draft_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

@@ -50,7 +50,7 @@ std::span<const Option<WindowSettings>> window_options() {
        SwitchKind<S>{&S::quick_sweep}},
       {"halves", "--halves", "Halves", "",
        "Show an opened mold as the part's surface moved apart, as steel halves, or as transparent halves. "
-       "In the step Mold, sections cut the closed mold, too.",
+       "While the Mold panel is open, sections cut the closed mold, too.",
        moldlight::choice<&S::halves>({"surface", "solid", "clear"})},
   };
   return k_options;

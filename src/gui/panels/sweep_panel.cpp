@@ -1,4 +1,4 @@
-// The sweep: how far it is, and the best directions as cards, or as a table to sort and click.
+// The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -39,16 +39,22 @@ std::string time_text(double seconds) {
 std::string progress_text(const SweepProgress& progress) {
   if (progress.ending) return "ending with the results so far";
   std::string text = progress.stage.empty() ? "starting" : progress.stage;
-  if (progress.left_s) text += " · " + time_text(*progress.left_s);
+  if (progress.left_s) text += "  ·  " + time_text(*progress.left_s);
   return text;
 }
 
-std::string result_text(const SweepState& sweep) {
-  const SweepResult& result = *sweep.result;
-  std::string text = fmt::format("{} directions in {:.1f} s",
-                                 grouped(std::to_string(result.evaluated.size())), result.elapsed_s);
-  if (!result.complete) text += " · ended early";
-  if (sweep.stale) text += " · of other settings";
+/// What is recommended stands first, where no card shows it.
+std::string result_text(const AppState& state, bool open) {
+  const SweepResult& result = *state.sweep.result;
+  std::string text;
+  if (!open && !state.sweep.cards.empty()) {
+    const DirectionCard& best = state.sweep.cards.front();
+    text = fmt::format("recommended {}: {}  ·  ", with_minus(best.name), best.verdict);
+  }
+  text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
+                      result.elapsed_s);
+  if (!result.complete) text += "  ·  ended early";
+  if (state.sweep.stale) text += "  ·  of other settings";
   return text;
 }
 
@@ -153,53 +159,70 @@ glm::ivec2 candidate_picture_size(float scale) {
 }
 
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {
-  const Ui& ui = context.ui;
   const SweepState& sweep = context.state.sweep;
-  SweepChoices& choices = context.edits.sweep_choices;
-  Drawer& drawer = context.edits.drawer;
-  const float gap = ui.px(4), icons = ui.px(k_row_height) + gap, width = ImGui::GetContentRegionAvail().x;
-  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
-  if (button(ui, sweep.running ? "Cancel" : "Find directions",
-             {.width = width - (sweep.map ? 2.0F : 1.0F) * icons, .strong = !sweep.running && !sweep.map})) {
-    context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
+  if (context.state.revisions.on()) return;
+  // What nobody asked for covers the part only where it is high, and where there is something to turn to.
+  constexpr float k_high_window = 700.0F;
+  const bool high = ImGui::GetIO().DisplaySize.y >= context.ui.px(k_high_window);
+  const bool unfolded = context.layout.begin_bottom(context.ui, "Sweep");
+  const bool table = asked_for_ == Shown::table || !sweep.by_itself;
+  const bool cards =
+      !table && !sweep.cards.empty() &&
+      (asked_for_ == Shown::cards || (high && std::ranges::any_of(sweep.cards, &DirectionCard::offered)));
+  const bool open = unfolded && (table || cards);
+  draw_header(context, open);
+  if (open && options_) {
+    draw_sweep_options(context);
+  } else if (open && cards) {
+    draw_direction_cards(context, pictures);
+    if (disclosure(context.ui, "All directions", false)) asked_for_ = Shown::table;
+  } else if (open && sweep.result && !sweep.result->candidates.empty()) {
+    draw_table(context, pictures);
   }
-  if (sweep.map) {
-    ImGui::SameLine(0.0F, gap);
-    if (icon_button(
-            ui, {"enlarge the ball", Icon::sphere, "Enlarge the map of directions (M)", choices.large_ball}))
-      choices.large_ball = !choices.large_ball;
-  }
-  const auto toggle_drawer = [&](Drawer which) { drawer = drawer == which ? Drawer::none : which; };
-  ImGui::SameLine(0.0F, gap);
-  if (icon_button(ui, {"options", Icon::settings, "Options of the sweep", drawer == Drawer::sweep_options}))
-    toggle_drawer(Drawer::sweep_options);
-  const Lettering quiet{ui.fonts.small, sweep.error.empty() ? ui.colours->muted : ui.colours->warning};
-  const std::string text = sweep.running          ? progress_text(*sweep.running)
-                           : sweep.result         ? result_text(sweep)
-                           : !sweep.error.empty() ? sweep.error
-                                                  : "Which way should the mold open?";
-  row_text(ui, quiet, width, fitted(ui.fonts.small, text, width));
-  if (sweep.running) progress_bar(ui, sweep.running->share, width);
-  draw_direction_cards(context, pictures);
-  const bool listed = sweep.result && !sweep.result->candidates.empty();
-  if (listed && disclosure(ui, "All directions", drawer == Drawer::directions))
-    toggle_drawer(Drawer::directions);
+  context.layout.end();
 }
 
-void SweepPanel::draw_drawer(const PanelContext& context, std::span<const unsigned> pictures) {
+void SweepPanel::fold(const PanelContext& context, bool folded) {
+  const bool cards = std::ranges::any_of(context.state.sweep.cards, &DirectionCard::offered);
+  asked_for_ = folded ? Shown::what_fits : cards && !options_ ? Shown::cards : Shown::table;
+  context.layout.fold_bottom("Sweep", folded);
+}
+
+void SweepPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
-  const auto& result = context.state.sweep.result;
-  const bool table = context.state.drawer == Drawer::directions;
-  if (table && (!result || result->candidates.empty())) return;
-  context.layout.begin_bottom(ui, "Directions");
-  BottomHeader header(ui, table ? "All directions" : "Options of the sweep");
-  if (header.button({"close drawer", Icon::close, "Close (Esc)"})) context.edits.drawer = Drawer::none;
-  header.end(table ? result_text(context.state.sweep) : std::string(), ui.colours->muted);
-  if (table)
-    draw_table(context, pictures);
-  else
-    draw_sweep_options(context);
-  context.layout.end();
+  const SweepState& sweep = context.state.sweep;
+  BottomHeader header(ui, "Sweep");
+  if (header.button({"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+    fold(context, open);
+  if (header.button({"options", Icon::settings, "Options of the sweep", open && options_})) {
+    options_ = !(open && options_);
+    fold(context, false);
+  }
+  if (sweep.map) {
+    SweepChoices& choices = context.edits.sweep_choices;
+    if (header.button({"ball", Icon::sphere, "Enlarge the map of directions", choices.large_ball}))
+      choices.large_ball = !choices.large_ball;
+  }
+  const char* action = sweep.running ? "Cancel" : "Find directions";
+  header.place(text_size(ui.fonts.body, action).x + ui.px(24));
+  if (button(ui, action, {.width = 0.0F, .strong = !sweep.running && !sweep.map})) {
+    context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
+    options_ = false;
+  }
+  if (sweep.running) header.progress(sweep.running->share, k_sweep_bar_width);
+  std::string text;
+  ImU32 colour = ui.colours->muted;
+  if (sweep.running) {
+    text = progress_text(*sweep.running);
+  } else if (sweep.result) {
+    text = result_text(context.state, open);
+  } else if (!sweep.error.empty()) {
+    text = sweep.error;
+    colour = ui.colours->warning;
+  } else {
+    text = "which way should the mold open?";
+  }
+  header.end(text, colour);
 }
 
 std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,

@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/panels/option_row.hpp"
 #include "gui/panels/workspace.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "render/view_settings.hpp"
@@ -16,9 +14,26 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_chart = 112.0F, k_axis = 20.0F, k_grip = 14.0F;  // layout units
-constexpr float k_walls_share = 0.4F;  // of the window's height, that the list takes at most
+// Layout units.
+constexpr float k_draft_row = 24.0F, k_chart = 56.0F, k_axis = 18.0F, k_grip = 14.0F;
+constexpr float k_draft_share = 0.1F;  // of the window's height, that the table takes at most
 constexpr double k_step_deg = 0.1;
+
+constexpr std::array<ListColumn, 8> k_draft_columns = {{
+    {"#", "Walls that cost the most thickness come first.", 8.0F, false},
+    {"formed by", "The half that forms the wall.", 36.0F, false},
+    {"face", "Number of the face, as in the tables of faces.", 156.0F, true},
+    {"area", "Area with too little draft, in the part's unit squared.", 232.0F, true},
+    {"draft", "Least draft of the wall. Negative: reverse draft.", 300.0F, true},
+    {"height", "Height of this surface along the direction, in the part's unit.", 376.0F, true},
+    {"turn", "Turn about the foot of the wall that gives it the required draft.", 444.0F, true},
+    {"takes", "Thickness that the turn costs at the other end, in the part's unit.", 520.0F, true},
+}};
+
+bool has_draft_panel(const AppState& state) {
+  return state.settings.look.colour_mode == ColourMode::draft_angle && !state.sweep_choices.compared &&
+         !state.sweep_choices.large_ball && !state.revisions.on();
+}
 
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
@@ -106,31 +121,6 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
 
 }  // namespace
 
-void draw_draft_key(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  const DraftScale scale =
-      draft_scale(context.state.settings.required_draft.deg, context.state.settings.look.palette);
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos()) + glm::vec2(ui.px(8), ui.px(3));
-  const float step =
-      (ImGui::GetContentRegionAvail().x - ui.px(16)) / static_cast<float>(scale.colours.size());
-  const float height = ui.px(8);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (std::size_t k = 0; k < scale.colours.size(); ++k) {
-    const glm::vec2 min = start + glm::vec2(static_cast<float>(k) * step, 0.0F);
-    list.AddRectFilled(im(min), im(min + glm::vec2(step - ui.px(1), height)), packed(scale.colours[k]),
-                       ui.px(2));
-  }
-  for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
-    const double limit = scale.limits_deg[k];
-    const std::string text = fmt::format("{}{:.3g}°", limit < 0.0 ? "−" : "", std::abs(limit));
-    draw_text(list, {ui.fonts.small, ui.colours->muted},
-              start + glm::vec2(static_cast<float>(k + 1) * step - 0.5F * text_size(ui.fonts.small, text).x,
-                                height + ui.px(3)),
-              text);
-  }
-  ImGui::Dummy(ImVec2(1.0F, height + ui.px(6) + ui.fonts.small.size));
-}
-
 const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::optional<MoldSide> side) {
   const auto& line = state.mold.line;
   if (!line || !line->draft) return nullptr;
@@ -140,60 +130,67 @@ const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::op
   return found == line->draft->walls.end() ? nullptr : &*found;
 }
 
-void DraftStep::draw(const PanelContext& context, StepMemory& memory) {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  if (state.mold.line || state.model != model_) {
-    line_ = state.mold.line;
-    model_ = state.model;
+void DraftPanel::draw(const PanelContext& context) {
+  if (!has_draft_panel(context.state)) return;
+  if (context.state.mold.line || context.state.model != model_) {
+    line_ = context.state.mold.line;
+    model_ = context.state.model;
   }
-  draw_news(context, memory, news(state));
-  option_row(ui, required_draft_options().front(), context.edits.settings.required_draft);
-  if (check() == nullptr) return;
-  draw_chart(context, *check());
-  draw_draft_key(context);
-  if (check()->walls.empty()) return;
+  TableBarParts parts{.name = "Draft", .fold = "fold draft", .news = news(context.state)};
+  if (check() != nullptr) {
+    parts.table = [&](RowCursor& cursor) {
+      draw_chart(context, *check());
+      if (!check()->walls.empty()) draw_walls(context, cursor);
+    };
+  }
+  bar_.draw(context, parts);
+}
+
+BarNews DraftPanel::news(const AppState& state) const {
+  const MoldState& mold = state.mold;
+  BarNews news{.text = "no draft is required"};
+  if (mold.line_awaited) {
+    news = {.text = "finding the parting line …", .progress = -1.0};
+  } else if (!mold.error.empty()) {
+    news = {.text = mold.error, .warning = true};
+  }
+  if (check() != nullptr) news.text = draft_sentence(*state.model, *check());
+  news.tip = news.text;
+  return news;
+}
+
+void DraftPanel::draw_walls(const PanelContext& context, RowCursor& cursor) const {
+  draw_headings(context.ui, k_draft_columns);
   const RowList walls{
-      .id = "walls", .count = check()->walls.size(), .row_height = k_two_lines, .share = k_walls_share};
-  if (const auto pressed = draw_list(ui, walls, memory.cursor,
-                                     [&](std::size_t k) { draw_row(context, k, memory.cursor.is_at(k)); }))
+      .id = "walls", .count = check()->walls.size(), .row_height = k_draft_row, .share = k_draft_share};
+  if (const auto pressed =
+          draw_list(context.ui, walls, cursor, [&](std::size_t k) { draw_row(context, k, cursor.is_at(k)); }))
     context.edits.ask(&Commands::look_at_wall, *pressed);
 }
 
-StepNews DraftStep::news(const AppState& state) const {
-  const MoldState& mold = state.mold;
-  if (check() != nullptr) {
-    StepNews news{.text = draft_sentence(*state.model, *check())};
-    if (mold.line_awaited) news.progress = -1.0;
-    return news;
-  }
-  if (mold.line_awaited) return {.text = "Finding the parting line …", .progress = -1.0};
-  if (!mold.error.empty()) return {.text = mold.error, .warning = true};
-  return {.text = mold.line ? "No draft is required." : "Measuring …"};
-}
-
-void DraftStep::draw_row(const PanelContext& context, std::size_t number, bool marked) const {
+void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool marked) const {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const WallDraft& wall = check()->walls[number];
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
-  const Row row = list_row(ui, {.id = id.c_str(), .height = k_two_lines, .chosen = here, .marked = marked});
-  const FigureStyle style(*state.model);
-  const std::string face =
-      state.model->part.has_cad_faces ? fmt::format(", face {}", grouped(std::to_string(wall.face))) : "";
-  draw_two_lines(
-      ui, row.box,
-      {.number = std::to_string(number + 1),
-       .name =
-           fmt::format("{}{} · {}", side_name(wall.side), face, style.with_unit(FigureKind::area, wall.area)),
-       .figure = draft_text(wall.least_deg),
-       .below = fmt::format("turn {:.2f}° · takes {}", wall.turn_deg,
-                            style.with_unit(FigureKind::length, wall.thickness)),
-       .colour = faded(wall.least_deg < -k_draft_rounding_deg ? ui.colours->warning : ui.colours->text,
-                       state.mold.line_awaited ? 0.75F : 1.0F),
-       .below_colour = ui.colours->muted});
-  tooltip(ui, fmt::format("Wall {} of the {}", number + 1, side_name(wall.side)),
+  const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
+  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
+  const std::array<std::string, k_draft_columns.size()> texts = {std::to_string(number + 1),
+                                                                 std::string(side_name(wall.side)),
+                                                                 grouped(std::to_string(wall.face)),
+                                                                 grouped(areas.text(wall.area)),
+                                                                 draft_text(wall.least_deg),
+                                                                 grouped(lengths.text(wall.height)),
+                                                                 fmt::format("{:.2f}°", wall.turn_deg),
+                                                                 grouped(lengths.text(wall.thickness))};
+  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const bool leans = k == 4 && wall.least_deg < -k_draft_rounding_deg;
+    draw_cell(ui, row.box, k_draft_columns[k],
+              {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
+  }
+  tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));
   if (row.clicked) context.edits.ask(&Commands::look_at_wall, number);
@@ -201,7 +198,7 @@ void DraftStep::draw_row(const PanelContext& context, std::size_t number, bool m
 
 void draw_foot_line(const PanelContext& context) {
   const AppState& state = context.state;
-  if (state.settings.look.colour_mode != ColourMode::draft_angle || !has_mold(state)) return;
+  if (!has_draft_panel(state)) return;
   const WallDraft* wall = nullptr;
   if (state.hover) wall = wall_of_face(state, state.faces->of_facet[state.hover->point.facet]);
   if (wall == nullptr && state.face) wall = wall_of_face(state, state.face->number);

@@ -1,5 +1,6 @@
-// The undercuts: what releases each, and what of that is allowed.
+// The undercuts along the bottom: what releases each, and what of that is allowed.
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +13,7 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/view/side_actions.hpp"
 #include "mold/direction.hpp"
 
@@ -20,8 +21,21 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_pin_room = 30.0F;         // layout units
-constexpr float k_undercuts_share = 0.55F;  // of the window's height, that the list takes at most
+constexpr float k_action_row = 26.0F;     // layout units
+constexpr float k_actions_share = 0.25F;  // of the window's height, that the table takes at most
+constexpr float k_pin_width = 104.0F;
+
+constexpr std::array<ListColumn, 6> k_action_columns = {{
+    {"#", "", 8.0F, false},
+    {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
+    {"depth",
+     "Distance across the parting direction to where the part no longer blocks it, in the part's unit.",
+     148.0F, true},
+    {"action", "What releases it.", 176.0F, false},
+    {"travel", "Travel of the action, in the part's unit. A slide's travel includes the clearance.", 338.0F,
+     true},
+    {"details", "", 358.0F, false},
+}};
 
 /// Directions about the parting direction are given by their azimuth.
 std::string turn_text(double from_deg, double to_deg) {
@@ -83,20 +97,23 @@ void set_pin(ActionSettings& settings, const UndercutReport& found,
   if (kind) settings.pins.push_back({.point = found.point, .area = found.undercut.area, .kind = *kind});
 }
 
-/// Shows whether an undercut is pinned; a click opens the list of kinds.
+/// The cell that shows to what an undercut is pinned; a click opens the list of kinds.
 void draw_pin(const PanelContext& context, std::size_t undercut) {
   const Ui& ui = context.ui;
   const UndercutReport& found = context.state.actions.plan->undercuts[undercut];
   ActionSettings& settings = context.edits.settings.actions;
   const ActionPin* const pin = pin_for(settings, found);
   const std::string id = fmt::format("pin {}", undercut + 1);
-  const Pressable cell = pressable(ui, id.c_str(), glm::vec2(ui.px(k_row_height)));
+  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_action_row - 2)});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   if (cell.hovered || pin != nullptr)
-    fill(*ImGui::GetWindowDrawList(), cell.box, field_colour(ui, {.hovered = cell.hovered}), ui.px(6));
-  draw_icon(*ImGui::GetWindowDrawList(), pin != nullptr ? Icon::bookmark : Icon::chevron_down,
-            cell.box.centre(), ui.px(pin != nullptr ? 12 : 8),
-            pin != nullptr || cell.hovered ? ui.colours->text : ui.colours->muted);
-  tooltip(ui, fmt::format("Pinned to: {}", pin != nullptr ? pin_name(*pin) : "automatic"),
+    fill(list, cell.box, field_colour(ui, {.hovered = cell.hovered}), ui.px(6));
+  const float top = cell.box.centre().y - 0.5F * ui.fonts.small.size;
+  const ImU32 colour = pin != nullptr || cell.hovered ? ui.colours->text : ui.colours->muted;
+  draw_text(list, {ui.fonts.small, colour}, {cell.box.min.x + ui.px(8), top},
+            pin != nullptr ? pin_name(*pin) : "automatic");
+  draw_icon(list, Icon::chevron_down, {cell.box.max.x - ui.px(12), cell.box.centre().y}, ui.px(8), colour);
+  tooltip(ui, "Pinned to",
           "The only kind of action that may release this undercut. The choice is saved with the part.");
   if (cell.clicked) open_popup_below_item(ui, id.c_str());
   if (!begin_popup(ui, id.c_str(), ui.px(176))) return;
@@ -185,70 +202,94 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const UndercutReport& found = plan.undercuts[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
+  const glm::vec2& start = row.min;
   const bool left_over = is_unreleased(plan, undercut);
+  const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
+              quiet = ui.colours->muted;
+  const float right = row.max.x - ui.px(k_pin_width + 14);
+  const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
+    const bool last = column + 1 == k_action_columns.size();
+    const float end = last ? right : start.x + ui.px(k_action_columns[column + 1].at) - ui.px(50);
+    draw_cell(ui, row, k_action_columns[column], {font, colour}, text,
+              end - start.x - ui.px(k_action_columns[column].at));
+  };
   const FigureStyle style(*state.model);
-  const ImU32 warning = ui.colours->warning;
-  TwoLines texts{.number = std::to_string(undercut + 1),
-                 .figure = style.with_unit(FigureKind::area, found.undercut.area),
-                 .colour = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
-                 .below_colour = left_over ? warning : ui.colours->muted,
-                 .room = k_pin_room};
+  cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
+  cell(1, ui.fonts.body, normal, grouped(style.text(FigureKind::area, found.undercut.area)));
+  cell(2, ui.fonts.body, normal,
+       found.depth > 0.0 ? grouped(style.text(FigureKind::length, found.depth)) : "–");
+  const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
   if (action != nullptr) {
-    texts.name = facts(action->kind).singular;
-    texts.dot = packed(action_colour(static_cast<std::size_t>(action - plan.actions.data())));
-    texts.below = fmt::format("travel {} · ", style.with_unit(FigureKind::length, action->travel)) +
-                  detail_text(*action, unit) + shared_text(*action, undercut) +
-                  others_text(plan, undercut, *action);
-    if (left_over) texts.name += ", not all";
+    cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
+    const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        ImVec2(start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.centre().y), 4.0F * ui.scale,
+        packed(body));
+    cell(4, ui.fonts.body, normal, grouped(style.text(FigureKind::length, action->travel)));
+    std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
+    detail += others_text(plan, undercut, *action);
+    if (left_over) detail += " · some is left";
+    cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
   } else {
-    texts.name = "no action";
-    texts.below = unreleased_text(plan, undercut);
+    draw_cell(ui, row, k_action_columns[3], {ui.fonts.body, ui.colours->warning}, why,
+              right - start.x - ui.px(k_action_columns[3].at));
   }
-  draw_two_lines(ui, row, texts);
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
-  ImGui::SetCursorScreenPos(
-      ImVec2(row.max.x - ui.px(k_row_height + 4), row.centre().y - 0.5F * ui.px(k_row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
   draw_pin(context, undercut);
 }
 
-StepNews undercuts_news(const AppState& state) {
+void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
+  draw_headings(context.ui, k_action_columns);
+  const ActionPlan& plan = *context.state.actions.plan;
+  const ChoiceTable undercuts{.list = {.id = "undercuts",
+                                       .count = plan.undercuts.size(),
+                                       .row_height = k_action_row,
+                                       .share = k_actions_share},
+                              .row = "undercut",
+                              .chosen = context.edits.action_choices.chosen,
+                              .look = &Commands::look_at_undercut,
+                              .beside = k_pin_width + 6,
+                              .tiny = tiny_text(speck_count(plan))};
+  draw_choices(context, undercuts, cursor,
+               [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
+  draw_own_directions(context);
+}
+
+BarNews actions_news(const AppState& state) {
   const ActionsState& actions = state.actions;
   if (actions.running || actions.awaited) {
     const bool named = actions.running && !actions.running->stage.empty();
-    return {.text = named ? actions.running->stage + " …" : "Looking for side actions …",
+    return {.text = named ? actions.running->stage + " …" : "looking for side actions …",
             .progress = actions.running ? actions.running->fraction : 0.0};
   }
   if (!actions.error.empty()) return {.text = actions.error, .warning = true};
-  if (!actions.plan) return {.text = "Measuring …"};
-  if (actions.plan->undercuts.empty())
-    return {.text = "No undercut along this direction: the part needs no side action."};
-  return {.text = actions_summary(state)};
+  return {.text = actions.plan ? actions_summary(state) : std::string()};
 }
 
 }  // namespace
 
-void draw_undercuts_step(const PanelContext& context, StepMemory& memory) {
-  const Ui& ui = context.ui;
+void draw_actions_bar(const PanelContext& context, TableBar& bar) {
   const AppState& state = context.state;
-  draw_news(context, memory, undercuts_news(state), {"action options", "Settings of the side actions"});
-  if (memory.settings) {
-    option_table<ActionSettings>(ui, action_options(), context.edits.settings.actions,
-                                 typed_numbers(context));
-  } else if (const auto& plan = state.actions.plan) {
-    const ChoiceTable undercuts{.list = {.id = "undercuts",
-                                         .count = plan->undercuts.size(),
-                                         .row_height = k_two_lines,
-                                         .share = k_undercuts_share},
-                                .row = "undercut",
-                                .chosen = context.edits.action_choices.chosen,
-                                .look = &Commands::look_at_undercut,
-                                .beside = k_pin_room};
-    draw_choices(context, undercuts, memory.cursor,
-                 [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
-    const std::size_t specks = speck_count(*plan);
-    if (specks > 0 && disclosure(ui, tiny_text(specks), false)) context.edits.ask(&Commands::look_at_speck);
-  }
-  draw_own_directions(context);
+  const auto& plan = state.actions.plan;
+  const auto& figures = state.figures.shown;
+  // Until undercuts are counted their area decides: a bar that came and went would move the part under the
+  // hand.
+  const bool shown = plan ? !plan->undercuts.empty()
+                          : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
+  if (!shown || state.revisions.on()) return;
+  TableBarParts parts{.name = "Side actions",
+                      .fold = "fold actions",
+                      .options = "action options",
+                      .options_hint = "Settings of the side actions",
+                      .news = actions_news(state),
+                      .settings = [&] {
+                        option_table<ActionSettings>(context.ui, action_options(),
+                                                     context.edits.settings.actions, typed_numbers(context));
+                        draw_own_directions(context);
+                      }};
+  if (plan) parts.table = [&](RowCursor& cursor) { draw_undercuts(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

@@ -1,6 +1,5 @@
-// The verdict with what to do about it, and the legend: the four regions with their measured areas, how sure
-// they are, and whether two ways agree.
-#include <algorithm>
+// The legend: the verdict, the four regions with their measured areas, how sure they are, and whether two
+// ways agree.
 #include <string_view>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "classify/option.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
 
@@ -123,52 +122,19 @@ std::string tooltip_text(const VerdictCard& card) {
   std::string text = card.sentence;
   if (card.verdict)
     for (const std::string& reason : card.verdict->reasons) text += "\n" + reason;
+  if (card.verdict && card.verdict->undercuts > 0)
+    text += "\nClick to look at the undercuts (U).";
+  else if (card.verdict && card.verdict->specks > 0)
+    text += "\nClick to look at the largest ignored mark (U).";
   return text;
-}
-
-constexpr ImU32 k_green = IM_COL32(70, 176, 92, 255), k_amber = IM_COL32(232, 164, 44, 255),
-                k_red = IM_COL32(220, 70, 60, 255), k_gray = IM_COL32(138, 144, 151, 255);
-
-/// Green beside red on the part would not be believed.
-ImU32 light_of(const VerdictCard& card) {
-  if (!card.verdict || card.verdict->state == VerdictState::unknown) return k_gray;
-  if (card.good()) return k_green;
-  return card.verdict->state == VerdictState::not_releasable ? k_red : k_amber;
-}
-
-/// A sentence and what to do about it, in a line of its own.
-bool draw_advice(const Ui& ui, const Note& note, const char* action) {
-  draw_note(ui, note);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(22));
-  const bool clicked = button(ui, action);
-  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-  return clicked;
-}
-
-/// What else stands in the way of a verdict that pleases, and the way out.
-void draw_advices(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  const auto& cards = state.sweep.cards;
-  const auto better = std::ranges::find_if(cards, &DirectionCard::offered);
-  if (better != cards.end() && !state.revisions.on() &&
-      draw_advice(ui,
-                  {.text = fmt::format("Along {}: {}.", with_minus(better->name), better->verdict),
-                   .icon = Icon::flip},
-                  "Go there"))
-    context.edits.ask(&Commands::fly_to_direction, better->direction);
-  const bool repaired = state.reading.repair.level >= RepairLevel::full;
-  if (!state.model->health.closed && !repaired &&
-      draw_advice(ui, {.text = "The mesh is not closed.", .icon = Icon::alert, .warning = true}, "Repair"))
-    context.edits.reading.repair.level = RepairLevel::full;
 }
 
 }  // namespace
 
-void draw_verdict_panel(const PanelContext& context) {
+void draw_regions_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Figures& figures = context.state.figures;
-  if (context.layout.begin(ui, "Verdict")) {
+  if (context.layout.begin(ui, "Regions")) {
     if (figures.shown) {
       const Classification& result = *figures.shown;
       const Legend legend{.result = result,
@@ -176,11 +142,13 @@ void draw_verdict_panel(const PanelContext& context) {
                           .unit = context.state.model ? powered_unit(context.state.model->part, 2) : "",
                           .alpha = figures.pale ? 0.4F : 1.0F};
       draw_verdict(context);
-      draw_advices(context);
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);
       draw_trust(context, legend);
-      if (context.state.drawer != Drawer::maps) draw_map_comparison(context);
+      ImGui::Indent(ui.px(18));  // below the regions' names
+      option_row(ui, option_named(look_options(), "regions"), context.edits.settings.look);
+      ImGui::Unindent(ui.px(18));
+      draw_map_comparison(context);
     } else {
       hint(ui, figures.error.empty() ? "Measuring …" : figures.error);
     }
@@ -219,41 +187,34 @@ VerdictCard verdict_card(const AppState& state) {
 }
 
 void draw_verdict(const PanelContext& context) {
-  constexpr float k_line = 18.0F;  // layout units
-  constexpr std::size_t k_most_lines = 5;
+  constexpr float k_line = 18.0F, k_low_window = 680.0F;
   const Ui& ui = context.ui;
+  // In a low window the panels below need the room; the tooltip has it all.
+  const std::size_t most_lines = ImGui::GetIO().DisplaySize.y < ui.px(k_low_window) ? 2 : 4;
   const VerdictCard verdict = verdict_card(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = ImGui::GetContentRegionAvail().x;
-  const std::vector<std::string> lines =
-      lines_within(ui.fonts.strong, verdict.sentence, width - ui.px(26), k_most_lines);
-  const Pressable sentence =
-      pressable(ui, "verdict", {width, ui.px(4.0F + k_line * static_cast<float>(lines.size()))});
+  const float room = width - ui.px(26);
+  const std::vector<std::string> lines = lines_within(ui.fonts.strong, verdict.sentence, room, most_lines);
+  const float height = ui.px(4.0F + k_line * static_cast<float>(lines.size()));
+  const Pressable sentence = pressable(ui, "verdict", {width, height});
   const glm::vec2 at = sentence.box.min;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (sentence.hovered) list.AddRectFilled(im(at), im(sentence.box.max), ui.colours->field, ui.px(6));
+  if (sentence.hovered && !verdict.good())
+    list.AddRectFilled(im(at), im(sentence.box.max), ui.colours->field, ui.px(6));
   tooltip(ui, "Verdict", tooltip_text(verdict));
-  const glm::vec2 light = at + glm::vec2(ui.px(11), ui.px(11));
-  list.AddCircleFilled(im(light), ui.px(6), faded(light_of(verdict), alpha));
-  if (verdict.good()) draw_icon(list, Icon::check, light, ui.px(8), IM_COL32_WHITE);
+  if (sentence.clicked || sentence.pressed) context.edits.ask(&Commands::look_at_undercuts);
+  const bool ignored = !verdict.good() && verdict.verdict && verdict.verdict->good();
+  draw_icon(list, verdict.good() ? Icon::check : Icon::alert, at + glm::vec2(ui.px(12), ui.px(11)), ui.px(14),
+            faded(verdict.good() ? ui.colours->text
+                  : ignored      ? ui.colours->muted
+                                 : ui.colours->warning,
+                  alpha));
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
               at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size) +
                                             ui.px(k_line) * static_cast<float>(k)),
               lines[k]);
-  const auto& known = verdict.verdict;
-  bool asked = sentence.clicked || sentence.pressed;
-  if (known && (known->undercuts > 0 || known->specks > 0)) {
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(22));
-    const bool counts = known->undercuts > 0;
-    asked = button(ui, counts ? "Show" : "Show what is ignored") || asked;
-    name_item(ui, "show");
-    tooltip(ui, {}, counts ? "The undercuts, from the best point of view (U)." : "The largest mark (U).");
-  }
-  if (asked) {
-    context.edits.step = Step::undercuts;
-    context.edits.ask(&Commands::look_at_undercuts);
-  }
   ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
 }
 

@@ -1,4 +1,4 @@
-// The parting line and the mold: what they say, also to what else asks.
+// The mold along the bottom: what it says of the parting line and the halves, also to what else asks.
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +8,8 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
-#include "gui/panels/step_parts.hpp"
+#include "gui/panels/table_bar.hpp"
 #include "gui/view/mold_view.hpp"
-#include "gui/view/side_actions.hpp"
 #include "parting/mold_figures.hpp"
 #include "parting/mold_report.hpp"
 
@@ -18,7 +17,26 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_loops_share = 0.4F;  // of the window's height, that the list takes at most
+constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F;  // layout units
+constexpr float k_mold_share = 0.1F;  // of the window's height, that the table takes at most
+
+/// A number, the kind, and the figures that have a title.
+const std::vector<ListColumn>& mold_columns() {
+  static const std::vector<ListColumn> k_columns = [] {
+    constexpr float k_first = 168.0F, k_pitch = 70.0F;  // layout units
+    std::vector<ListColumn> columns = {
+        {"#", "", 8.0F, false},
+        {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false}};
+    float at = k_first;
+    for (const FigureRow<PartingLoop>& row : loop_figures()) {
+      if (row.title.empty()) continue;
+      columns.push_back({row.title, row.help, at, true});
+      at += k_pitch;
+    }
+    return columns;
+  }();
+  return k_columns;
+}
 
 /// "Core half 123 mm³ · Cavity half 120 mm³".
 std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
@@ -41,8 +59,9 @@ void draw_cosmetic(const PanelContext& context) {
     const std::vector<std::uint32_t> faces = cosmetic_faces(cosmetic, core);
     if (faces.empty()) continue;
     const std::string_view half = core ? "core" : "cavity";
+    ImGui::SameLine(0.0F, ui.px(4));
     const std::string label = fmt::format("{} to the {}  ×", plural(faces.size(), "face"), half);
-    const bool forgotten = chip(ui, label, true, false);
+    const bool forgotten = chip(ui, label, true);
     name_item(ui, fmt::format("faces to the {}", half));
     tooltip(ui, "Faces given by hand",
             "Saved with the part; the flag --cosmetic does the same. Click to remove them.");
@@ -78,7 +97,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
 
 }  // namespace
 
-bool has_mold(const AppState& state) {
+bool has_mold_bar(const AppState& state) {
   return !state.sweep_choices.compared && !state.sweep_choices.large_ball && !state.revisions.on();
 }
 
@@ -123,27 +142,22 @@ void draw_mold_settings(const PanelContext& context) {
   RowOptions numbers = typed_numbers(context);
   numbers.lengths = &lengths;
   numbers.unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal));
-  option_table<MoldSettings>(ui, mold_options(), settings, numbers);
+  option_table<MoldSettings>(ui, mold_options(), settings, numbers, [&] { draw_height(context, numbers); });
 }
 
 void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox& row) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const PartingLoop& loop = state.mold.line->line.loops[number];
+  const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const FigureStyle style(*state.model);
+  std::vector<std::string> texts = {std::to_string(number + 1), std::string(loop_name(loop.kind))};
+  for (const FoundFigure& figure : found_figures(loop_figures(), loop))
+    if (!figure.title.empty()) texts.push_back(grouped(style.text(figure)));
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    draw_cell(ui, row, mold_columns()[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
-  const std::string name(loop_name(loop.kind));
-  draw_two_lines(
-      ui, row,
-      {.number = std::to_string(number + 1),
-       .name = name,
-       .figure = length(loop.length),
-       .below = loop.climb() > lateral_tolerance(state.settings.method, state.model->frame.diagonal)
-                    ? fmt::format("climbs {} · steepest {:.0f}°", length(loop.climb()), loop.steepest_deg)
-                    : "level",
-       .colour = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F),
-       .below_colour = ui.colours->muted});
-  tooltip(ui, fmt::format("Loop {}: {}", number + 1, name),
+  tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
           with_minus(
               fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
                           "{}\nClick to look at it.",
@@ -151,99 +165,87 @@ void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox&
                           style.with_unit(FigureKind::area, std::abs(loop.area)))));
 }
 
-StepNews line_news(const MoldState& mold) {
-  if (mold.line_awaited)
-    return {.text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
-                                                                 : "Finding the parting line …",
-            .progress = mold.running ? mold.running->fraction : -1.0};
-  if (!mold.line && !mold.error.empty()) return {.text = mold.error, .warning = true};
-  return {.text = mold.line ? mold.line->verdict : std::string("Measuring …")};
-}
-
-StepNews mold_news(const MoldState& mold) {
-  if (mold.line_awaited) return line_news(mold);
-  if (mold.solids_awaited)
-    return {.text = mold.running && !mold.running->stage.empty() ? mold.running->stage + " …"
-                                                                 : "Making the halves …",
-            .progress = mold.running ? mold.running->fraction : -1.0};
-  if (!mold.error.empty()) return {.text = mold.error, .warning = true};
-  if (!mold.solids) return {.text = "Measuring …"};
-  return {.text = mold.solids->halves.made() ? "Both halves are made." : "There are no halves."};
-}
-
-/// The certificate's figures, a row each.
-void draw_halves_facts(const PanelContext& context) {
-  const AppState& state = context.state;
-  const FigureStyle style(*state.model);
-  if (!state.mold.solids || !state.mold.solids->halves.made()) return;
-  for (const FoundFigure& figure : found_figures(halves_figures(), state.mold.solids->halves)) {
-    if (!style.is_shown(figure)) continue;
-    const std::string unit = style.unit(figure.kind);
-    draw_fact(context.ui, figure.title,
-              with_minus(grouped(style.text(figure)) + (unit.empty() ? "" : " " + unit)));
-  }
-}
-
-}  // namespace
-
-void draw_parting_line_step(const PanelContext& context, StepMemory& memory) {
+void draw_loops(const PanelContext& context, RowCursor& cursor) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  draw_news(context, memory, line_news(state.mold), {"mold options", "Settings of the mold"});
-  if (memory.settings) return draw_mold_settings(context);
-  if (!state.mold.line) return;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_headings(ui, mold_columns());
   const std::vector<PartingLoop>& all = state.mold.line->line.loops;
   const double tolerance = lateral_tolerance(state.settings.method, state.model->frame.diagonal);
   std::vector<std::size_t> shown;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (!all[k].tiny(tolerance)) shown.push_back(k);
   const ChoiceTable loops{
-      .list = {.id = "loops", .count = shown.size(), .row_height = k_two_lines, .share = k_loops_share},
+      .list = {.id = "loops", .count = shown.size(), .row_height = k_mold_row, .share = k_mold_share},
       .row = "loop",
       .chosen = context.edits.mold_choices.loop,
       .look = &Commands::look_at_loop,
-      .numbers = shown};
-  draw_choices(context, loops, memory.cursor,
+      .numbers = shown,
+      .tiny = tiny_text(all.size() - shown.size())};
+  draw_choices(context, loops, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_loop(context, k, row); });
-  if (const std::string tiny = tiny_text(all.size() - shown.size()); !tiny.empty()) hint(ui, tiny);
-  draw_height(context, typed_numbers(context));
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
+  const std::vector<HalvesLine> lines = halves_lines(state);
+  const bool doubtful = std::ranges::any_of(lines, &HalvesLine::doubt);  // then nothing has a tick
+  for (const HalvesLine& line : lines) {
+    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line)));
+    tooltip(ui, {}, line.text);
+    if (line.doubt || !doubtful)
+      draw_icon(list, line.doubt ? Icon::alert : Icon::check,
+                at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
+                faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
+    draw_text(list, {ui.fonts.small, faded(line.doubt ? ui.colours->warning : ui.colours->text, alpha)},
+              {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
+              fitted(ui.fonts.small, line.text, width - ui.px(28)));
+  }
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   bool& moves = context.edits.mold_choices.moves_faces;
   if (chip(ui, "Move faces", moves)) moves = !moves;
   tooltip(ui, "Move faces",
           "Click a face that either half could form to move it to the other half. Ctrl + click or V does "
           "this at any time.");
   draw_cosmetic(context);
+  constexpr float k_choice = 264.0F;
+  ImGui::SameLine(std::max(width - ui.px(k_choice), 0.0F));
+  ImGui::BeginChild("look", ImVec2(ui.px(k_choice), ui.px(k_row_height)), false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
+  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
+  ImGui::EndChild();
 }
 
-void draw_mold_step(const PanelContext& context, StepMemory& memory) {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  draw_news(context, memory, mold_news(state.mold), {"mold options", "Settings of the mold"});
-  if (memory.settings) return draw_mold_settings(context);
-  LookSettings& look = context.edits.settings.look;
-  const bool opens = look.open_mold < 1.0;
-  if (button(ui, opens ? "Play the shot##shot" : "Close the mold##shot",
-             {.width = ImGui::GetContentRegionAvail().x, .strong = opens}))
-    context.edits.ask(&Commands::play_shot);
-  name_item(ui, "shot");
-  tooltip(ui, {}, "Slides, halves, then the ejection (O). Space pauses.");
-  const RowOptions row{.text = [&](double open) { return opening_text(state, open); }};
-  option_row(ui, option_named(look_options(), "open_mold"), look, row);
-  if (ImGui::IsItemActive()) context.edits.dragging = true;
-  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
-  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
-  draw_halves_facts(context);
-  for (const HalvesLine& line : halves_lines(state)) {
-    if (line.doubt)
-      draw_note(ui, {.text = line.text,
-                     .icon = Icon::alert,
-                     .warning = true,
-                     .alpha = state.mold.solids_awaited ? 0.6F : 1.0F});
+BarNews mold_news(const MoldState& mold) {
+  const std::string verdict = mold.line ? mold.line->verdict : std::string();
+  if (mold.running || mold.line_awaited || mold.solids_awaited) {
+    const bool named = mold.running && !mold.running->stage.empty();
+    const std::string stage = named ? mold.running->stage + " …" : "finding the parting line …";
+    return {.text = mold.line && !mold.line_awaited ? verdict + " · " + stage : stage,
+            .progress = mold.running ? mold.running->fraction : 0.0,
+            .tip = verdict};
   }
-  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
-  if (button(ui, "Export the mold …", {.width = ImGui::GetContentRegionAvail().x}))
-    context.edits.dialogs.exporting_mold = true;
-  name_item(ui, "export mold");
+  if (!mold.error.empty()) return {.text = mold.error, .warning = true, .tip = verdict};
+  return {.text = verdict, .tip = verdict};
+}
+
+}  // namespace
+
+void draw_mold_bar(const PanelContext& context, TableBar& bar) {
+  if (!has_mold_bar(context.state)) return;
+  TableBarParts parts{.name = "Mold",
+                      .fold = "fold mold",
+                      .options = "mold options",
+                      .options_hint = "Settings of the mold",
+                      .unfold_hint = "Unfold (G)",
+                      .news = mold_news(context.state.mold),
+                      .settings = [&] { draw_mold_settings(context); }};
+  parts.after = [&](BottomHeader& header, bool open) {
+    if (open && header.button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
+      context.edits.dialogs.exporting_mold = true;
+  };
+  if (context.state.mold.line) parts.table = [&](RowCursor& cursor) { draw_loops(context, cursor); };
+  bar.draw(context, parts);
 }
 
 }  // namespace moldlight::gui

@@ -1,0 +1,114 @@
+// The two shadow maps, small and large, the controls of their method, and how far they are from exact.
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/option_row.hpp"
+#include "gui/panels/panels.hpp"
+
+namespace moldlight::gui {
+
+namespace {
+
+constexpr float k_picture = 60.0F;  // layout units
+
+constexpr const char* caption(bool plus) { return plus ? "+d" : "−d"; }
+
+/// The maps, and beside them in words what they are worth.
+void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
+  const Ui& ui = context.ui;
+  const float gap = ui.px(8), size = ui.px(k_picture);
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  for (const bool plus : {true, false}) {
+    const Pressable map = pressable(ui, caption(plus), {size, size});
+    const auto& [min, max] = map.box;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    fill(list, map.box, field_colour(ui, {.hovered = map.hovered}), ui.px(6));
+    draw_picture(list, plus ? textures.plus : textures.minus, map.box, ui.px(6));
+    draw_tagged_text(ui, list,
+                     {.lettering = {ui.fonts.small, ui.colours->text},
+                      .at = {min.x + ui.px(8), max.y - ui.px(4) - ui.fonts.small.size},
+                      .text = caption(plus)});
+    tooltip(ui, plus ? "The map from +d" : "The map from −d",
+            "Second depth: the surface that faces away from this side. Click to enlarge.");
+    if (map.clicked) context.edits.dialogs.large_map = plus;
+    ImGui::SameLine(0.0F, gap);
+  }
+  ImGui::BeginGroup();
+  draw_map_comparison(context);
+  ImGui::EndGroup();
+}
+
+/// What seldom needs a change stands in a list of its own.
+void draw_accuracy(const PanelContext& context, const PartLengths& lengths) {
+  const Ui& ui = context.ui;
+  MethodSettings& method = context.edits.settings.method;
+  if (disclosure(ui, "Accuracy", false)) open_popup_below_item(ui, "accuracy");
+  if (!begin_popup(ui, "accuracy", ui.px(k_panel_width))) return;
+  const std::string standard = fmt::format("{:.3g}", lateral_tolerance(method, lengths.diagonal));
+  for (const std::string_view key : k_accuracy_options)
+    option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths, .unset = standard});
+  end_popup(ui);
+}
+
+}  // namespace
+
+void draw_map_comparison(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Figures& figures = context.state.figures;
+  if (context.state.settings.look.regions_by != RegionsBy::maps) return;
+  if (!figures.maps) {
+    hint(ui, "shadow maps: compared with exact regions when the direction rests");
+    return;
+  }
+  const MapComparison& maps = *figures.maps;
+  hint(ui, comparison_text(maps));
+  name_item(ui, "map comparison");
+  const double error = 100.0 * share(maps.error, maps.total());
+  tooltip(ui, "Shadow maps and exact regions",
+          fmt::format("Share of the area that the shadow maps show in a wrong region, with this kernel, edge "
+                      "thickness and resolution. {} samples: ± {:.2g} % of the area.",
+                      grouped(std::to_string(maps.samples)), error));
+}
+
+void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
+  const Ui& ui = context.ui;
+  if (context.layout.begin(ui, "Shadow maps")) {
+    LookSettings& look = context.edits.settings.look;
+    MethodSettings& method = context.edits.settings.method;
+    const PartLengths lengths(context.state);
+    bool touched = false;
+    for (const std::string_view key : k_map_options)
+      touched = option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths}) || touched;
+    // What a control of the maps does is to be seen.
+    if (touched) look.regions_by = RegionsBy::maps;
+    option_row(ui, option_named(look_options(), "mark_difference"), look);
+    draw_thumbnails(context, textures);
+    draw_accuracy(context, lengths);
+  }
+  context.layout.end();
+}
+
+void draw_large_map(const PanelContext& context, const MapTextures& textures) {
+  if (!context.state.dialogs.large_map) return;
+  const Ui& ui = context.ui;
+  const bool plus = *context.state.dialogs.large_map;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float side = std::floor(0.82F * std::min(window.x, window.y));
+  if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
+    heading(ui, fmt::format("Shadow map from {}", caption(plus)));
+    ImGui::SameLine();
+    hint(ui, "Bright: near the light. Dark: far from it. Click or press Esc to close.");
+    const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
+    draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, {min, min + side},
+                 ui.px(6));
+    if (pressable(ui, "close", {side, side}).clicked) context.edits.dialogs.large_map.reset();
+  }
+  if (end_dialog(ui)) context.edits.dialogs.large_map.reset();
+}
+
+}  // namespace moldlight::gui

@@ -1,0 +1,72 @@
+#include "gui/panels/table_bar.hpp"
+
+#include <fmt/format.h>
+
+#include "gui/draw/widgets.hpp"
+#include "gui/panels/option_row.hpp"
+
+namespace moldlight::gui {
+
+void TableBar::draw(const PanelContext& context, const TableBarParts& parts) {
+  const bool open = context.layout.begin_bottom(context.ui, parts.name);
+  draw_line(context, parts, open);
+  if (open && settings_ && parts.settings) {
+    parts.settings();
+  } else if (open && parts.table) {
+    parts.table(cursor_);
+  }
+  context.layout.end();
+}
+
+void TableBar::draw_line(const PanelContext& context, const TableBarParts& parts, bool open) {
+  constexpr float k_progress_width = 96.0F;  // layout units
+  const Ui& ui = context.ui;
+  BottomHeader header(ui, parts.name);
+  if (parts.before) parts.before(header);
+  if (header.button(
+          {parts.fold, open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : parts.unfold_hint}))
+    context.layout.fold_bottom(parts.name, open);
+  if (parts.options != nullptr &&
+      header.button({parts.options, Icon::settings, parts.options_hint, open && settings_})) {
+    settings_ = !(open && settings_);
+    context.layout.fold_bottom(parts.name, false);
+  }
+  if (parts.after) parts.after(header, open);
+  const BarNews& news = parts.news;
+  if (news.progress) header.progress(*news.progress, k_progress_width);
+  header.end(news.text, news.warning ? ui.colours->warning : ui.colours->muted, news.tip);
+}
+
+void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,
+                  const std::function<void(std::size_t, const ScreenBox&)>& draw_row) {
+  const Ui& ui = context.ui;
+  const auto number_of = [&](std::size_t k) { return table.numbers.empty() ? k : table.numbers[k]; };
+  const auto choose = [&](std::size_t k) {
+    table.chosen = number_of(k);
+    context.edits.ask(table.look, number_of(k));
+  };
+  const auto pressed = draw_list(ui, table.list, cursor, [&](std::size_t k) {
+    const std::string id = fmt::format("{} {}", table.row, number_of(k) + 1);
+    const bool here = table.chosen == number_of(k);
+    const Row row = list_row(ui, {.id = id.c_str(),
+                                  .height = table.list.row_height,
+                                  .beside = table.beside,
+                                  .chosen = here,
+                                  .marked = cursor.is_at(k) || table.pointed == number_of(k)});
+    draw_row(number_of(k), row.box);
+    ImGui::SetCursorScreenPos(ImVec2(row.box.min.x, row.box.max.y));
+    if (!row.clicked) return;
+    if (here)
+      table.chosen.reset();
+    else
+      choose(k);
+  });
+  if (pressed) choose(*pressed);
+  if (!table.tiny.empty()) hint(ui, table.tiny);
+}
+
+RowOptions typed_numbers(const PanelContext& context) {
+  return {.refused = [&context](const std::string& why) { context.edits.ask(&Commands::say, why, true); }};
+}
+
+}  // namespace moldlight::gui
