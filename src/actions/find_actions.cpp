@@ -192,9 +192,8 @@ class Finder {
       if (pull.lack) undercut_part.rejected.push_back(pull);
       return pull.lack.has_value();
     });
-    constexpr double k_travel_step = 1e-4;  // of the diagonal: shorter by less is as short
     std::ranges::stable_sort(undercut_part.rejected.begin() + known, undercut_part.rejected.end(), {},
-                             [](const Pull& pull) { return std::llround(pull.travel / k_travel_step); });
+                             &Pull::travel);
   }
 
   /// Whether actions of the mold that can be built release all of an undercut.

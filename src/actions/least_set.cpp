@@ -16,7 +16,6 @@
 #include "actions/piece_actions.hpp"
 #include "actions/set_cover.hpp"
 #include "base/error.hpp"
-#include "base/size_key.hpp"
 
 namespace moldlight {
 
@@ -208,7 +207,7 @@ class LeastSet {
     for (const Left& left : chosen) actions.push_back(known_.at(left));
     std::vector<std::size_t> order(actions.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return size_key(actions[k].area); });
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return actions[k].area; });
     std::vector<std::int32_t> place(actions.size());
     for (const std::size_t k : order) {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());

@@ -8,9 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "actions/across_frame.hpp"
 #include "actions/action_kind.hpp"
 #include "mesh/union_find.hpp"
+#include "mold/map_frame.hpp"
 
 namespace moldlight {
 
@@ -22,9 +22,9 @@ struct Spread {
   bool is_round = false;  // it goes all the way round the direction through its centre
 };
 
-Spread spread(const SplitMesh& split, const Undercut& undercut, const PartAxes& axes) {
+Spread spread(const SplitMesh& split, const Undercut& undercut, const glm::dvec3& direction) {
   constexpr double k_least_hole = 0.2;  // of the greatest distance
-  const AcrossFrame frame = across_frame(axes, axes.z);
+  const MapFrame frame = map_frame(direction);
   Spread found;
   unsigned quarters = 0;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
@@ -45,12 +45,12 @@ Spread spread(const SplitMesh& split, const Undercut& undercut, const PartAxes& 
 }  // namespace
 
 double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
-                    const ActionSettings& settings) {
+                    const glm::dvec3& direction, const ActionSettings& settings) {
   const std::vector<Undercut>& all = undercuts.counted;
   const double reach =
       std::hypot(settings.bundle_across_mm, settings.bundle_along_mm) * unit_per_mm(model.part);
   std::vector<Spread> spreads;
-  for (const Undercut& undercut : all) spreads.push_back(spread(split, undercut, undercuts.axes));
+  for (const Undercut& undercut : all) spreads.push_back(spread(split, undercut, direction));
   UnionFind near(all.size());
   for (std::uint32_t b = 0; b < all.size(); ++b) {
     for (std::uint32_t a = 0; a < b; ++a) {

@@ -10,6 +10,6 @@ namespace moldlight {
 /// with what may lie between them: each such group needs an action of its own. That is a slide, the lightest,
 /// but for what goes all the way round, from which the part may be stripped.
 [[nodiscard]] double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
-                                  const ActionSettings& settings);
+                                  const glm::dvec3& direction, const ActionSettings& settings);
 
 }  // namespace moldlight

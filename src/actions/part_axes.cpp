@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "actions/across_frame.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -73,6 +71,20 @@ std::vector<Facing> facings(const PartModel& model, const PartAxes& axes) {
   return found;
 }
 
+/// The third moments of the surface: which way it is longer than the other.
+double lean_along(const PartModel& model, const PartAxes& axes, const glm::dvec3& along) {
+  double sum = 0.0, total = 0.0;
+  for (FacetIndex facet = 0; facet < model.geometry.areas.size(); ++facet) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const double at =
+          glm::dot(model.part.mesh.corner(facet, corner) - axes.centre, along) / model.frame.diagonal;
+      sum += model.geometry.areas[facet] * at * at * at;
+    }
+    total += model.geometry.areas[facet];
+  }
+  return total > 0.0 ? sum / total : 0.0;
+}
+
 glm::dvec3 surface_centre(const PartModel& model) {
   glm::dvec3 sum(0.0);
   double total = 0.0;
@@ -82,21 +94,6 @@ glm::dvec3 surface_centre(const PartModel& model) {
     total += model.geometry.areas[facet];
   }
   return total > 0.0 ? model.frame.center + sum / total : model.frame.center;
-}
-
-constexpr double k_alike = 1e-9;  // leans that rounding alone distinguishes
-
-double lean_along(const PartModel& model, const glm::dvec3& centre, const glm::dvec3& along) {
-  double sum = 0.0, total = 0.0;
-  for (FacetIndex facet = 0; facet < model.geometry.areas.size(); ++facet) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const double at =
-          glm::dot(model.part.mesh.corner(facet, corner) - centre, along) / model.frame.diagonal;
-      sum += model.geometry.areas[facet] * at * at * at;
-    }
-    total += model.geometry.areas[facet];
-  }
-  return total > 0.0 ? sum / total : 0.0;
 }
 
 /// 0 and neighbours are one key, whatever the sign of rounding.
@@ -116,8 +113,8 @@ PartAxes part_axes(const PartModel& model, const glm::dvec3& direction) {
   const double turn = found.empty() ? 0.0 : found.front().turn;
   axes.x = turned(turn);
   axes.y = turned(turn + k_quarter);
-  std::array<double, 2> leans = {lean_along(model, axes.centre, axes.x),
-                                 lean_along(model, axes.centre, axes.y)};
+  constexpr double k_alike = 1e-9;  // leans that rounding alone distinguishes
+  std::array<double, 2> leans = {lean_along(model, axes, axes.x), lean_along(model, axes, axes.y)};
   if (std::abs(leans[1]) > std::abs(leans[0]) + k_alike) {
     std::swap(axes.x, axes.y);
     std::swap(leans[0], leans[1]);
@@ -134,24 +131,6 @@ PartAxes part_axes(const PartModel& model, const glm::dvec3& direction) {
   std::ranges::stable_sort(axes.across.begin(), axes.across.begin() + 4, std::greater(),
                            [&](const glm::dvec3& across) { return direction_key(axes, across); });
   return axes;
-}
-
-int longer_along(const PartModel& model, const glm::dvec3& direction) {
-  const double lean = lean_along(model, surface_centre(model), direction);
-  return lean > k_alike ? 1 : lean < -k_alike ? -1 : 0;
-}
-
-AcrossFrame across_frame(const PartAxes& axes, const glm::dvec3& direction) {
-  constexpr double k_twist_rad = 0.3217, k_rounding = 1e-6;
-  std::array<glm::dvec3, 3> order = {axes.z, axes.x, axes.y};
-  std::ranges::stable_sort(order, {}, [&](const glm::dvec3& axis) {
-    return std::llround(std::abs(glm::dot(axis, direction)) / k_rounding);
-  });
-  const glm::dvec3 x = glm::normalize(order[0] - glm::dot(order[0], direction) * direction);
-  const glm::dvec3 rest = order[1] - glm::dot(order[1], direction) * direction;
-  const glm::dvec3 y = glm::normalize(rest - glm::dot(rest, x) * x);
-  const double cosine = std::cos(k_twist_rad), sine = std::sin(k_twist_rad);
-  return {cosine * x + sine * y, cosine * y - sine * x};
 }
 
 PlaceKey place_key(const PartAxes& axes, const glm::dvec3& place) {

@@ -29,8 +29,6 @@ constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity 
 constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
 constexpr double k_even_cost = 1e-3;      // of a direction that nothing of the part suggests
 constexpr double k_cost_step = 1e-6;      // less is rounding
-constexpr double k_same_travel = 1e-6;    // of the diagonal: ten times what travels are resolved to
-constexpr double k_travel_step = 1e-4;    // likewise, between lifters of which one is the shorter
 constexpr double k_wish_gain = 0.05;      // of a direction of the user's own, off the weights
 constexpr double k_worth_lifting = 1.1;   // what a lifter must free of it, of what a slide does
 
@@ -141,7 +139,7 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
   double margin_deg = 0.0;
   const auto look_at = [&](const PullCandidate& other) {
     // Planes of a narrow undercut may lean by its draft: the middle of what is free is the truth.
-    if (other.source > (wide ? PullSource::shape : PullSource::exact) ||
+    if (other.source > (wide ? PullSource::shape : PullSource::part) ||
         std::abs(elevation_deg(other.direction, direction_) - lean_deg) > k_same_elevation_deg)
       return;
     const double turn_deg = turn_between(pull.direction, other.direction, direction_);
@@ -162,7 +160,7 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
 void PullFinder::set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const {
   const double core = release_.clear_beyond(samples, pull.direction, direction_, step);
   const double cavity = release_.clear_beyond(samples, pull.direction, -direction_, step);
-  pull.core_side = core <= cavity + k_same_travel;
+  pull.core_side = core <= cavity;
   pull.travel = std::min(core, cavity);
 }
 
@@ -206,9 +204,8 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
   // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
   constexpr double k_even_longer = 1.05;
   std::ranges::stable_sort(found, {}, [](const Pull& pull) {
-    return std::pair(
-        pull.source != PullSource::wish,
-        std::llround((pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel / k_travel_step));
+    return std::pair(pull.source != PullSource::wish,
+                     (pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel);
   });
   std::vector<Pull> pulls;
   for (const bool good : {true, false}) {

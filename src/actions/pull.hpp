@@ -97,7 +97,7 @@ class PullFinder {
                                                     double whole_area) const;
 
   /// A direction that releases the samples, moved to the best meant one of those that are free, itself and
-  /// `others` among them: where the part's walls face, then the axis of a round wall, where much is free also
+  /// `others` among them: the axis of a round wall, then where the part's walls face, where much is free also
   /// what planes of the undercut say; of equal ones that which is farthest from the ends. Where all of them
   /// lie near an end the middle is taken. A wish is kept as it is. The ends are found to `resolved_deg`.
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,

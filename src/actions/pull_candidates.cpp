@@ -10,7 +10,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "actions/release.hpp"
-#include "base/size_key.hpp"
 #include "mold/round_wall.hpp"
 
 namespace moldlight {
@@ -31,8 +30,10 @@ struct Plane {
 
 /// The largest first; of those that rounding alone distinguishes the one that faces up more, and so on.
 void put_in_order(const PartAxes& axes, std::vector<Plane>& planes) {
+  constexpr double k_steps = 1e6;  // of the logarithm of an area
   std::ranges::stable_sort(planes, std::greater(), [&](const Plane& plane) {
-    return std::pair(size_key(plane.area), direction_key(axes, plane.normal));
+    return std::pair(std::llround(k_steps * std::log(std::max(plane.area, 1e-300))),
+                     direction_key(axes, plane.normal));
   });
 }
 

@@ -13,9 +13,9 @@
 namespace moldlight {
 
 /// Where a direction comes from: what it says about how well it is meant, the best first. Wish: the user's
-/// own. Part: where most of the part's walls face. Exact: the axis of a round wall of the undercut. Shape:
+/// own. Exact: the axis of a round wall of the undercut. Part: where most of the part's walls face. Shape:
 /// normals and edges of planes of the undercut. Even: one of many.
-enum class PullSource : std::uint8_t { wish, part, exact, shape, even };
+enum class PullSource : std::uint8_t { wish, exact, part, shape, even };
 
 struct PullCandidate {
   glm::dvec3 direction{1, 0, 0};  // unit

@@ -1,7 +1,6 @@
 #include "actions/release.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "mold/exact_rays.hpp"
+#include "mold/map_frame.hpp"
 
 namespace moldlight {
 
@@ -25,30 +25,6 @@ constexpr int k_most_glides = 512;       // of them, along a way across the part
 constexpr double k_least_sine = 1e-7;    // of tau: walls of a file in single precision lean by so much
 /// A part lies in a ball of diameter 1 in the unit frame.
 constexpr double k_glide_across = 1.0;
-
-/// Directions evenly round an axis (unit), to both sides of where another one points across it, so that they
-/// turn with the part and are mirrored with it; where that points along it, to both sides of the file's axes.
-template <typename Visit>
-bool any_around(const glm::dvec3& axis, const glm::dvec3& beside, int count, const Visit& visit) {
-  constexpr double k_along = 0.1;  // the other one has less than this across the axis
-  glm::dvec3 x = beside - glm::dot(beside, axis) * axis;
-  if (glm::length(x) < k_along) {
-    int least = 0;
-    for (const int k : {1, 2}) {
-      if (std::abs(axis[k]) < std::abs(axis[least]) - k_past) least = k;
-    }
-    x = glm::dvec3(0.0);
-    x[least] = 1.0;
-    x -= axis[least] * axis;
-  }
-  x = glm::normalize(x);
-  const glm::dvec3 y = glm::cross(axis, x);
-  for (int k = 0; k < count; ++k) {
-    const double angle = 2.0 * std::numbers::pi * (k + 0.5) / count;
-    if (visit(std::cos(angle) * x + std::sin(angle) * y)) return true;
-  }
-  return false;
-}
 
 /// To both sides of 0, as long as `free` holds at an angle in degrees.
 template <typename Free>
@@ -145,15 +121,20 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   constexpr int k_turns = 24;
   if (is_in_slit(sample, depth)) return true;
   if (model_.health.components > 1 && is_covered(sample)) return false;
+  const MapFrame frame = map_frame(query_.direction);
   const glm::dvec3 from(start(sample, query_.direction));
-  return any_around(query_.direction, sample.normal, k_turns, [&](const glm::dvec3& aside) {
-    return std::ranges::any_of(std::array{query_.direction, -query_.direction}, [&](const glm::dvec3& side) {
+  for (int k = 0; k < k_turns; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / k_turns;
+    const glm::dvec3 aside = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+    for (const glm::dvec3& side : {query_.direction, -query_.direction}) {
       // From a little before it, too, so that surface which touches it hides it.
       const glm::vec3 before(from + depth * aside - k_touching * side);
-      return clear(sample, aside, depth, side) && !model_.rays().first_hit(before, glm::vec3(side), true) &&
-             free_length(sample, aside) >= depth;
-    });
-  });
+      if (clear(sample, aside, depth, side) && !model_.rays().first_hit(before, glm::vec3(side), true) &&
+          free_length(sample, aside) >= depth)
+        return true;
+    }
+  }
+  return false;
 }
 
 double FreeLengths::of(const UndercutSample& sample) {
@@ -177,11 +158,15 @@ double Release::free_area(std::span<const UndercutSample> samples, const glm::dv
 template <typename Free>
 bool Release::is_speck(const UndercutSample& sample, const Free& free) const {
   constexpr int k_turns = 8;
-  return any_around(sample.normal, query_.direction, k_turns, [&](const glm::dvec3& aside) {
+  const MapFrame frame = map_frame(sample.normal);
+  for (int k = 0; k < k_turns; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / k_turns;
     UndercutSample beside = sample;
-    beside.position += glm::vec3(2.0 * query_.lateral * aside);
-    return free(beside);
-  });
+    beside.position +=
+        glm::vec3(2.0 * query_.lateral * (std::cos(angle) * frame.x + std::sin(angle) * frame.y));
+    if (free(beside)) return true;
+  }
+  return false;
 }
 
 template <typename Free>

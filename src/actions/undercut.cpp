@@ -16,10 +16,10 @@
 #include <tbb/parallel_for.h>
 
 #include "actions/release.hpp"
-#include "base/size_key.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/length_unit.hpp"
 #include "mesh/union_find.hpp"
+#include "mold/map_frame.hpp"
 #include "mold/surface_samples.hpp"
 
 namespace moldlight {
@@ -32,19 +32,15 @@ glm::dvec3 corner(const SplitMesh& split, PieceIndex piece, std::size_t k) {
   return split.vertices[split.pieces[piece].corners[k]];
 }
 
-/// From that across from the longest edge to that across from the shortest; of edges that rounding alone
-/// distinguishes in the order of the vertices.
+/// From that across from the longest edge to that across from the shortest.
 std::array<glm::dvec3, 3> corners_by_edges(const SplitMesh& split, PieceIndex piece) {
-  std::array<VertexIndex, 3> corners = split.pieces[piece].corners;
-  const auto across = [&](VertexIndex vertex) {
-    const auto at =
-        std::ranges::find(split.pieces[piece].corners, vertex) - split.pieces[piece].corners.begin();
-    const auto k = static_cast<std::size_t>(at);
-    return glm::distance(corner(split, piece, (k + 1) % 3), corner(split, piece, (k + 2) % 3));
-  };
-  std::ranges::sort(corners, {},
-                    [&](VertexIndex vertex) { return std::pair(-size_key(across(vertex)), vertex); });
-  return {split.vertices[corners[0]], split.vertices[corners[1]], split.vertices[corners[2]]};
+  std::array<std::pair<double, glm::dvec3>, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double across = glm::distance(corner(split, piece, (k + 1) % 3), corner(split, piece, (k + 2) % 3));
+    corners[k] = {across, corner(split, piece, k)};
+  }
+  std::ranges::stable_sort(corners, std::greater(), [](const auto& each) { return each.first; });
+  return {corners[0].second, corners[1].second, corners[2].second};
 }
 
 /// A cube of the grid in which corners are looked for.
@@ -191,7 +187,8 @@ void measure_area(const SplitMesh& split, Undercut& undercut) {
   undercut.centre = undercut.area > 0.0 ? sum / undercut.area : any;
 }
 
-void measure_extents(const SplitMesh& split, const PartAxes& axes, Undercut& undercut) {
+void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Undercut& undercut) {
+  const MapFrame frame = map_frame(direction);
   const auto extent = [&](const glm::dvec3& along) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (const PieceIndex piece : undercut.pieces) {
@@ -203,12 +200,12 @@ void measure_extents(const SplitMesh& split, const PartAxes& axes, Undercut& und
     }
     return greatest - least;
   };
-  undercut.size_along = extent(axes.z);
+  undercut.size_along = extent(direction);
   constexpr int k_turns = 36;
   for (int k = 0; k < k_turns; ++k) {
     const double angle = std::numbers::pi * k / k_turns;
     undercut.size_across =
-        std::max(undercut.size_across, extent(std::cos(angle) * axes.x + std::sin(angle) * axes.y));
+        std::max(undercut.size_across, extent(std::cos(angle) * frame.x + std::sin(angle) * frame.y));
   }
 }
 
@@ -288,8 +285,10 @@ void put_in_order(const SplitMesh& split, const PartAxes& axes, std::vector<Piec
 /// The largest first; of those that rounding alone distinguishes the lower one, and so on.
 template <typename Ordered, typename Place>
 void put_in_order(const PartAxes& axes, std::vector<Ordered>& all, const Place& place) {
+  constexpr double k_steps = 1e6;  // of the logarithm of an area
   std::ranges::stable_sort(all, {}, [&](const Ordered& one) {
-    return std::pair(-size_key(one.area), place_key(axes, place(one)));
+    return std::pair(-std::llround(k_steps * std::log(std::max(one.area, 1e-300))),
+                     place_key(axes, place(one)));
   });
 }
 
@@ -393,7 +392,7 @@ Undercuts find_undercuts(const PartModel& model, const SplitMesh& split, const E
   Undercuts found = join_undercuts(model, split, query, progress, least_travel_mm);
   for (Undercut& undercut : found.counted) {
     if (progress.cancelled()) throw Cancelled();
-    measure_extents(split, found.axes, undercut);
+    measure_extents(split, query.direction, undercut);
   }
   return found;
 }
@@ -459,15 +458,11 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
   const double rounding = 1e-9 * model.frame.diagonal;
   std::ranges::stable_sort(corners, {},
                            [&](const Corner& each) { return std::llround(each.height / rounding); });
-  // As little as single precision tells from the corner: where a piece has its middle depends on how its
-  // facet was cut.
-  constexpr double k_inward = 1e-4, k_most_inward = 1e-6;  // of the way to the middle; of the diagonal
+  constexpr double k_inward = 1e-4;
   std::vector<UndercutSample> samples;
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [height, piece, which] = corners[k];
-    const glm::dvec3 from = corner(split, piece, which), way = middle_of(split, piece) - from;
-    const double length = std::max(glm::length(way), 1e-300);
-    const glm::dvec3 at = from + std::min(k_inward, k_most_inward * model.frame.diagonal / length) * way;
+    const glm::dvec3 at = glm::mix(corner(split, piece, which), middle_of(split, piece), k_inward);
     samples.push_back({model.frame.to_unit(at), model.geometry.normals[split.pieces[piece].facet], 0.0});
   }
   return samples;

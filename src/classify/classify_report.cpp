@@ -15,8 +15,6 @@
 #include "io/csv_tables.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/faces.hpp"
-#include "mesh/file_order.hpp"
-#include "mold/exact/listed_split.hpp"
 
 namespace moldlight {
 
@@ -66,8 +64,7 @@ Json comparison_json(const MapComparison& comparison) {
           {"shares", shares}};
 }
 
-void write_split(const OutputPaths& paths, const Part& part, const SplitMesh& found, Palette palette) {
-  const SplitMesh split = split_as_listed(found, part);
+void write_split(const OutputPaths& paths, const Part& part, const SplitMesh& split, Palette palette) {
   const TriangleMesh mesh = piece_mesh(split);
   std::vector<Region> regions;
   regions.reserve(split.pieces.size());
@@ -178,8 +175,7 @@ void write_outputs(const OutputPaths& paths, const PartModel& model, const Class
   if (!paths.facets.empty()) {
     write_facet_csv(paths.facets, {.areas = model.geometry.areas,
                                    .fractions = result.facet_fractions,
-                                   .numbers = model.part.file_facets,
-                                   .order = facets_as_listed(model.part)});
+                                   .numbers = model.part.file_facets});
   }
   if (!paths.faces.empty()) write_face_csv(paths.faces, face_areas(model, result));
   if (!paths.json.empty()) write_file(paths.json, json_text(classify_json(model, result)));

@@ -5,7 +5,6 @@
 #include <tbb/task_arena.h>
 
 #include "base/stopwatch.hpp"
-#include "mesh/file_order.hpp"
 #include "mesh/orient.hpp"
 
 namespace moldlight {
@@ -60,7 +59,6 @@ std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOp
                                            const Progress& progress) {
   const Stopwatch stopwatch;
   Part part = read_part(path, options, progress);
-  put_in_place_order(part);
   auto model = std::const_pointer_cast<PartModel>(prepare_part(std::move(part), progress));
   model->load_ms = stopwatch.elapsed_ms();
   return model;

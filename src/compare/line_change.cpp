@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <map>
+#include <iterator>
 #include <tuple>
 #include <utility>
 

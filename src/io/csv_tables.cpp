@@ -53,9 +53,7 @@ void write_facet_csv(const std::string& path, const FacetTable& table) {
   AtomicFile file(path);
   file.write(heading("facet", ""));
   std::string row;
-  CHECK(table.order.empty() || table.order.size() == table.areas.size());
-  for (std::size_t line = 0; line < table.areas.size(); ++line) {
-    const std::size_t facet = table.order.empty() ? line : table.order[line];
+  for (std::size_t facet = 0; facet < table.areas.size(); ++facet) {
     const std::uint64_t number = table.numbers.empty() ? facet : table.numbers[facet];
     const bool in_file = table.numbers.empty() || number != k_no_facet;
     row.clear();

@@ -20,7 +20,6 @@ struct FacetTable {
   std::span<const double> areas;  // model units squared
   const FacetFractions& fractions;
   std::span<const std::uint32_t> numbers = {};  // in the file, k_no_facet for added ones; empty: facet k
-  std::vector<std::uint32_t> order = {};        // of the lines; empty: that of the entries
 };
 
 /// Writes `facet,area,core,cavity,both,undercut`, a line a facet in the table's order (facet -1: not in the

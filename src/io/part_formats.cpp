@@ -12,7 +12,6 @@
 #include "base/error.hpp"
 #include "io/readers.hpp"
 #include "io/text_scanner.hpp"
-#include "mesh/file_order.hpp"
 #include "mesh/part.hpp"
 #include "mold/exact/united_bodies.hpp"
 
@@ -176,8 +175,6 @@ Part read_part(const std::string& path, const ReadOptions& options, const Progre
     part.effort = options.effort;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
-    // So that what it welds and where it fills does not depend on the file's order.
-    if (options.repair.level != RepairLevel::none) put_in_place_order(part);
     mend_part(part, options.repair, progress);
     if (part.mesh.facets.empty()) context.fail("", "has no facet with an area; the repair left nothing");
     return part;

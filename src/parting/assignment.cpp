@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -33,18 +34,9 @@ constexpr std::size_t k_most_heights = 10;
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Reverse draft below this is rounding.
 constexpr double k_least_sine = 1e-5;
-constexpr double k_rounding = 1e-6;  // of cosines
-
-/// Costs are whole numbers of this share of the diagonal: what rounding alone distinguishes costs the same,
-/// so that it decides nothing. The coordinates of a part are known to 6e-8 of it.
-const double k_cost_step = std::ldexp(1.0, -27);
-/// Energies that differ by less are the same, and lengths by less of the diagonal: where the split mesh has
-/// its corners along a wall differs by so much between copies.
-constexpr double k_same_energy = 1e-6, k_same_length = 1e-3;
 
 /// The costs of one part's pieces.
 struct Costs {
-  double step = 1.0;                         // in which lines, drafts and heights are counted
   std::vector<double> line;                  // of each edge, where its pieces differ
   std::vector<std::array<double, 2>> draft;  // of each piece at core and cavity
   std::vector<double> area, middle;          // of each piece; height of its centre
@@ -54,15 +46,13 @@ struct Costs {
   [[nodiscard]] double at_height(PieceIndex piece, int side, double height) const {
     const double above = middle[piece] - height;
     const double wrong = side == 0 ? -above : above;  // the core's side is above
-    return wrong > 0.0 ? rounded(area[piece] * (per_side + wrong * per_height)) : 0.0;
+    return wrong > 0.0 ? area[piece] * (per_side + wrong * per_height) : 0.0;
   }
-  [[nodiscard]] double rounded(double cost) const { return std::round(cost / step); }
 };
 
 std::vector<std::uint8_t> creases(const SplitMesh& mesh, const PieceEdges& edges,
                                   const FacetGeometry& geometry) {
-  // Edges of just so much, as those of a chamfer, are smooth whichever way they are rounded.
-  const double cosine = std::cos(glm::radians(k_crease_deg)) - k_rounding;
+  const double cosine = std::cos(glm::radians(k_crease_deg));
   std::vector<std::uint8_t> crease;
   crease.reserve(edges.edges.size());
   for (const PieceEdge& edge : edges.edges) {
@@ -79,21 +69,18 @@ Costs costs_of(const PartModel& model, const Assignment& assignment) {
   const SplitMesh& mesh = assignment.mesh;
   const glm::dvec3& d = assignment.direction;
   Costs costs;
-  costs.step = k_cost_step * model.frame.diagonal;
   costs.per_height = k_height_weight / (model.frame.diagonal * model.frame.diagonal);
   for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
     const PieceEdge& edge = assignment.edges.edges[k];
     const glm::dvec3 along = mesh.vertices[edge.to] - mesh.vertices[edge.from];
-    costs.line.push_back(
-        costs.rounded(line_cost(along, d) * (assignment.crease[k] != 0 ? k_crease_weight : 1.0)));
+    costs.line.push_back(line_cost(along, d) * (assignment.crease[k] != 0 ? k_crease_weight : 1.0));
   }
   for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
     const auto& corners = mesh.pieces[piece].corners;
     const double area = 0.5 * glm::length(twice_piece_area(mesh, piece));
     const double sine = glm::dot(model.geometry.normals[mesh.pieces[piece].facet], d);
-    const double draft = std::abs(sine) < k_least_sine
-                             ? 0.0
-                             : costs.rounded(k_draft_weight * area * std::abs(sine) / model.frame.diagonal);
+    const double draft =
+        std::abs(sine) < k_least_sine ? 0.0 : k_draft_weight * area * std::abs(sine) / model.frame.diagonal;
     costs.draft.push_back({sine < 0.0 ? draft : 0.0, sine > 0.0 ? draft : 0.0});
     costs.area.push_back(area);
     costs.middle.push_back(
@@ -104,10 +91,7 @@ Costs costs_of(const PartModel& model, const Assignment& assignment) {
 
 /// Heights of the longest level creases at free pieces, the longest first.
 std::vector<double> level_heights(const PartModel& model, const Assignment& assignment) {
-  struct Level {
-    double height = 0.0, length = 0.0;
-  };
-  std::vector<Level> levels;
+  std::map<std::int64_t, double> length_at;
   const double step = 1e-4 * model.frame.diagonal;
   const glm::dvec3& d = assignment.direction;
   double low = INFINITY, high = -INFINITY;
@@ -119,28 +103,15 @@ std::vector<double> level_heights(const PartModel& model, const Assignment& assi
     const bool may_change =
         assignment.free[edge.left] != 0 || (edge.right != k_no_piece && assignment.free[edge.right] != 0);
     const double length = glm::distance(a, b);
-    if (!may_change || assignment.crease[k] == 0 || length <= 0.0 ||
-        std::abs(glm::dot(b - a, d)) > k_level_sine * length)
+    if (!may_change || assignment.crease[k] == 0 || std::abs(glm::dot(b - a, d)) > k_level_sine * length)
       continue;
-    levels.push_back({0.5 * glm::dot(a + b, d), length});
+    length_at[static_cast<std::int64_t>(std::llround(0.5 * glm::dot(a + b, d) / step))] += length;
   }
-  std::ranges::sort(levels, {}, [](const Level& level) { return std::pair(level.height, level.length); });
-  std::vector<Level> found;
-  for (std::size_t k = 0; k < levels.size();) {
-    const double lowest = levels[k].height;
-    Level& level = found.emplace_back();
-    for (; k < levels.size() && levels[k].height <= lowest + step; ++k) {
-      level.length += levels[k].length;
-      level.height += levels[k].length * levels[k].height;
-    }
-    level.height /= level.length;
-  }
-  // As long as another one but for rounding: the lower one first.
-  std::ranges::stable_sort(found, std::greater(), [&](const Level& level) {
-    return std::llround(level.length / (k_same_length * model.frame.diagonal));
-  });
+  std::vector<std::pair<double, double>> found;
+  for (const auto& [place, length] : length_at) found.emplace_back(length, static_cast<double>(place) * step);
+  std::ranges::stable_sort(found, std::greater(), &std::pair<double, double>::first);
   std::vector<double> heights;
-  for (std::size_t k = 0; k < std::min(found.size(), k_most_heights); ++k) heights.push_back(found[k].height);
+  for (std::size_t k = 0; k < std::min(found.size(), k_most_heights); ++k) heights.push_back(found[k].second);
   if (heights.empty()) heights.push_back(0.5 * (low + high));
   return heights;
 }
@@ -208,7 +179,7 @@ void add_wishes(const PartModel& model, const MoldSettings& settings, Assignment
     if (wish == FacetWish::none) continue;
     if (assignment.free[piece] != 0) {
       costs.draft[piece][wish == FacetWish::core ? 1 : 0] +=
-          costs.rounded(k_wish_weight * costs.area[piece] / model.frame.diagonal);
+          k_wish_weight * costs.area[piece] / model.frame.diagonal;
     } else if (assignment.sides[piece] != (wish == FacetWish::core ? MoldSide::core : MoldSide::cavity)) {
       refused += costs.area[piece];
     }
@@ -318,21 +289,18 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
     trials[k].sides = cut_sides(result, costs, heights[k], progress);
     trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
   });
-  auto best = trials.begin();
-  for (auto trial = trials.begin(); trial != trials.end(); ++trial) {
-    if (trial->energy < best->energy * (1.0 - k_same_energy)) best = trial;
-  }
+  const auto best = std::ranges::min_element(trials, {}, &Trial::energy);
   result.height = heights[static_cast<std::size_t>(best - trials.begin())];
   const auto all_to = [&](MoldSide side) {
     std::vector<MoldSide> sides = result.sides;
     for (PieceIndex piece = 0; piece < sides.size(); ++piece) {
       if (result.free[piece] != 0) sides[piece] = side;
     }
-    return costs.step * energy_of(result, costs, result.height, sides);
+    return energy_of(result, costs, result.height, sides);
   };
   result.energy_to_core = all_to(MoldSide::core);
   result.energy_to_cavity = all_to(MoldSide::cavity);
-  result.energy = costs.step * best->energy;
+  result.energy = best->energy;
   result.sides = std::move(best->sides);
   sum_areas(model, costs, result);
   return result;

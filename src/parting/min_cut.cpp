@@ -99,8 +99,7 @@ std::vector<std::uint8_t> MinCut::solve(const Progress& progress) const {
   for (const auto& cost : costs_) greatest = std::max({greatest, cost[0], cost[1]});
   for (const Link& link : links_) greatest = std::max(greatest, link.cost);
   if (!(greatest > 0.0)) return std::vector<std::uint8_t>(costs_.size(), 1);
-  // A power of two, so that whole numbers stay such.
-  const double scale = std::ldexp(1.0, 40 - std::ilogb(greatest));
+  const double scale = std::ldexp(1.0, 40) / greatest;
   const auto whole = [&](double cost) { return static_cast<std::int64_t>(std::llround(cost * scale)); };
 
   // The source stands for side 0: what is on side 1 cuts the arc from it.

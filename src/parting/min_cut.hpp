@@ -21,8 +21,7 @@ class MinCut {
   /// What it costs that two nodes are on different sides; at least 0, finite.
   void add_link(std::uint32_t a, std::uint32_t b, double cost) { links_.push_back({a, b, cost}); }
 
-  /// The sides; exact but for the rounding of costs to a 2^40th of the greatest,
-  /// for whole numbers below 2^40 exact. Of several best answers the
+  /// The sides; exact but for the rounding of costs to a 2^40th of the greatest. Of several best answers the
   /// one with the fewest nodes on side 0. Throws Cancelled.
   [[nodiscard]] std::vector<std::uint8_t> solve(const Progress& progress) const;
 

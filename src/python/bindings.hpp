@@ -14,8 +14,6 @@
 #include "classify/json.hpp"
 #include "classify/part_model.hpp"
 #include "classify/still_picture.hpp"
-#include "mesh/facet_geometry.hpp"
-#include "mesh/file_order.hpp"
 #include "python/keywords.hpp"
 #include "python/values.hpp"
 #include "python/work.hpp"
@@ -59,10 +57,6 @@ namespace moldlight::python {
 struct PythonPart {
   using BoundToPython = void;
   std::shared_ptr<const PartModel> model;
-  // As the file or the arrays list it.
-  TriangleMesh mesh = mesh_as_listed(model->part);
-  FacetGeometry geometry = facet_geometry(mesh);
-  std::vector<std::uint32_t> facet_source = as_listed(model->part, model->part.facet_source);
 
   /// The health report.
   [[nodiscard]] Json json() const;

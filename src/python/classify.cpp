@@ -11,8 +11,6 @@
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"
-#include "mesh/file_order.hpp"
-#include "mold/exact/listed_split.hpp"
 #include "python/bindings.hpp"
 #include "study/study.hpp"
 
@@ -31,8 +29,6 @@ class PythonClassification {
   [[nodiscard]] const PartModel& model() const { return study_.model(); }
   [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return study_.shared_model(); }
   [[nodiscard]] const Classification& result() const { return *result_; }
-  /// Of the facets as the file or the arrays list them.
-  [[nodiscard]] const FacetFractions& facet_fractions() const { return facet_fractions_; }
 
   [[nodiscard]] Json json() const {
     const std::lock_guard lock(mutex_);
@@ -48,7 +44,6 @@ class PythonClassification {
   mutable std::mutex mutex_;
   mutable Study study_;
   std::shared_ptr<const Classification> result_ = study_.known<Classification>();
-  FacetFractions facet_fractions_ = as_listed(study_.model().part, result_->facet_fractions);
 };
 using SharedClassification = std::shared_ptr<PythonClassification>;
 
@@ -105,12 +100,11 @@ py::dict region_dict(const RegionValues& values) {
 
 /// m x 4: shares, or shares of the facets' areas.
 py::array facet_areas(const PythonClassification& self) {
-  const FacetFractions& fractions = self.facet_fractions();
-  const std::vector<double> whole = as_listed(self.model().part, self.model().geometry.areas);
+  const FacetFractions& fractions = self.result().facet_fractions;
   py::array_t<double> areas({static_cast<py::ssize_t>(fractions.size()), py::ssize_t{k_region_count}});
   double* area = areas.mutable_data();
   for (std::size_t facet = 0; facet < fractions.size(); ++facet)
-    for (const double fraction : fractions[facet]) *area++ = fraction * whole[facet];
+    for (const double fraction : fractions[facet]) *area++ = fraction * self.model().geometry.areas[facet];
   return areas;
 }
 
@@ -143,8 +137,7 @@ std::shared_ptr<PythonSplit> split_mesh(const PythonClassification& self, const 
   std::vector<RegionBorder> borders;
   auto split = std::make_shared<PythonSplit>();
   watch(progress_given, [&](const Progress& progress) {
-    split->mesh = std::make_shared<const SplitMesh>(
-        split_as_listed(*self.with_split(progress).split, self.model().part));
+    split->mesh = self.with_split(progress).split;
     borders = region_borders(*split->mesh);
   });
   for (const RegionBorder& border : borders) split->borders.append(border_of(*split->mesh, border));
@@ -229,7 +222,7 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
           "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
       .def_property_readonly(
           "facet_fractions",
-          [](const py::object& self) { return view(self.cast<const C&>().facet_fractions(), self); },
+          [](const py::object& self) { return view(self.cast<const C&>().result().facet_fractions, self); },
           "m x 4 float64, read only: the share of each region (moldlight.REGIONS) in a facet's area; 0 for a "
           "facet without area.")
       .def_property_readonly("facet_areas", facet_areas, "m x 4 float64: the area of each region in a facet.")

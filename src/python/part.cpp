@@ -11,7 +11,6 @@
 #include "classify/info_report.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"
-#include "mesh/file_order.hpp"
 #include "mesh/weld.hpp"
 #include "mold/exact/united_bodies.hpp"
 #include "python/bindings.hpp"
@@ -34,9 +33,7 @@ Part part_of(TriangleMesh mesh, const ReadOptions& options, const std::string& n
   part.mesh = weld_vertices(mesh);
   part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
   if (!options.unit.empty()) set_unit(part, options.unit);
-  put_in_place_order(part);
   mend_part(part, options.repair, progress);
-  if (options.repair.level != RepairLevel::none) put_in_place_order(part);
   if (part.mesh.facets.empty())
     throw UsageError("faces: none has an area; nothing is left of the part after the repair");
   return part;
@@ -129,25 +126,33 @@ void add_properties(PartClass& part) {
 void add_arrays(PartClass& part) {
   part.def_property_readonly(
           "vertices",
-          [](const py::object& self) { return view(self.cast<const PythonPart&>().mesh.vertices, self); },
+          [](const py::object& self) {
+            return view(self.cast<const PythonPart&>().model->part.mesh.vertices, self);
+          },
           "n x 3 float64, read only. Equal vertices of what was given are one.")
       .def_property_readonly(
           "faces",
-          [](const py::object& self) { return view(self.cast<const PythonPart&>().mesh.facets, self); },
+          [](const py::object& self) {
+            return view(self.cast<const PythonPart&>().model->part.mesh.facets, self);
+          },
           "m x 3 uint32, read only: facet k is facet k of the file or of the array given, unless a body was "
           "chosen or the mesh repaired.")
       .def_property_readonly(
           "facet_areas",
-          [](const py::object& self) { return view(self.cast<const PythonPart&>().geometry.areas, self); },
+          [](const py::object& self) {
+            return view(self.cast<const PythonPart&>().model->geometry.areas, self);
+          },
           "m float64, read only.")
       .def_property_readonly(
           "facet_normals",
-          [](const py::object& self) { return view(self.cast<const PythonPart&>().geometry.normals, self); },
+          [](const py::object& self) {
+            return view(self.cast<const PythonPart&>().model->geometry.normals, self);
+          },
           "m x 3 float64, read only: of length one, outward.")
       .def_property_readonly(
           "face_of_facet",
           [](const py::object& self) -> py::object {
-            const PythonPart& read_part = self.cast<const PythonPart&>();
+            const Part& read_part = self.cast<const PythonPart&>().model->part;
             if (read_part.facet_source.empty()) return py::none();
             return view(read_part.facet_source, self);
           },

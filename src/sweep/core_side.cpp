@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "actions/across_frame.hpp"
 #include "classify/classification.hpp"
 #include "classify/number_format.hpp"
 #include "mold/direction.hpp"
@@ -73,9 +72,7 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
     return made(difference > 0.0, fmt::format("that half forms {} of the surface alone, the other one {}",
                                               area_text(model, more), area_text(model, less)));
   }
-  // Of a part that lies the other way in its file it is the same half.
-  return made(longer_along(model, found.direction) >= 0,
-              "either half may be the core, since both form as much");
+  return made(true, "either half may be the core, since both form as much");
 }
 
 }  // namespace moldlight

@@ -75,7 +75,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
       // Inserts for what is smaller may count for less than a slide.
       const double least = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
       std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < least; });
-      const double weight = least_weight(model_, *split.split, undercuts, settings_);
+      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
       if (limit.is_exceeded(weight, totals) ||
           (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))
         return DirectionActions{

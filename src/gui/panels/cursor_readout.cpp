@@ -11,7 +11,6 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/revision_view.hpp"
-#include "mesh/file_order.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "render/view_settings.hpp"
 
@@ -84,7 +83,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
   if (const auto& hover = state.hover) {
     lines.emplace_back(facts(hover->point.region).title);
     lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
-                                grouped(std::to_string(file_facet(state.model->part, hover->point.facet)))));
+                                grouped(std::to_string(hover->point.facet))));
     if (state.settings.look.colour_mode == ColourMode::draft_angle) {
       if (const WallDraft* wall = wall_of_face(state, state.faces->of_facet[hover->point.facet]))
         lines.push_back(fmt::format("face: {} or more  ·  {}", draft_text(wall->least_deg),
@@ -93,7 +92,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
     if (const auto& blocker = hover->blocker) {
       lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
                                   blocker->above ? "above" : "below",
-                                  grouped(std::to_string(file_facet(state.model->part, blocker->facet)))));
+                                  grouped(std::to_string(blocker->facet))));
     }
   }
   if (const auto& span = state.span) {

@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/size_key.hpp"
 #include "mesh/faces.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
 
@@ -64,8 +63,7 @@ void add_planes(const PartModel& model, std::vector<Feature>& features) {
 }
 
 std::vector<Group> grouped(std::vector<Feature> features) {
-  std::ranges::stable_sort(features, std::greater{},
-                           [](const Feature& feature) { return size_key(feature.area); });
+  std::ranges::stable_sort(features, std::greater{}, &Feature::area);
   std::vector<Group> groups;
   for (const Feature& feature : features) {
     auto group = std::ranges::find_if(
@@ -78,7 +76,7 @@ std::vector<Group> grouped(std::vector<Feature> features) {
     (feature.round ? group->of_rounds : group->of_planes) += sign * feature.area * feature.line;
     group->area += feature.area;
   }
-  std::ranges::stable_sort(groups, std::greater{}, [](const Group& group) { return size_key(group.area); });
+  std::ranges::stable_sort(groups, std::greater{}, &Group::area);
   return groups;
 }
 
@@ -144,7 +142,7 @@ std::vector<Candidate> canonical_candidates(const PartModel& model) {
     features.push_back({.line = patch.axis, .area = patch.area, .round = true});
   std::vector<Group> groups = grouped(std::move(features));
   for (Group& group : groups) group.weight = area_for(group.line(), groups);
-  std::ranges::stable_sort(groups, std::greater{}, [](const Group& group) { return size_key(group.weight); });
+  std::ranges::stable_sort(groups, std::greater{}, &Group::weight);
 
   std::vector<Candidate> found = coordinate_axis_candidates();
   for (Candidate& axis : found) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -10,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/size_key.hpp"
 #include "mesh/symmetric_eigen.hpp"
 #include "mesh/union_find.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
@@ -211,7 +209,7 @@ struct Axis {
 
 std::vector<Axis> common_axes(std::vector<CurvedPatch> patches) {
   std::stable_sort(patches.begin(), patches.end(), [](const CurvedPatch& a, const CurvedPatch& b) {
-    return a.full_turn != b.full_turn ? a.full_turn : size_key(a.area) > size_key(b.area);
+    return a.full_turn != b.full_turn ? a.full_turn : a.area > b.area;
   });
   std::vector<Axis> axes;
   for (const CurvedPatch& patch : patches) {
@@ -224,7 +222,7 @@ std::vector<Axis> common_axes(std::vector<CurvedPatch> patches) {
     same->area += patch.area;
   }
   std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
-    return (a.full_turns > 0) != (b.full_turns > 0) ? a.full_turns > 0 : size_key(a.area) > size_key(b.area);
+    return (a.full_turns > 0) != (b.full_turns > 0) ? a.full_turns > 0 : a.area > b.area;
   });
   return axes;
 }
@@ -244,7 +242,8 @@ std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry, const Adj
   const Strips strips = make_strips(geometry, adjacency);
   std::vector<Strip> seeds(strips.normals.size());
   for (Strip strip = 0; strip < seeds.size(); ++strip) seeds[strip] = strip;
-  std::ranges::stable_sort(seeds, std::greater(), [&](Strip seed) { return size_key(strips.areas[seed]); });
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [&](Strip a, Strip b) { return strips.areas[a] > strips.areas[b]; });
 
   std::vector<CurvedPatch> patches;
   PatchGrower grower(strips);
