@@ -93,6 +93,8 @@ Json action_json(const SideAction& action) {
                {"axis", axis},
                {"undercuts", numbers_json(action.undercuts)},
                {"side", side_name(action.core_side)},
+               {"has_room", has_room(action)},
+               {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
                {"meets", numbers_json(action.meets)},
                {"body", {{"file", Json()}}},
                {"clear", action.body ? hit_json(action.body->hit) : Json()}};

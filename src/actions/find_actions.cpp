@@ -201,7 +201,7 @@ class Finder {
     return std::ranges::find(plan.unreleased, undercut) == plan.unreleased.end() &&
            std::ranges::all_of(plan.actions, [&](const SideAction& action) {
              return std::ranges::find(action.undercuts, undercut) == action.undercuts.end() ||
-                    action.kind != ActionKind::insert;
+                    (action.kind != ActionKind::insert && has_room(action));
            });
   }
 
@@ -222,19 +222,13 @@ class Finder {
   void add_lifters_without_room(ActionPlan& plan) const {
     const double diagonal = model_.frame.diagonal;
     // Of the whole undercut before one of its parts.
-    std::vector<std::optional<Pull>> first(undercuts_.counted.size());
-    std::vector<std::vector<UndercutSample>> samples(undercuts_.counted.size());
+    std::vector<const Pull*> first(undercuts_.counted.size(), nullptr);
     for (const UndercutPart& undercut_part : undercut_parts_) {
-      const std::size_t undercut = undercut_part.undercut;
-      samples[undercut].insert(samples[undercut].end(), undercut_part.samples.begin(),
-                               undercut_part.samples.end());
-      if (!undercut_part.rejected.empty() && !first[undercut])
-        first[undercut] = undercut_part.rejected.front();
+      if (!undercut_part.rejected.empty() && first[undercut_part.undercut] == nullptr)
+        first[undercut_part.undercut] = &undercut_part.rejected.front();
     }
     for (std::size_t undercut = 0; undercut < first.size(); ++undercut) {
-      if (is_well_released(plan, undercut)) continue;
-      if (!first[undercut]) first[undercut] = pulls_.lifter_without_room(samples[undercut], tried_[undercut]);
-      if (!first[undercut]) continue;
+      if (first[undercut] == nullptr || is_well_released(plan, undercut)) continue;
       const Pull& pull = *first[undercut];
       plan.rejected.push_back({.undercut = undercut,
                                .kind = pull.kind,
@@ -267,7 +261,26 @@ class Finder {
       if (revolved[k] == 0 && undercut_part.pulls.empty() && undercut_part.wanted())
         parts[k] = pulls_.split(undercut_part.samples, candidates(undercut_part), undercut_part.only());
     });
-    take_parts(parts);
+    std::vector<std::size_t> changed;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      add_crowded(k);
+      if (!parts[k].empty()) changed.push_back(k);
+    }
+    for (std::size_t k = take_parts(parts); k < undercut_parts_.size(); ++k) changed.push_back(k);
+    for (const std::size_t k : changed) add_crowded(k);
+  }
+
+  /// A lifter without its room is kept for what nothing better releases.
+  void add_crowded(std::size_t k) {
+    const UndercutPart& undercut_part = undercut_parts_[k];
+    if (!undercut_part.pulls.empty()) return;
+    const Pull* best = nullptr;
+    for (const Pull& pull : undercut_part.rejected) {
+      if (!pull.is_makeshift()) continue;
+      const auto cost = [&](const Pull& each) { return pull_cost(each, settings_.prices); };
+      if (best == nullptr || cost(pull) < cost(*best)) best = &pull;
+    }
+    if (best != nullptr) crowded_.push_back({*best, {k}});
   }
 
   /// For what no action of the mold releases.
@@ -291,9 +304,10 @@ class Finder {
     take_parts(parts);
   }
 
-  /// Undercut parts that were split become their parts, those after the first at the end; the others, which
-  /// have none, stay.
-  void take_parts(std::vector<std::vector<FreedPart>>& parts) {
+  /// Atoms that were split become their parts, those after the first at the end, which begins where is
+  /// returned; the others, which have none, stay.
+  std::size_t take_parts(std::vector<std::vector<FreedPart>>& parts) {
+    const std::size_t end = undercut_parts_.size();
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool whole = undercut_parts_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
@@ -309,10 +323,15 @@ class Finder {
         if (part == 0) {
           undercut_parts_[k] = std::move(undercut_part);
         } else {
+          for (ActionOption& option : crowded_) {
+            if (std::ranges::find(option.undercut_parts, k) != option.undercut_parts.end())
+              option.undercut_parts.push_back(undercut_parts_.size());
+          }
           undercut_parts_.push_back(std::move(undercut_part));
         }
       }
     }
+    return end;
   }
 
   [[nodiscard]] SharingReach sharing_reach() const {
@@ -323,6 +342,7 @@ class Finder {
   std::vector<ActionOption> find_options() const {
     std::vector<ActionOption> options = pull_options(undercut_parts_, pulls_, sharing_reach());
     options.insert(options.begin(), revolved_.begin(), revolved_.end());
+    options.insert(options.end(), crowded_.begin(), crowded_.end());
     return options;
   }
 
@@ -408,6 +428,7 @@ class Finder {
   std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
   std::vector<ActionOption> revolved_;  // threads and rings
+  std::vector<ActionOption> crowded_;   // lifters without the room that they need
   std::optional<Faces> faces_;
   BodyPlayer bodies_;
 };

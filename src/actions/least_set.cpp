@@ -25,8 +25,7 @@ constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what ca
 constexpr int k_most_rounds = 40;
 /// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
-constexpr double k_most_left = 0.2;  // of an undercut: where more stays, what releases the rest is in vain
-constexpr int k_most_unproved = 4;   // rounds whose cover was given up
+constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
 
 /// A set of options as a plan, and the option of each of its actions.
@@ -176,15 +175,13 @@ class LeastSet {
   [[nodiscard]] Draft draft_of(const Cover& cover) {
     Draft draft;
     std::vector<std::int32_t> of_atom(undercut_parts_.size(), k_unreleased_piece);
-    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-      if (undercut_parts_[k].shallow) of_atom[k] = k_no_action_of_piece;
-    }
-    const std::vector<bool> in_vain = released_in_vain(cover);
     std::map<std::size_t, double> left_of;  // by undercut
-    for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-      if (in_vain[k] || (of_atom[k] == k_unreleased_piece &&
-                         std::ranges::find(cover.uncovered, k) != cover.uncovered.end()))
-        left_of[undercut_parts_[k].undercut] += undercut_parts_[k].area();
+    for (const std::size_t undercut_part : cover.uncovered) {
+      if (undercut_parts_[undercut_part].shallow) {
+        of_atom[undercut_part] = k_no_action_of_piece;
+      } else {
+        left_of[undercut_parts_[undercut_part].undercut] += undercut_parts_[undercut_part].area();
+      }
     }
     for (const auto& [undercut, area] : left_of) {
       draft.plan.unreleased.push_back(undercut);
@@ -194,10 +191,7 @@ class LeastSet {
     std::vector<Left> chosen;
     for (const std::size_t c : cover.options) {
       std::vector<std::size_t> left = options_[c].undercut_parts;
-      std::erase_if(left, [&](std::size_t undercut_part) {
-        return of_atom[undercut_part] >= 0 || in_vain[undercut_part];
-      });
-      if (left.empty()) continue;
+      std::erase_if(left, [&](std::size_t undercut_part) { return of_atom[undercut_part] >= 0; });
       for (const std::size_t undercut_part : left)
         of_atom[undercut_part] = static_cast<std::int32_t>(chosen.size());
       chosen.emplace_back(c, std::move(left));
@@ -212,7 +206,7 @@ class LeastSet {
     for (const std::size_t k : order) {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
-      draft.options.push_back(chosen[k].first);
+      draft.options.push_back(cover.options[k]);
       draft.undercut_parts.push_back(chosen[k].second);
     }
     for (std::int32_t& action : of_atom)
@@ -220,35 +214,6 @@ class LeastSet {
     draft.plan.action_of_piece = actions_of_pieces(context_, undercut_parts_, of_atom, draft.plan.actions);
     find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
     return draft;
-  }
-
-  /// Undercut parts that the cover releases in vain, as the part stays in the mold anyway: by loose inserts
-  /// where not all of their undercut is released, and by all where much of it is not; not those that are
-  /// pinned.
-  [[nodiscard]] std::vector<bool> released_in_vain(const Cover& cover) const {
-    std::vector<bool> by_hand(undercut_parts_.size(), false), left(undercut_parts_.size(), false);
-    for (const std::size_t c : cover.options) {
-      for (const std::size_t k : options_[c].undercut_parts)
-        by_hand[k] = options_[c].pull.kind == ActionKind::insert;
-    }
-    for (const std::size_t k : cover.uncovered) left[k] = true;
-    std::map<std::size_t, double> whole;  // areas by undercut
-    for (const UndercutPart& each : undercut_parts_) whole[each.undercut] += each.shallow ? 0.0 : each.area();
-    std::vector<bool> in_vain(undercut_parts_.size(), false);
-    for (const auto& [most, hands_alone] : {std::pair(k_stuck_share, true), std::pair(k_most_left, false)}) {
-      std::map<std::size_t, double> stays;
-      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-        const UndercutPart& each = undercut_parts_[k];
-        if ((left[k] || in_vain[k]) && !each.shallow) stays[each.undercut] += each.area();
-      }
-      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-        const UndercutPart& each = undercut_parts_[k];
-        if (!left[k] && !each.shallow && each.pin == nullptr && (by_hand[k] || !hands_alone) &&
-            stays[each.undercut] > most * whole[each.undercut])
-          in_vain[k] = true;
-      }
-    }
-    return in_vain;
   }
 
   /// Takes down which of its options meet, and looks for ways round. How many pairs were not known.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -18,19 +17,21 @@ constexpr std::size_t k_quick_samples = 24;   // which show soon that a lifter i
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
 constexpr double k_compared_turn_deg = 0.01;  // of turns that are compared; what is chosen is found anew
 constexpr double k_same_elevation_deg = 0.01;
-constexpr std::size_t k_lifters = 3;      // of an undercut, that can be built and that cannot
-constexpr std::size_t k_most_tries = 24;  // at each
-constexpr int k_most_parts = 3;           // of an undercut that nothing releases whole
-constexpr double k_least_part = 0.05;     // of its area: less is not worth an action
-constexpr double k_least_split = 0.15;    // likewise, of one beside others
-constexpr double k_narrow_cost = 5e-4;    // of a pull that may not turn at all, beside the weights
-constexpr double k_travel_cost = 1e-3;    // of the diagonal, beside the weights
-constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity that a slide passes through
-constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
-constexpr double k_even_cost = 1e-3;      // of a direction that nothing of the part suggests
-constexpr double k_cost_step = 1e-6;      // less is rounding
-constexpr double k_wish_gain = 0.05;      // of a direction of the user's own, off the weights
-constexpr double k_worth_lifting = 1.1;   // what a lifter must free of it, of what a slide does
+constexpr std::size_t k_lifters = 3;       // of an undercut, that can be built and that cannot
+constexpr std::size_t k_most_tries = 24;   // at each
+constexpr int k_most_parts = 3;            // of an undercut that nothing releases whole
+constexpr double k_least_part = 0.05;      // of its area: less is not worth an action
+constexpr double k_least_split = 0.15;     // likewise, of one beside others
+constexpr double k_narrow_cost = 5e-4;     // of a pull that may not turn at all, beside the weights
+constexpr double k_travel_cost = 1e-3;     // of the diagonal, beside the weights
+constexpr double k_way_cost = 0.01;        // likewise: steel of core and cavity that a slide passes through
+constexpr double k_strain_cost = 10.0;     // of a ring that is stretched to twice its size
+constexpr double k_crowded_cost = 6.0;     // of a lifter without any room: more than a loose insert
+constexpr double k_even_cost = 1e-3;       // of a direction that nothing of the part suggests
+constexpr double k_cost_step = 1e-6;       // less is rounding
+constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, off the weights
+constexpr double k_least_makeshift = 0.5;  // of an undercut: less is not worth a lifter without its room
+constexpr double k_worth_lifting = 1.1;    // what a lifter must free of it, of what a slide does
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
@@ -49,9 +50,11 @@ double pull_cost(const Pull& pull, const ActionPrices& prices) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
   const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
   const double strain = pull.kind == ActionKind::strip ? pull.about->strain : 0.0;
+  const double crowded = pull.lack ? k_crowded_cost * pull.lack->missing : 0.0;
   const double meant = pull.source == PullSource::even ? k_even_cost : 0.0;
-  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + k_strain_cost * strain +
-                      k_way_cost * pull.way + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
+  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + crowded +
+                      k_strain_cost * strain + k_way_cost * pull.way + k_travel_cost * pull.travel +
+                      k_narrow_cost / (1.0 + width_deg);
   return k_cost_step * std::round(cost / k_cost_step);
 }
 
@@ -236,9 +239,11 @@ void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {
     const double room = lengths.of(sample) - lifter.travel;
     if (room < 0.0 || release_.clears(sample, way, lifter_room_, lengths) || room >= lifter.lack->room)
       continue;
-    lifter.lack = Pull::Lack{.reason = room < lifter_room_ ? RejectReason::no_room : RejectReason::no_way_out,
+    const bool short_of = room < lifter_room_;
+    lifter.lack = Pull::Lack{.reason = short_of ? RejectReason::no_room : RejectReason::no_way_out,
                              .at = sample,
-                             .room = room};
+                             .room = room,
+                             .missing = short_of ? 1.0 - room / lifter_room_ : 1.0};
   }
 }
 
@@ -280,23 +285,6 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
   return best;
 }
 
-std::optional<Pull> PullFinder::lifter_without_room(std::span<const UndercutSample> samples,
-                                                    std::span<const PullCandidate> tried) const {
-  constexpr double k_most_of = 0.5, k_some_room = 0.1;  // of the samples' area; of what a lifter needs
-  const double room = k_some_room * lifter_room_;
-  auto lifter = most_clearing(samples, tried, k_most_of * area_of(samples), room);
-  if (!lifter) return std::nullopt;
-  const LifterWay way{lifter->direction, lifter->core_side ? direction_ : -direction_, lifter->travel};
-  std::vector<UndercutSample> freed;
-  std::ranges::copy_if(samples, std::back_inserter(freed),
-                       [&](const UndercutSample& sample) { return release_.clears(sample, way, room); });
-  FreeLengths lengths(release_, freed, lifter->direction);
-  if (const auto least = release_.first_clear(lengths, {lifter->direction, way.side, least_travel_}))
-    lifter->travel = std::min(*least, lifter->travel);
-  set_lack(lengths, *lifter);
-  return lifter->lack ? lifter : std::nullopt;
-}
-
 std::vector<Pull> PullFinder::turned(std::span<const UndercutSample> samples,
                                      std::span<const Pull> pulls) const {
   constexpr double k_wide_deg = 10.0;
@@ -329,15 +317,39 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
     std::vector<FreedPart> slides = opposite_slides(samples, tried);
     if (!slides.empty()) return slides;
   }
+  std::vector<FreedPart> parts = split_by(samples, tried, only, lifter_room_);
+  if (only && only != ActionKind::lifter) return parts;
+  // Lifters without their room are worth it only for more than what those that have it free.
+  double freed = 0.0;
+  for (const FreedPart& part : parts) {
+    const bool buildable = std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack; });
+    freed += buildable ? area_of(part.samples) : 0.0;
+  }
+  const double whole = area_of(samples);
+  if (freed * k_worth_lifting >= whole) return parts;
+  std::vector<FreedPart> crowded = split_by(samples, tried, only, Pull::k_least_room * lifter_room_);
+  double cleared = 0.0;
+  for (const FreedPart& part : crowded) {
+    const bool frees =
+        std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack || pull.is_makeshift(); });
+    cleared += frees ? area_of(part.samples) : 0.0;
+  }
+  return cleared > std::max(k_worth_lifting * freed, k_least_makeshift * whole) ? crowded : parts;
+}
+
+std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samples,
+                                            std::span<const PullCandidate> tried,
+                                            std::optional<ActionKind> only, double room) const {
   const bool lifters = !only || only == ActionKind::lifter;
   std::vector<FreedPart> parts;
   std::vector<UndercutSample> rest(samples.begin(), samples.end());
   const double whole = area_of(samples);
-  for (int round = 0; round < k_most_parts; ++round) {
+  // Nobody builds several lifters without their room for one undercut.
+  const int rounds = room < lifter_room_ ? 1 : k_most_parts;
+  for (int round = 0; round < rounds; ++round) {
     double most = 0.0;
     std::optional<Pull> found = most_freeing(rest, tried, only, most);
-    if (const auto lifter =
-            lifters ? most_clearing(rest, tried, k_worth_lifting * most, lifter_room_) : std::nullopt)
+    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most, room) : std::nullopt)
       found = lifter;
     if (!found) break;
     Pull& best = *found;
@@ -345,7 +357,7 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
     const LifterWay way{best.direction, best.core_side ? direction_ : -direction_, best.travel};
     FreedPart part;
     std::erase_if(rest, [&](const UndercutSample& sample) {
-      const bool freed = lifts ? release_.clears(sample, way, lifter_room_)
+      const bool freed = lifts ? release_.clears(sample, way, room)
                                : release_.free_length(sample, best.direction) == k_never;
       if (freed) part.samples.push_back(sample);
       return freed;

@@ -29,12 +29,18 @@ struct Pull {
     RejectReason reason = RejectReason::no_room;
     UndercutSample at = {};  // that lacks most
     double room = 0.0;       // beyond the travel, share of the diagonal
+    double missing = 1.0;    // of what it needs, (0, 1]; all of it where it has no way out
   };
   std::optional<Lack> lack = {};
+
+  /// Whether it may be taken for want of a better one: it has some room, and a way out.
+  [[nodiscard]] bool is_makeshift() const { return lack && lack->missing <= 1.0 - k_least_room; }
+  static constexpr double k_least_room = 0.1;  // of what a lifter needs: a blade of 0.3 mm by default
 };
 
-/// The price of its kind, of a ring with its strain; of equal ones that with the shorter way out is cheaper,
-/// then the shorter travel, then the one that leaves more room to turn. Differences of rounding are none.
+/// The price of its kind, of a ring with its strain, of a lifter with the room that it lacks; of equal ones
+/// that with the shorter way out is cheaper, then the shorter travel, then the one that leaves more room to
+/// turn. Differences of rounding are none.
 [[nodiscard]] double pull_cost(const Pull& pull, const ActionPrices& prices);
 
 /// What a pull frees of an undercut that none frees whole; the last part is what no pull frees, if there is
@@ -76,15 +82,12 @@ class PullFinder {
   [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
                                        std::span<const PullCandidate> tried,
                                        std::optional<ActionKind> only = {}) const;
-  /// A lifter that would clear most of the samples if it had its room; none where none would.
-  [[nodiscard]] std::optional<Pull> lifter_without_room(std::span<const UndercutSample> samples,
-                                                        std::span<const PullCandidate> tried) const;
   /// The slides among the pulls turned toward either end of what is free, if that is wide, and those that
   /// were for sharing alone.
   [[nodiscard]] std::vector<Pull> turned(std::span<const UndercutSample> samples,
                                          std::span<const Pull> pulls) const;
   /// Two opposite slides; or one pull after another, each of which frees most of the rest; all of them of a
-  /// kind where one is given; a lifter where it frees more than a slide by a tenth.
+  /// kind where one is given. Lifters without their room come in where they free more by a tenth.
   [[nodiscard]] std::vector<FreedPart> split(std::span<const UndercutSample> samples,
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only = {}) const;
@@ -120,6 +123,9 @@ class PullFinder {
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
                                                   std::span<const PullCandidate> tried, double least,
                                                   double room) const;
+  [[nodiscard]] std::vector<FreedPart> split_by(std::span<const UndercutSample> samples,
+                                                std::span<const PullCandidate> tried,
+                                                std::optional<ActionKind> only, double room) const;
   /// Two slides on one line, if they free all of it: of the first such line among those that are tried.
   [[nodiscard]] std::vector<FreedPart> opposite_slides(std::span<const UndercutSample> samples,
                                                        std::span<const PullCandidate> tried) const;

@@ -7,6 +7,12 @@
 
 namespace moldlight {
 
+bool has_room(const SideAction& action) {
+  constexpr double k_rounding = 1e-6;  // of single precision, share of the length
+  return action.kind != ActionKind::lifter ||
+         (!action.lack && action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding));
+}
+
 std::string_view reject_text(RejectReason reason) {
   constexpr std::array<std::string_view, 4> k_texts = {"no room for its thickness beyond its travel",
                                                        "no way out along its half after its travel",
@@ -46,12 +52,16 @@ double speck_area(const ActionPlan& plan) {
 }
 
 bool is_stuck(double left, double area, double lateral) {
+  constexpr double k_stuck_share = 0.005;
   return left > k_stuck_share * area && left > lateral * lateral;
 }
 
 ActionTotals totals_of(const ActionPlan& plan, double lateral) {
   ActionTotals totals{.unreleased_area = plan.unreleased_area};
-  for (const SideAction& action : plan.actions) ++totals.counts[static_cast<std::size_t>(action.kind)];
+  for (const SideAction& action : plan.actions) {
+    ++totals.counts[static_cast<std::size_t>(action.kind)];
+    totals.crowded += has_room(action) ? 0 : 1;
+  }
   for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
     const double left = plan.unreleased_areas[k];
     if (!is_stuck(left, plan.undercuts[plan.unreleased[k]].undercut.area, lateral)) continue;

@@ -72,9 +72,13 @@ struct SideAction {
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
+  std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
   std::string feature = {};                     // what it forms: "8 vents"
   std::optional<BodyFigures> body = {};         // of what has one, but in rough plans
 };
+
+/// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
+[[nodiscard]] bool has_room(const SideAction& action);
 
 /// Lengths are in the part's unit.
 struct RejectedAction {
@@ -109,12 +113,10 @@ struct ActionPlan {
   std::vector<UndercutReport> undercuts;  // the largest first
   std::vector<Speck> specks;              // what counts as no undercut, the largest first
   std::vector<SideAction> actions;        // the largest area first
-  /// Of each undercut that no action of the mold releases the shortest lifter that fails, and what of each
-  /// kind was not taken since its body hits.
+  /// Of each undercut that nothing else releases well the shortest lifter that fails, also where it was taken
+  /// for want of others, and what of each kind was not taken since its body hits.
   std::vector<RejectedAction> rejected;
-  /// Undercuts that nothing releases, or not all of, rising. Where more than a fifth of one stays, no action
-  /// is listed for the rest of it, and no loose insert where anything stays.
-  std::vector<std::size_t> unreleased;
+  std::vector<std::size_t> unreleased;        // undercuts that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
   double unreleased_area = 0.0;               // of all
   std::vector<std::int32_t> action_of_piece;  // of the split mesh; or one of the above
@@ -136,6 +138,7 @@ struct ActionTotals {
   double unreleased_area = 0.0;
   std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
   double stuck_area = 0.0;  // what is left of these
+  std::size_t crowded = 0;  // lifters without the room that they need
 };
 /// `lateral` is the lateral tolerance in the part's unit.
 [[nodiscard]] ActionTotals totals_of(const ActionPlan& plan, double lateral);
@@ -143,7 +146,6 @@ struct ActionTotals {
 
 /// Whether what is left of an undercut keeps the part in its mold: more than 0.5 % of its area, and more than
 /// the lateral tolerance squared.
-inline constexpr double k_stuck_share = 0.005;
 [[nodiscard]] bool is_stuck(double left, double area, double lateral);
 /// Of specks that are no part of an undercut that counts.
 [[nodiscard]] std::size_t speck_count(const ActionPlan& plan);

@@ -35,6 +35,7 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   cost.weight = actions.weight;
   cost.in_vain = actions.in_vain;
   cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
+  cost.without_room = actions.without_room / area;
   cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;

@@ -103,10 +103,11 @@ def action_table(obj):
     ]
 
 
-def meetings(obj):
-    """Rows of the table from 1: pairs of actions whose ways cross."""
+def troubles(obj):
+    """Rows of the table from 1: pairs of actions whose ways cross, and lifters that lack room."""
     found = report(obj).get("actions", ())
-    return [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
+    meet = [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
+    return meet, [row for row, action in enumerate(found, 1) if not action["has_room"]]
 
 
 def hits(obj):

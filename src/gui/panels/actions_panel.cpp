@@ -69,8 +69,11 @@ std::string detail_text(const SideAction& action, const std::string& unit) {
     case ActionKind::strip:
       return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
     case ActionKind::lifter:
-      return fmt::format("stroke {:.1f} {} · free {}", *action.stroke, unit,
-                         turn_text(action.interval.from_deg, action.interval.to_deg));
+      return fmt::format("stroke {:.1f} {} · free {}{}", *action.stroke, unit,
+                         turn_text(action.interval.from_deg, action.interval.to_deg),
+                         has_room(action)
+                             ? std::string()
+                             : fmt::format(" · room {:.2f} {}", action.clear_to - action.travel, unit));
     case ActionKind::insert:
       return "taken off by hand";
     default:

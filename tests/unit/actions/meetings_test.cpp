@@ -172,6 +172,7 @@ std::size_t lifters_that_meet(const TriangleMesh& mesh) {
   std::size_t number = 0;
   for (const SideAction& action : planned.plan.actions) {
     EXPECT_NEAR(action.travel, 4.0, 0.01);
+    EXPECT_TRUE(has_room(action)) << "each by itself";
     number += action.meets.size();
   }
   return number / 2;
