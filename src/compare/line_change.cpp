@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <iterator>
+#include <map>
 #include <tuple>
 #include <utility>
 
