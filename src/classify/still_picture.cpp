@@ -14,6 +14,7 @@
 #include "classify/number_format.hpp"
 #include "classify/view_choice.hpp"
 #include "gl/objects.hpp"
+#include "mold/direction.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "picture/legend.hpp"
 #include "render/view_geometry.hpp"
@@ -160,10 +161,11 @@ std::shared_ptr<const SplitMesh> exact_regions(const PartModel& model, const Cla
 LegendContent legend_content(const PartModel& model, const Classification& result) {
   LegendContent content;
   content.title = part_name(model.part);
-  content.lines.push_back(fmt::format("parting direction {}", figures(result.direction, 1.0)));
-  content.lines.push_back(fmt::format("near-vertical below {}°, lateral tolerance {:.3g} {}",
-                                      figure(result.settings.tau_deg), result.lateral_tolerance,
-                                      length_unit(model.part)));
+  // A line each: the card is no wider than its table.
+  content.lines = {
+      "parting direction " + direction_words(result.direction),
+      fmt::format("near-vertical below {}°", figure(result.settings.tau_deg)),
+      fmt::format("lateral tolerance {:.3g} {}", result.lateral_tolerance, length_unit(model.part))};
   const FigureColumn areas(result.total_area);
   for (const Region region : k_regions) {
     const auto index = static_cast<std::size_t>(region);
