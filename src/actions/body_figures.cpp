@@ -200,7 +200,8 @@ class Player {
                                           PlayedBody::SoFar& found) const {
     const std::span<const glm::dvec3> points = body.solid->points;
     for (const std::size_t wanted : {body.solid->few, fine_ ? points.size() : body.solid->few}) {
-      if (found.hit.depth > allowed_ || found.tested >= wanted) break;
+      if (found.hit.depth > allowed_) break;
+      if (found.tested >= wanted) continue;
       play_against(body, points.subspan(found.tested, wanted - found.tested), other, found.hit);
       found.tested = wanted;
     }
