@@ -327,6 +327,9 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
   }
   solid.few = solid.points.size();
   solid.points.insert(solid.points.end(), others.begin(), others.end());
+  // A thin body lies between most of those lines, or all of them.
+  constexpr std::size_t k_least_few = 30;  // one in so many, where one in nine is expected
+  if (k_least_few * solid.few < solid.points.size()) solid.few = solid.points.size();
 }
 
 /// Of what an action forms, and how it moves.

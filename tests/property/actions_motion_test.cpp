@@ -349,5 +349,29 @@ TEST(ActionsMotion, OfAFreePointNeverEntersThePart) {
   EXPECT_GT(all, 2000U);
 }
 
+/// Plans are found by few points of each body; what they have in the end was tried by all of them.
+TEST(ActionsMotion, BodiesOfAPlanAreAsClearAsOnTheirOwn) {
+  const auto model = load_part((test::asset_folder() / "parts/enclosure_lid.stl").string(), {}, Progress());
+  std::size_t bodies = 0;
+  for (const glm::dvec3& direction : {glm::dvec3(-0.262, 0.011, 0.965), glm::dvec3(0.315, 0.0, 0.949)}) {
+    Query query;
+    query.direction = glm::normalize(direction);
+    const Classification result = classify_exact(*model, query, Progress(), true);
+    const ActionPlan plan = find_actions(*model, result, {}, Progress());
+    ActionPlan alone = plan;
+    const Progress progress;
+    BodyPlayer(*model, result, progress).measure(alone);
+    for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+      const auto &its = plan.actions[k].body, &own = alone.actions[k].body;
+      ASSERT_EQ(its.has_value(), own.has_value());
+      if (!its) continue;
+      ++bodies;
+      EXPECT_EQ(its->hit.has_value(), own->hit.has_value())
+          << facts(plan.actions[k].kind).name << " " << k + 1 << " along " << direction.x;
+    }
+  }
+  EXPECT_GT(bodies, 10U);
+}
+
 }  // namespace
 }  // namespace moldlight

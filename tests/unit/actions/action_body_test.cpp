@@ -68,9 +68,9 @@ void expect_apart(const Planned& planned, const SideAction& action, const Triang
   EXPECT_GE(inside, 40) << "too thin to be tested";
 }
 
-Planned measured(Planned planned) {
+Planned measured(Planned planned, const BodyPlay& play = {}, bool fine = true) {
   const Progress progress;
-  BodyPlayer(*planned.model, planned.result, progress).measure(planned.plan);
+  BodyPlayer(*planned.model, planned.result, progress, play).measure(planned.plan, fine);
   return planned;
 }
 std::shared_ptr<const TriangleMesh> body_of(const Planned& planned) {
@@ -140,6 +140,19 @@ TEST(BodyFigures, OfAPinPulledThroughThePartSayWhatItHits) {
   EXPECT_EQ(json["actions"][0]["body"]["volume"], body->volume);
   EXPECT_NE(clear_text(planned.plan.actions.front(), planned.plan, "mm").find("deep in the part on its way"),
             std::string::npos);
+}
+
+/// None of the lines of the coarse lattice passes it.
+TEST(BodyFigures, OfABodyThinBesideThePointsThatAreTriedFirstAreFound) {
+  for (const bool fine : {false, true}) {
+    Planned planned = plan_of(laid(block_with_hole({.through = false}), 0.0));
+    planned.plan.actions.front().direction *= -1.0;
+    planned = measured(planned, {.points = 60}, fine);
+    const auto& body = planned.plan.actions.front().body;
+    ASSERT_TRUE(body);
+    ASSERT_TRUE(body->hit) << fine;
+    EXPECT_GT(body->hit->depth, 2.0) << fine;
+  }
 }
 
 TEST(BodyFigures, AreTheSameForFacetsInAnyOrderAndMirrored) {
