@@ -14,6 +14,7 @@
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
+#include "mesh/place_order.hpp"
 
 namespace moldlight {
 
@@ -33,8 +34,7 @@ Json numbers_json(const std::vector<std::size_t>& numbers) {
 /// Facets as the file numbers them.
 Json facets_json(const Part& part, const std::vector<FacetIndex>& facets) {
   Json list = Json::array();
-  for (const FacetIndex facet : facets)
-    list.push_back(part.file_facets.empty() ? facet : part.file_facets[facet]);
+  for (const FacetIndex facet : facets) list.push_back(file_facet(part, facet));
   return list;
 }
 

@@ -15,6 +15,7 @@
 #include "io/csv_tables.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/place_order.hpp"
 
 namespace moldlight {
 
@@ -175,7 +176,8 @@ void write_outputs(const OutputPaths& paths, const PartModel& model, const Class
   if (!paths.facets.empty()) {
     write_facet_csv(paths.facets, {.areas = model.geometry.areas,
                                    .fractions = result.facet_fractions,
-                                   .numbers = model.part.file_facets});
+                                   .numbers = model.part.file_facets,
+                                   .order = listed_facets(model.part)});
   }
   if (!paths.faces.empty()) write_face_csv(paths.faces, face_areas(model, result));
   if (!paths.json.empty()) write_file(paths.json, json_text(classify_json(model, result)));

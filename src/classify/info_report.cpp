@@ -11,6 +11,7 @@
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
 #include "io/text_scanner.hpp"
+#include "mesh/place_order.hpp"
 
 namespace moldlight {
 
@@ -37,12 +38,6 @@ BodyFigures measure_body(const PartModel& model, const Body& body) {
 double total_length(const std::vector<EdgeChain>& chains) {
   return std::accumulate(chains.begin(), chains.end(), 0.0,
                          [](double sum, const EdgeChain& chain) { return sum + chain.length; });
-}
-
-/// The facet's number in the file; -1 for one that a repair added.
-std::int64_t file_facet(const Part& part, FacetIndex facet) {
-  if (part.file_facets.empty()) return facet;
-  return part.file_facets[facet] == k_no_facet ? -1 : std::int64_t{part.file_facets[facet]};
 }
 
 Json chains_json(const Part& part, std::size_t edges, const std::vector<EdgeChain>& chains) {
@@ -124,6 +119,7 @@ DefectPlaces defect_places(const PartModel& model) {
     places.inconsistent = defect_chains(mesh, EdgeDefect::inconsistent);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (model.geometry.areas[facet] <= 0.0) places.degenerate_facets.push_back(file_facet(model.part, facet));
+    std::ranges::sort(places.degenerate_facets);
   }
   return places;
 }

@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.hpp"
 #include "mesh/orient.hpp"
+#include "mesh/place_order.hpp"
 
 namespace moldlight {
 
@@ -59,6 +60,7 @@ std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOp
                                            const Progress& progress) {
   const Stopwatch stopwatch;
   Part part = read_part(path, options, progress);
+  put_in_place_order(part, progress);
   auto model = std::const_pointer_cast<PartModel>(prepare_part(std::move(part), progress));
   model->load_ms = stopwatch.elapsed_ms();
   return model;

@@ -42,7 +42,8 @@ struct PartModel {
   mutable std::unique_ptr<const ExactRays> rays_;
 };
 
-/// Reads and prepares a part. Throws FileError for what cannot be read and Cancelled.
+/// Reads and prepares a part, its facets ordered by place (mesh/place_order.hpp). Throws FileError for what
+/// cannot be read and Cancelled.
 [[nodiscard]] std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
                                                          const Progress& progress);
 

@@ -50,10 +50,12 @@ std::optional<glm::dvec3> parse_direction(std::string_view line) {
 void write_facet_csv(const std::string& path, const FacetTable& table) {
   CHECK(table.areas.size() == table.fractions.size());
   CHECK(table.numbers.empty() || table.numbers.size() == table.areas.size());
+  CHECK(table.order.empty() || table.order.size() == table.areas.size());
   AtomicFile file(path);
   file.write(heading("facet", ""));
   std::string row;
-  for (std::size_t facet = 0; facet < table.areas.size(); ++facet) {
+  for (std::size_t k = 0; k < table.areas.size(); ++k) {
+    const std::size_t facet = table.order.empty() ? k : table.order[k];
     const std::uint64_t number = table.numbers.empty() ? facet : table.numbers[facet];
     const bool in_file = table.numbers.empty() || number != k_no_facet;
     row.clear();

@@ -20,6 +20,7 @@ struct FacetTable {
   std::span<const double> areas;  // model units squared
   const FacetFractions& fractions;
   std::span<const std::uint32_t> numbers = {};  // in the file, k_no_facet for added ones; empty: facet k
+  std::span<const FacetIndex> order = {};       // in which they are written; empty: as they are
 };
 
 /// Writes `facet,area,core,cavity,both,undercut`, a line a facet in the table's order (facet -1: not in the

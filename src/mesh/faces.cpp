@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -69,6 +70,19 @@ Faces grouped(std::vector<std::uint32_t> of_facet, std::size_t count) {
   return faces;
 }
 
+/// The same faces, numbered by which of their facets the file lists first.
+Faces numbered_as_listed(const Faces& faces, const std::vector<std::uint32_t>& file_facets) {
+  std::vector<std::uint32_t> first(faces.count(), k_no_facet), order(faces.count()), number(faces.count());
+  for (FacetIndex facet = 0; facet < file_facets.size(); ++facet)
+    first[faces.of_facet[facet]] = std::min(first[faces.of_facet[facet]], file_facets[facet]);
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t face) { return first[face]; });
+  for (std::uint32_t k = 0; k < order.size(); ++k) number[order[k]] = k;
+  std::vector<std::uint32_t> of_facet = faces.of_facet;
+  for (std::uint32_t& face : of_facet) face = number[face];
+  return grouped(std::move(of_facet), faces.count());
+}
+
 }  // namespace
 
 Faces smooth_faces(const TriangleMesh& mesh, const FacetGeometry& geometry, const Adjacency& adjacency) {
@@ -107,7 +121,10 @@ Faces smooth_faces(const TriangleMesh& mesh, const FacetGeometry& geometry, cons
 }
 
 Faces part_faces(const Part& part, const FacetGeometry& geometry, const Adjacency& adjacency) {
-  if (!part.has_cad_faces) return smooth_faces(part.mesh, geometry, adjacency);
+  if (!part.has_cad_faces) {
+    Faces faces = smooth_faces(part.mesh, geometry, adjacency);
+    return part.file_facets.empty() ? faces : numbered_as_listed(faces, part.file_facets);
+  }
   std::vector<std::uint32_t> numbers = part.facet_source;
   std::uint32_t count = 0;
   for (const std::uint32_t number : numbers) {

@@ -33,7 +33,7 @@ struct Faces {
                                  const Adjacency& adjacency);
 
 /// The faces of CAD, numbered as in the file, some of which may be empty, with what a repair added as the
-/// last one; else smooth_faces().
+/// last one; else smooth_faces(), numbered by which of their facets the file lists first.
 [[nodiscard]] Faces part_faces(const Part& part, const FacetGeometry& geometry, const Adjacency& adjacency);
 
 }  // namespace moldlight

@@ -1,4 +1,4 @@
-// The triangle mesh: a plain value, in file order.
+// The triangle mesh: a plain value.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ using FacetIndex = std::uint32_t;
 /// Marks "no facet", so a mesh holds at most 2^32 - 2 facets.
 inline constexpr FacetIndex k_no_facet = std::numeric_limits<FacetIndex>::max();
 
-/// Triangles over shared vertices. Facet k is facet k of the file; corners run counter-clockwise seen from
-/// outside. Coordinates are finite and in the part's own unit.
+/// Triangles over shared vertices, in the order of the file as it is read; corners run counter-clockwise seen
+/// from outside. Coordinates are finite and in the part's own unit.
 struct TriangleMesh {
   std::vector<glm::dvec3> vertices;
   std::vector<std::array<VertexIndex, 3>> facets;

@@ -59,7 +59,7 @@ struct Border {
 struct PythonSplit {
   using BoundToPython = void;
   std::shared_ptr<const SplitMesh> mesh;
-  py::array vertices;
+  std::vector<FacetIndex> facets;  // of each piece, as the file lists them
   py::list borders;
 };
 
@@ -98,14 +98,12 @@ py::dict region_dict(const RegionValues& values) {
   return dict;
 }
 
-/// m x 4: shares, or shares of the facets' areas.
+/// m x 4: the area of each region in a facet.
 py::array facet_areas(const PythonClassification& self) {
-  const FacetFractions& fractions = self.result().facet_fractions;
-  py::array_t<double> areas({static_cast<py::ssize_t>(fractions.size()), py::ssize_t{k_region_count}});
-  double* area = areas.mutable_data();
-  for (std::size_t facet = 0; facet < fractions.size(); ++facet)
-    for (const double fraction : fractions[facet]) *area++ = fraction * self.model().geometry.areas[facet];
-  return areas;
+  FacetFractions areas = self.result().facet_fractions;
+  for (std::size_t facet = 0; facet < areas.size(); ++facet)
+    for (double& share : areas[facet]) share *= self.model().geometry.areas[facet];
+  return listed(areas, self.model().part);
 }
 
 py::object face_table(const PythonClassification& self) {
@@ -140,6 +138,10 @@ std::shared_ptr<PythonSplit> split_mesh(const PythonClassification& self, const 
     split->mesh = self.with_split(progress).split;
     borders = region_borders(*split->mesh);
   });
+  const std::vector<FacetIndex> in_file = listed_facets(self.model().part);
+  std::vector<FacetIndex> places(in_file.size());
+  for (FacetIndex place = 0; place < in_file.size(); ++place) places[in_file[place]] = place;
+  for (const SplitPiece& piece : split->mesh->pieces) split->facets.push_back(places[piece.facet]);
   for (const RegionBorder& border : borders) split->borders.append(border_of(*split->mesh, border));
   return split;
 }
@@ -156,7 +158,6 @@ py::array piece_view(const py::object& self, const T& (*first)(const SplitPiece&
 }
 
 const VertexIndex& first_corner(const SplitPiece& piece) { return piece.corners.front(); }
-const FacetIndex& source_facet(const SplitPiece& piece) { return piece.facet; }
 const std::uint8_t& region_code(const SplitPiece& piece) {
   return reinterpret_cast<const std::uint8_t&>(piece.region);
 }
@@ -184,9 +185,9 @@ void add_split(py::module_& module) {
           "n x 3 float64, read only.")
       .def_property_readonly(
           "faces", [](const py::object& self) { return piece_view<VertexIndex>(self, first_corner, 3); },
-          "p x 3 uint32, read only, in the order of the part's facets.")
+          "p x 3 uint32, read only; the pieces of one facet follow each other.")
       .def_property_readonly(
-          "facets", [](const py::object& self) { return piece_view<FacetIndex>(self, source_facet, 1); },
+          "facets", [](const py::object& self) { return view(self.cast<const PythonSplit&>().facets, self); },
           "p uint32, read only: the part's facet that each comes from.")
       .def_property_readonly(
           "regions", [](const py::object& self) { return piece_view<std::uint8_t>(self, region_code, 1); },
@@ -222,10 +223,11 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
           "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
       .def_property_readonly(
           "facet_fractions",
-          [](const py::object& self) { return view(self.cast<const C&>().result().facet_fractions, self); },
+          [](const C& self) { return listed(self.result().facet_fractions, self.model().part); },
           "m x 4 float64, read only: the share of each region (moldlight.REGIONS) in a facet's area; 0 for a "
           "facet without area.")
-      .def_property_readonly("facet_areas", facet_areas, "m x 4 float64: the area of each region in a facet.")
+      .def_property_readonly("facet_areas", facet_areas,
+                             "m x 4 float64, read only: the area of each region in a facet.")
       .def_property_readonly("face_areas", face_table,
                              "(numbers, areas): of each face its number and the area of each region, f and "
                              "f x 4. Faces are those of CAD, else planes and bent walls that facets form.");

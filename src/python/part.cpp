@@ -48,7 +48,9 @@ PythonPart make_part(const py::object& vertices, const py::object& faces, const 
   given.end();
   TriangleMesh mesh = mesh_of(vertices, faces);
   return {watched(progress, [&](const Progress& work_progress) {
-    return prepare_part(part_of(std::move(mesh), options, name, work_progress), work_progress);
+    Part part = part_of(std::move(mesh), options, name, work_progress);
+    put_in_place_order(part, work_progress);
+    return prepare_part(std::move(part), work_progress);
   })};
 }
 
@@ -132,29 +134,23 @@ void add_arrays(PartClass& part) {
           "n x 3 float64, read only. Equal vertices of what was given are one.")
       .def_property_readonly(
           "faces",
-          [](const py::object& self) {
-            return view(self.cast<const PythonPart&>().model->part.mesh.facets, self);
-          },
+          [](const PythonPart& self) { return listed(self.model->part.mesh.facets, self.model->part); },
           "m x 3 uint32, read only: facet k is facet k of the file or of the array given, unless a body was "
-          "chosen or the mesh repaired.")
+          "chosen or the mesh repaired. Which corner is first is not kept.")
       .def_property_readonly(
           "facet_areas",
-          [](const py::object& self) {
-            return view(self.cast<const PythonPart&>().model->geometry.areas, self);
-          },
+          [](const PythonPart& self) { return listed(self.model->geometry.areas, self.model->part); },
           "m float64, read only.")
       .def_property_readonly(
           "facet_normals",
-          [](const py::object& self) {
-            return view(self.cast<const PythonPart&>().model->geometry.normals, self);
-          },
+          [](const PythonPart& self) { return listed(self.model->geometry.normals, self.model->part); },
           "m x 3 float64, read only: of length one, outward.")
       .def_property_readonly(
           "face_of_facet",
-          [](const py::object& self) -> py::object {
-            const Part& read_part = self.cast<const PythonPart&>().model->part;
+          [](const PythonPart& self) -> py::object {
+            const Part& read_part = self.model->part;
             if (read_part.facet_source.empty()) return py::none();
-            return view(read_part.facet_source, self);
+            return listed(read_part.facet_source, read_part);
           },
           "m uint32, read only: the CAD face or polygon of the file that each facet comes from; None where "
           "each facet is its own.");

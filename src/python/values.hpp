@@ -1,6 +1,7 @@
 // Values that Python hands over, as the option tables take them, and JSON as Python's own values.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 
 #include "base/image.hpp"
 #include "classify/json.hpp"
+#include "mesh/part.hpp"
+#include "mesh/place_order.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mold/direction.hpp"
 
@@ -64,21 +67,34 @@ template <typename T>
   return array;
 }
 
-[[nodiscard]] inline pybind11::array view(const std::vector<glm::dvec3>& points,
-                                          const pybind11::handle& owner) {
-  return view(
-      Rows<double>{.data = points.empty() ? nullptr : &points.front().x, .rows = points.size(), .columns = 3},
-      owner);
+[[nodiscard]] inline Rows<double> rows_of(const std::vector<glm::dvec3>& points) {
+  return {.data = points.empty() ? nullptr : &points.front().x, .rows = points.size(), .columns = 3};
 }
 template <typename T>
-[[nodiscard]] pybind11::array view(const std::vector<T>& numbers, const pybind11::handle& owner) {
-  return view(Rows<T>{.data = numbers.data(), .rows = numbers.size()}, owner);
+[[nodiscard]] Rows<T> rows_of(const std::vector<T>& numbers) {
+  return {.data = numbers.data(), .rows = numbers.size()};
 }
 template <typename T, std::size_t N>
-[[nodiscard]] pybind11::array view(const std::vector<std::array<T, N>>& rows, const pybind11::handle& owner) {
-  return view(
-      Rows<T>{.data = rows.empty() ? nullptr : rows.front().data(), .rows = rows.size(), .columns = N},
-      owner);
+[[nodiscard]] Rows<T> rows_of(const std::vector<std::array<T, N>>& rows) {
+  return {.data = rows.empty() ? nullptr : rows.front().data(), .rows = rows.size(), .columns = N};
+}
+
+template <typename T>
+[[nodiscard]] pybind11::array view(const std::vector<T>& values, const pybind11::handle& owner) {
+  return view(rows_of(values), owner);
+}
+
+/// Values of the part's facets, in the order in which its file lists them: an array of its own that cannot be
+/// written to.
+template <typename T>
+[[nodiscard]] pybind11::array listed(const std::vector<T>& values, const Part& part) {
+  const std::vector<FacetIndex> facets = listed_facets(part);
+  auto in_order = std::make_unique<std::vector<T>>();
+  in_order->reserve(values.size());
+  for (const FacetIndex facet : facets) in_order->push_back(values[facet]);
+  const pybind11::capsule owner(in_order.get(),
+                                [](void* kept) { delete static_cast<std::vector<T>*>(kept); });
+  return view(*in_order.release(), owner);
 }
 
 /// An array of its own, which may be written to.

@@ -11,6 +11,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/revision_view.hpp"
+#include "mesh/place_order.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "render/view_settings.hpp"
 
@@ -71,6 +72,12 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
   ImGui::End();
 }
 
+/// As the file numbers it.
+std::string facet_number(const AppState& state, FacetIndex facet) {
+  const std::int64_t number = file_facet(state.model->part, facet);
+  return number < 0 ? "of a repair" : grouped(std::to_string(number));
+}
+
 }  // namespace
 
 std::string draft_text(double draft_deg) {
@@ -83,7 +90,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
   if (const auto& hover = state.hover) {
     lines.emplace_back(facts(hover->point.region).title);
     lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
-                                grouped(std::to_string(hover->point.facet))));
+                                facet_number(state, hover->point.facet)));
     if (state.settings.look.colour_mode == ColourMode::draft_angle) {
       if (const WallDraft* wall = wall_of_face(state, state.faces->of_facet[hover->point.facet]))
         lines.push_back(fmt::format("face: {} or more  ·  {}", draft_text(wall->least_deg),
@@ -91,8 +98,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
     }
     if (const auto& blocker = hover->blocker) {
       lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
-                                  blocker->above ? "above" : "below",
-                                  grouped(std::to_string(blocker->facet))));
+                                  blocker->above ? "above" : "below", facet_number(state, blocker->facet)));
     }
   }
   if (const auto& span = state.span) {
