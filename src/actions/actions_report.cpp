@@ -93,8 +93,6 @@ Json action_json(const SideAction& action) {
                {"axis", axis},
                {"undercuts", numbers_json(action.undercuts)},
                {"side", side_name(action.core_side)},
-               {"has_room", has_room(action)},
-               {"lack", action.lack ? Json(reject_text(*action.lack)) : Json()},
                {"meets", numbers_json(action.meets)},
                {"body", {{"file", Json()}}},
                {"clear", action.body ? hit_json(action.body->hit) : Json()}};
@@ -107,9 +105,7 @@ Json action_json(const SideAction& action) {
 Json saving_json(const SavingChange& change, const ActionsReport& report) {
   Json todo = Json::array();
   for (const std::size_t undercut : change.undercuts) {
-    if (undercut < report.changes.size())
-      todo.push_back(mouth_text(report.model, report.settings, report.plan, undercut) +
-                     change_text(report.model, report.changes[undercut]));
+    if (undercut < report.changes.size()) todo.push_back(change_text(report, undercut));
   }
   return {{"undercuts", numbers_json(change.undercuts)},
           {"actions", numbers_json(change.actions)},
@@ -127,7 +123,8 @@ Json rejected_json(const RejectedAction& rejected) {
           {"place", point_json(rejected.place)},
           {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()},
           {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
-          {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()}};
+          {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()},
+          {"left", rejected.left > 0.0 ? Json(rejected.left) : Json()}};
 }
 
 /// Without the sign of what two decimals show as 0.
@@ -135,29 +132,26 @@ double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value
 
 }  // namespace
 
-std::string change_text(const PartModel& model, const DesignChange& change) {
-  const FigureStyle style(model);
+std::string change_text(const ActionsReport& report, std::size_t undercut) {
+  const PartModel& model = report.model;
   const std::string unit = length_unit(model.part);
-  std::string text;
-  if (change.depth) text = fmt::format("cut back by {} {}", rounded(*change.depth), unit);
+  std::vector<std::string> ways;
+  const auto refused = std::ranges::find(report.plan.rejected, undercut, &RejectedAction::undercut);
+  if (refused != report.plan.rejected.end() && refused->reason == RejectReason::no_room)
+    ways.push_back(fmt::format(
+        "widen the mouth from {} to {} {}, for a lifter", rounded(refused->travel + refused->room),
+        rounded(refused->travel + report.settings.lifter_room_mm * unit_per_mm(model.part)), unit));
+  const DesignChange& change = report.changes[undercut];
+  if (change.depth) ways.push_back(fmt::format("cut back by {} {}", rounded(*change.depth), unit));
   if (const auto& window = change.window) {
+    const FigureStyle style(model);
     const std::string least = rounded(window->least_thickness), greatest = rounded(window->thickness);
-    text += fmt::format("{}open {} towards {} at {}, through {}{} {}", text.empty() ? "" : ", or ",
-                        style.with_unit(FigureKind::area, window->area), side_name(window->core_side),
-                        style.point(window->place), least == greatest ? "" : least + " to ", greatest, unit);
+    ways.push_back(fmt::format("open {} towards {} at {}, through {}{} {}",
+                               style.with_unit(FigureKind::area, window->area), side_name(window->core_side),
+                               style.point(window->place), least == greatest ? "" : least + " to ", greatest,
+                               unit));
   }
-  return text.empty() ? "-" : text;
-}
-
-std::string mouth_text(const PartModel& model, const ActionSettings& settings, const ActionPlan& plan,
-                       std::size_t undercut) {
-  const auto found = std::ranges::find(plan.rejected, undercut, &RejectedAction::undercut);
-  if (found == plan.rejected.end() || found->reason != RejectReason::no_room) return "";
-  const std::string unit = length_unit(model.part);
-  const double needed = settings.lifter_room_mm * unit_per_mm(model.part);
-  return fmt::format("recess {} {} deep with a {} {} mouth: widen the mouth to {} {}, or ",
-                     rounded(found->travel), unit, rounded(found->travel + found->room), unit,
-                     rounded(found->travel + needed), unit);
+  return ways.empty() ? "-" : fmt::format("{}", fmt::join(ways, ", or "));
 }
 
 std::string freedom_text(const SideAction& action, const std::string& unit) {
@@ -192,22 +186,33 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
-std::string rejected_text(const ActionPlan& plan, const std::string& unit) {
+std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
   constexpr std::size_t k_most = 6;
-  const bool lifters = std::ranges::all_of(
-      plan.rejected, [](const RejectedAction& rejected) { return rejected.kind == ActionKind::lifter; });
-  std::string rows;
-  for (std::size_t k = 0; k < std::min(plan.rejected.size(), k_most); ++k) {
-    const RejectedAction& rejected = plan.rejected[k];
-    const bool hits = rejected.depth > 0.0;
-    rows += fmt::format("{}{} ({}{:.3g} {}: {}, {:.2f} {}{})", k == 0 ? "" : ", ", rejected.undercut + 1,
-                        lifters ? "" : fmt::format("{}, ", facts(rejected.kind).singular), rejected.travel,
-                        unit, reject_text(rejected.reason), hits ? rejected.depth : rejected.room, unit,
-                        hits ? fmt::format(" deep {}", stage_text(rejected.when)) : "");
-  }
-  if (rows.empty()) return "";
-  return fmt::format("{} that cannot be built, for undercuts: {}{}.", lifters ? "Lifters" : "Actions", rows,
-                     plan.rejected.size() > k_most ? fmt::format(" … {} in all", plan.rejected.size()) : "");
+  const FigureStyle style(model);
+  const std::string unit = length_unit(model.part);
+  const auto why = [&](const RejectedAction& rejected) {
+    switch (rejected.reason) {
+      case RejectReason::no_room:
+        return fmt::format("travels {0} {2} and has {1} {2} of room beyond that", rounded(rejected.travel),
+                           rounded(rejected.room), unit);
+      case RejectReason::no_way_out:
+        return fmt::format("travels {} {} and then cannot leave along its half", rounded(rejected.travel),
+                           unit);
+      case RejectReason::leaves_rest:
+        return fmt::format("leaves {} of it", style.with_unit(FigureKind::area, rejected.left));
+      default:
+        return fmt::format("its body stands {} {} deep in {} {}", rounded(rejected.depth), unit,
+                           rejected.reason == RejectReason::hits_part ? "the part" : "another one",
+                           stage_text(rejected.when));
+    }
+  };
+  std::string refused;
+  for (const RejectedAction& rejected :
+       std::span(plan.rejected).first(std::min(plan.rejected.size(), k_most)))
+    refused += fmt::format("{}{} for undercut {} ({})", refused.empty() ? "Refused: " : "; ",
+                           facts(rejected.kind).singular, rejected.undercut + 1, why(rejected));
+  if (plan.rejected.size() > k_most) refused += fmt::format("; {} more", plan.rejected.size() - k_most);
+  return refused.empty() ? refused : refused + ".";
 }
 
 std::string clear_text(const SideAction& action, const ActionPlan& plan, const std::string& unit) {

@@ -26,17 +26,15 @@ struct ActionsReport {
 
 /// How far a pull may turn, "-1.20 to 3.00°"; a thread's pitch, a ring's strain.
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
-/// "cut back by 2.4 mm, or open 47.9 mm² towards core at 1, 2, 3, through 1.5 to 2 mm"; "-" for neither.
-[[nodiscard]] std::string change_text(const PartModel& model, const DesignChange& change);
-/// What goes before that for an undercut whose lifter lacks room: "recess 3 mm deep with a 1 mm mouth: widen
-/// the mouth to 6 mm, or "; else empty.
-[[nodiscard]] std::string mouth_text(const PartModel& model, const ActionSettings& settings,
-                                     const ActionPlan& plan, std::size_t undercut);
+/// What frees an undercut without an action, or gives its lifter room: "widen the mouth from 1 to 6 mm, for a
+/// lifter, or cut back by 2.4 mm, or open 47.9 mm² towards core at 1, 2, 3, through 1.5 to 2 mm"; "-" for
+/// nothing. The changes were looked for.
+[[nodiscard]] std::string change_text(const ActionsReport& report, std::size_t undercut);
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
 /// Actions that cannot be built, likewise.
-[[nodiscard]] std::string rejected_text(const ActionPlan& plan, const std::string& unit);
+[[nodiscard]] std::string rejected_text(const PartModel& model, const ActionPlan& plan);
 
 /// Of an action's body in the mold's sequence: "clear", "0.57 mm deep in the part at rest"; "-" without one.
 [[nodiscard]] std::string clear_text(const SideAction& action, const ActionPlan& plan,

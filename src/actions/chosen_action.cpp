@@ -84,7 +84,6 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Undercu
         clear_length(release, deepest(context, undercut_parts, option, samples, pull.direction), way);
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
-    if (pull.lack) action.lack = pull.lack->reason;
     action.room_needed = context.pulls.lifter_room() * diagonal;
     if (context.detail == PlanDetail::whole)
       pull.interval =

@@ -14,7 +14,7 @@ struct ChosenContext {
   const Undercuts& undercuts;
   const PullFinder& pulls;
   const ActionSettings& settings;
-  double unit_per_mm = 1.0;
+  double unit_per_mm = 1.0, lateral = 0.0;  // the lateral tolerance in the part's unit
   PlanDetail detail = PlanDetail::whole;
 };
 

@@ -45,6 +45,7 @@ class Finder {
         undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
         pulls_(model, query_, undercuts_.axes, settings, progress),
         unit_per_mm_(unit_per_mm(model.part)),
+        lateral_(result.lateral_tolerance),
         detail_(detail),
         bodies_(model, result, progress) {}
 
@@ -58,7 +59,8 @@ class Finder {
     split_the_rest();
     find_inserts();
     std::vector<ActionOption> options = find_options();
-    const ChosenContext context{model_, split_, undercuts_, pulls_, settings_, unit_per_mm_, detail_};
+    const ChosenContext context{model_,    split_,       undercuts_, pulls_,
+                                settings_, unit_per_mm_, lateral_,   detail_};
     ActionPlan plan =
         least_set(context, undercut_parts_, std::move(options),
                   {.alternatives = [&](std::size_t undercut_part) { return alternatives(undercut_part); },
@@ -201,7 +203,7 @@ class Finder {
     return std::ranges::find(plan.unreleased, undercut) == plan.unreleased.end() &&
            std::ranges::all_of(plan.actions, [&](const SideAction& action) {
              return std::ranges::find(action.undercuts, undercut) == action.undercuts.end() ||
-                    (action.kind != ActionKind::insert && has_room(action));
+                    action.kind != ActionKind::insert;
            });
   }
 
@@ -261,26 +263,7 @@ class Finder {
       if (revolved[k] == 0 && undercut_part.pulls.empty() && undercut_part.wanted())
         parts[k] = pulls_.split(undercut_part.samples, candidates(undercut_part), undercut_part.only());
     });
-    std::vector<std::size_t> changed;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      add_crowded(k);
-      if (!parts[k].empty()) changed.push_back(k);
-    }
-    for (std::size_t k = take_parts(parts); k < undercut_parts_.size(); ++k) changed.push_back(k);
-    for (const std::size_t k : changed) add_crowded(k);
-  }
-
-  /// A lifter without its room is kept for what nothing better releases.
-  void add_crowded(std::size_t k) {
-    const UndercutPart& undercut_part = undercut_parts_[k];
-    if (!undercut_part.pulls.empty()) return;
-    const Pull* best = nullptr;
-    for (const Pull& pull : undercut_part.rejected) {
-      if (!pull.is_makeshift()) continue;
-      const auto cost = [&](const Pull& each) { return pull_cost(each, settings_.prices); };
-      if (best == nullptr || cost(pull) < cost(*best)) best = &pull;
-    }
-    if (best != nullptr) crowded_.push_back({*best, {k}});
+    take_parts(parts);
   }
 
   /// For what no action of the mold releases.
@@ -304,10 +287,8 @@ class Finder {
     take_parts(parts);
   }
 
-  /// Atoms that were split become their parts, those after the first at the end, which begins where is
-  /// returned; the others, which have none, stay.
-  std::size_t take_parts(std::vector<std::vector<FreedPart>>& parts) {
-    const std::size_t end = undercut_parts_.size();
+  /// Undercut parts that were split become their parts, those after the first at the end; the others stay.
+  void take_parts(std::vector<std::vector<FreedPart>>& parts) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool whole = undercut_parts_[k].whole && parts[k].size() == 1;
       for (std::size_t part = 0; part < parts[k].size(); ++part) {
@@ -323,15 +304,10 @@ class Finder {
         if (part == 0) {
           undercut_parts_[k] = std::move(undercut_part);
         } else {
-          for (ActionOption& option : crowded_) {
-            if (std::ranges::find(option.undercut_parts, k) != option.undercut_parts.end())
-              option.undercut_parts.push_back(undercut_parts_.size());
-          }
           undercut_parts_.push_back(std::move(undercut_part));
         }
       }
     }
-    return end;
   }
 
   [[nodiscard]] SharingReach sharing_reach() const {
@@ -342,7 +318,6 @@ class Finder {
   std::vector<ActionOption> find_options() const {
     std::vector<ActionOption> options = pull_options(undercut_parts_, pulls_, sharing_reach());
     options.insert(options.begin(), revolved_.begin(), revolved_.end());
-    options.insert(options.end(), crowded_.begin(), crowded_.end());
     return options;
   }
 
@@ -423,12 +398,11 @@ class Finder {
   ExactQuery query_;
   Undercuts undercuts_;
   PullFinder pulls_;
-  double unit_per_mm_;
+  double unit_per_mm_, lateral_;
   PlanDetail detail_;
   std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
   std::vector<ActionOption> revolved_;  // threads and rings
-  std::vector<ActionOption> crowded_;   // lifters without the room that they need
   std::optional<Faces> faces_;
   BodyPlayer bodies_;
 };

@@ -47,6 +47,7 @@ class LeastSet {
     bool fine = false;
     for (int round = 0;; ++round) {
       Draft draft = cheapest();
+      while (give_up_crowded(draft) || give_up_partial(draft)) draft = cheapest();
       if (context_.detail != PlanDetail::whole) return std::move(draft.plan);
       const bool others = round < k_most_others;
       ask_.measure(draft.plan, fine);
@@ -74,6 +75,63 @@ class LeastSet {
   }
 
  private:
+  /// The option of an action releases nothing any more.
+  void give_up(const Draft& draft, std::size_t k, const RejectedAction& why) {
+    options_[draft.options[k]].undercut_parts.clear();
+    priced_[draft.options[k]].undercut_parts.clear();
+    const SideAction& action = draft.plan.actions[k];
+    for (const std::size_t undercut : action.undercuts) {
+      RejectedAction& rejected = rejected_.emplace_back(why);
+      rejected.undercut = undercut;
+      rejected.kind = action.kind;
+      rejected.direction = action.direction;
+      rejected.travel = action.travel;
+      rejected.core_side = action.core_side;
+    }
+  }
+
+  /// Lifters that travel farther than few samples said, and have no room there. Whether there were any.
+  bool give_up_crowded(const Draft& draft) {
+    bool any = false;
+    for (std::size_t k = 0; k < draft.plan.actions.size(); ++k) {
+      const SideAction& action = draft.plan.actions[k];
+      if (has_room(action)) continue;
+      any = true;
+      const Undercut& undercut = context_.undercuts.counted[action.undercuts.front()];
+      give_up(draft, k, {.place = undercut.centre, .room = std::max(0.0, action.clear_to - action.travel)});
+    }
+    return any;
+  }
+
+  /// Lifters and loose inserts for undercuts that keep the part in its mold all the same; but where the user
+  /// asks for them. Whether there were any.
+  bool give_up_partial(const Draft& draft) {
+    const ActionPlan& plan = draft.plan;
+    std::vector<double> left(context_.undercuts.counted.size(), 0.0);
+    for (std::size_t k = 0; k < plan.unreleased.size(); ++k)
+      left[plan.unreleased[k]] = plan.unreleased_areas[k];
+    const auto stays = [&](std::size_t undercut) {
+      return is_stuck(left[undercut], context_.undercuts.counted[undercut].area, context_.lateral);
+    };
+    const auto is_asked_for = [&](std::size_t part) { return undercut_parts_[part].pin != nullptr; };
+    bool any = false;
+    for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+      const SideAction& action = plan.actions[k];
+      if ((action.kind != ActionKind::lifter && action.kind != ActionKind::insert) ||
+          !std::ranges::all_of(action.undercuts, stays) ||
+          std::ranges::any_of(draft.undercut_parts[k], is_asked_for))
+        continue;
+      any = true;
+      const std::size_t undercut = action.undercuts.front();
+      give_up(draft, k,
+              {.reason = RejectReason::leaves_rest,
+               .place = context_.undercuts.counted[undercut].centre,
+               .room = std::numeric_limits<double>::infinity(),
+               .left = left[undercut]});
+    }
+    return any;
+  }
+
   /// Gives up the options of a draft whose bodies hit; of two that hit each other the one that releases less,
   /// but for the first time where they may be `spared`, as they are not chosen together again if that can be
   /// helped. What they would have released.
@@ -98,21 +156,13 @@ class LeastSet {
         loser = both.second;
       }
       if (!gone.insert(loser).second) continue;
-      const SideAction& its = actions[loser];
       lost.insert(lost.end(), draft.undercut_parts[loser].begin(), draft.undercut_parts[loser].end());
-      options_[draft.options[loser]].undercut_parts.clear();
-      priced_[draft.options[loser]].undercut_parts.clear();
-      for (const std::size_t undercut : its.undercuts)
-        rejected_.push_back({.undercut = undercut,
-                             .kind = its.kind,
-                             .direction = its.direction,
-                             .travel = its.travel,
-                             .core_side = its.core_side,
-                             .reason = hit.action ? RejectReason::hits_body : RejectReason::hits_part,
-                             .place = hit.place,
-                             .room = std::numeric_limits<double>::infinity(),
-                             .depth = hit.depth,
-                             .when = hit.stage});
+      give_up(draft, loser,
+              {.reason = hit.action ? RejectReason::hits_body : RejectReason::hits_part,
+               .place = hit.place,
+               .room = std::numeric_limits<double>::infinity(),
+               .depth = hit.depth,
+               .when = hit.stage});
     }
     return lost;
   }

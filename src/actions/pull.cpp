@@ -17,21 +17,19 @@ constexpr std::size_t k_quick_samples = 24;   // which show soon that a lifter i
 constexpr double k_coarse_step = 1.0 / 64.0;  // of estimated travels, share of the diagonal
 constexpr double k_compared_turn_deg = 0.01;  // of turns that are compared; what is chosen is found anew
 constexpr double k_same_elevation_deg = 0.01;
-constexpr std::size_t k_lifters = 3;       // of an undercut, that can be built and that cannot
-constexpr std::size_t k_most_tries = 24;   // at each
-constexpr int k_most_parts = 3;            // of an undercut that nothing releases whole
-constexpr double k_least_part = 0.05;      // of its area: less is not worth an action
-constexpr double k_least_split = 0.15;     // likewise, of one beside others
-constexpr double k_narrow_cost = 5e-4;     // of a pull that may not turn at all, beside the weights
-constexpr double k_travel_cost = 1e-3;     // of the diagonal, beside the weights
-constexpr double k_way_cost = 0.01;        // likewise: steel of core and cavity that a slide passes through
-constexpr double k_strain_cost = 10.0;     // of a ring that is stretched to twice its size
-constexpr double k_crowded_cost = 6.0;     // of a lifter without any room: more than a loose insert
-constexpr double k_even_cost = 1e-3;       // of a direction that nothing of the part suggests
-constexpr double k_cost_step = 1e-6;       // less is rounding
-constexpr double k_wish_gain = 0.05;       // of a direction of the user's own, off the weights
-constexpr double k_least_makeshift = 0.5;  // of an undercut: less is not worth a lifter without its room
-constexpr double k_worth_lifting = 1.1;    // what a lifter must free of it, of what a slide does
+constexpr std::size_t k_lifters = 3;      // of an undercut, that can be built and that cannot
+constexpr std::size_t k_most_tries = 24;  // at each
+constexpr int k_most_parts = 3;           // of an undercut that nothing releases whole
+constexpr double k_least_part = 0.05;     // of its area: less is not worth an action
+constexpr double k_least_split = 0.15;    // likewise, of one beside others
+constexpr double k_narrow_cost = 5e-4;    // of a pull that may not turn at all, beside the weights
+constexpr double k_travel_cost = 1e-3;    // of the diagonal, beside the weights
+constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity that a slide passes through
+constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
+constexpr double k_even_cost = 1e-3;      // of a direction that nothing of the part suggests
+constexpr double k_cost_step = 1e-6;      // less is rounding
+constexpr double k_wish_gain = 0.05;      // of a direction of the user's own, off the weights
+constexpr double k_worth_lifting = 1.1;   // what a lifter must free of it, of what a slide does
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
@@ -50,11 +48,9 @@ double pull_cost(const Pull& pull, const ActionPrices& prices) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
   const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
   const double strain = pull.kind == ActionKind::strip ? pull.about->strain : 0.0;
-  const double crowded = pull.lack ? k_crowded_cost * pull.lack->missing : 0.0;
   const double meant = pull.source == PullSource::even ? k_even_cost : 0.0;
-  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + crowded +
-                      k_strain_cost * strain + k_way_cost * pull.way + k_travel_cost * pull.travel +
-                      k_narrow_cost / (1.0 + width_deg);
+  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + k_strain_cost * strain +
+                      k_way_cost * pull.way + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
   return k_cost_step * std::round(cost / k_cost_step);
 }
 
@@ -234,22 +230,21 @@ void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {
   const LifterWay way{lifter.direction, lifter.core_side ? direction_ : -direction_, lifter.travel};
   lifter.lack.reset();
   if (release_.clears(lengths, way, lifter_room_)) return;
-  lifter.lack = Pull::Lack{.room = k_never};
+  // What may move on for ever and yet is not clear has no way out.
+  lifter.lack =
+      Pull::Lack{.reason = RejectReason::no_way_out, .at = lengths.samples().front(), .room = k_never};
   for (const UndercutSample& sample : lengths.samples()) {
     const double room = lengths.of(sample) - lifter.travel;
     if (room < 0.0 || release_.clears(sample, way, lifter_room_, lengths) || room >= lifter.lack->room)
       continue;
-    const bool short_of = room < lifter_room_;
-    lifter.lack = Pull::Lack{.reason = short_of ? RejectReason::no_room : RejectReason::no_way_out,
+    lifter.lack = Pull::Lack{.reason = room < lifter_room_ ? RejectReason::no_room : RejectReason::no_way_out,
                              .at = sample,
-                             .room = room,
-                             .missing = short_of ? 1.0 - room / lifter_room_ : 1.0};
+                             .room = room};
   }
 }
 
 std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> samples,
-                                              std::span<const PullCandidate> tried, double least,
-                                              double room) const {
+                                              std::span<const PullCandidate> tried, double least) const {
   constexpr double k_first = 1.0 / 512.0, k_growth = 1.2;
   constexpr std::size_t k_every = 3;  // of the fan
   std::optional<Pull> best;
@@ -268,10 +263,10 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
     for (const bool core_side : {true, false}) {
       LifterWay way{candidate.direction, core_side ? direction_ : -direction_, k_first};
       for (double& length = way.length; length < longest_lifter_; length *= k_growth) {
-        const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + room; };
+        const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + lifter_room_; };
         if (area_that(reaches) <= most * (1.0 + 1e-9)) break;
-        const double cleared =
-            area_that([&](const UndercutSample& s) { return release_.clears(s, way, room, lengths); });
+        const double cleared = area_that(
+            [&](const UndercutSample& s) { return release_.clears(s, way, lifter_room_, lengths); });
         if (cleared <= most * (1.0 + 1e-9)) continue;
         most = cleared;
         best = Pull{.kind = ActionKind::lifter,
@@ -317,39 +312,14 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
     std::vector<FreedPart> slides = opposite_slides(samples, tried);
     if (!slides.empty()) return slides;
   }
-  std::vector<FreedPart> parts = split_by(samples, tried, only, lifter_room_);
-  if (only && only != ActionKind::lifter) return parts;
-  // Lifters without their room are worth it only for more than what those that have it free.
-  double freed = 0.0;
-  for (const FreedPart& part : parts) {
-    const bool buildable = std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack; });
-    freed += buildable ? area_of(part.samples) : 0.0;
-  }
-  const double whole = area_of(samples);
-  if (freed * k_worth_lifting >= whole) return parts;
-  std::vector<FreedPart> crowded = split_by(samples, tried, only, Pull::k_least_room * lifter_room_);
-  double cleared = 0.0;
-  for (const FreedPart& part : crowded) {
-    const bool frees =
-        std::ranges::any_of(part.pulls, [](const Pull& pull) { return !pull.lack || pull.is_makeshift(); });
-    cleared += frees ? area_of(part.samples) : 0.0;
-  }
-  return cleared > std::max(k_worth_lifting * freed, k_least_makeshift * whole) ? crowded : parts;
-}
-
-std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samples,
-                                            std::span<const PullCandidate> tried,
-                                            std::optional<ActionKind> only, double room) const {
   const bool lifters = !only || only == ActionKind::lifter;
   std::vector<FreedPart> parts;
   std::vector<UndercutSample> rest(samples.begin(), samples.end());
   const double whole = area_of(samples);
-  // Nobody builds several lifters without their room for one undercut.
-  const int rounds = room < lifter_room_ ? 1 : k_most_parts;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < k_most_parts; ++round) {
     double most = 0.0;
     std::optional<Pull> found = most_freeing(rest, tried, only, most);
-    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most, room) : std::nullopt)
+    if (const auto lifter = lifters ? most_clearing(rest, tried, k_worth_lifting * most) : std::nullopt)
       found = lifter;
     if (!found) break;
     Pull& best = *found;
@@ -357,7 +327,7 @@ std::vector<FreedPart> PullFinder::split_by(std::span<const UndercutSample> samp
     const LifterWay way{best.direction, best.core_side ? direction_ : -direction_, best.travel};
     FreedPart part;
     std::erase_if(rest, [&](const UndercutSample& sample) {
-      const bool freed = lifts ? release_.clears(sample, way, room)
+      const bool freed = lifts ? release_.clears(sample, way, lifter_room_)
                                : release_.free_length(sample, best.direction) == k_never;
       if (freed) part.samples.push_back(sample);
       return freed;

@@ -24,23 +24,17 @@ struct Pull {
   std::optional<Revolution> about = {};
   bool for_sharing = false;  // not the best for this undercut alone
   bool kept = false;         // not to be moved to the middle of what is free
-  /// Of a lifter that cannot be built as it should.
+  /// Of a lifter that cannot be built.
   struct Lack {
     RejectReason reason = RejectReason::no_room;
     UndercutSample at = {};  // that lacks most
     double room = 0.0;       // beyond the travel, share of the diagonal
-    double missing = 1.0;    // of what it needs, (0, 1]; all of it where it has no way out
   };
   std::optional<Lack> lack = {};
-
-  /// Whether it may be taken for want of a better one: it has some room, and a way out.
-  [[nodiscard]] bool is_makeshift() const { return lack && lack->missing <= 1.0 - k_least_room; }
-  static constexpr double k_least_room = 0.1;  // of what a lifter needs: a blade of 0.3 mm by default
 };
 
-/// The price of its kind, of a ring with its strain, of a lifter with the room that it lacks; of equal ones
-/// that with the shorter way out is cheaper, then the shorter travel, then the one that leaves more room to
-/// turn. Differences of rounding are none.
+/// The price of its kind, of a ring with its strain; of equal ones that with the shorter way out is cheaper,
+/// then the shorter travel, then the one that leaves more room to turn. Differences of rounding are none.
 [[nodiscard]] double pull_cost(const Pull& pull, const ActionPrices& prices);
 
 /// What a pull frees of an undercut that none frees whole; the last part is what no pull frees, if there is
@@ -87,7 +81,7 @@ class PullFinder {
   [[nodiscard]] std::vector<Pull> turned(std::span<const UndercutSample> samples,
                                          std::span<const Pull> pulls) const;
   /// Two opposite slides; or one pull after another, each of which frees most of the rest; all of them of a
-  /// kind where one is given. Lifters without their room come in where they free more by a tenth.
+  /// kind where one is given.
   [[nodiscard]] std::vector<FreedPart> split(std::span<const UndercutSample> samples,
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only = {}) const;
@@ -118,14 +112,10 @@ class PullFinder {
   [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
                                                           std::span<const PullCandidate> others) const;
   void set_lack(FreeLengths& lengths, Pull& lifter) const;
-  /// The lifter that clears most of the samples with so much room, more than `least` of their area; none
-  /// where there is none. Its travel is one at which it does.
+  /// The lifter that clears most of the samples with its room, more than `least` of their area; none where
+  /// there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
-                                                  std::span<const PullCandidate> tried, double least,
-                                                  double room) const;
-  [[nodiscard]] std::vector<FreedPart> split_by(std::span<const UndercutSample> samples,
-                                                std::span<const PullCandidate> tried,
-                                                std::optional<ActionKind> only, double room) const;
+                                                  std::span<const PullCandidate> tried, double least) const;
   /// Two slides on one line, if they free all of it: of the first such line among those that are tried.
   [[nodiscard]] std::vector<FreedPart> opposite_slides(std::span<const UndercutSample> samples,
                                                        std::span<const PullCandidate> tried) const;

@@ -8,15 +8,15 @@
 namespace moldlight {
 
 bool has_room(const SideAction& action) {
-  constexpr double k_rounding = 1e-6;  // of single precision, share of the length
+  constexpr double k_enough = 0.99;  // of the room: a travel is found more finely than a room is meant
   return action.kind != ActionKind::lifter ||
-         (!action.lack && action.clear_to >= (action.travel + action.room_needed) * (1.0 - k_rounding));
+         action.clear_to >= action.travel + k_enough * action.room_needed;
 }
 
 std::string_view reject_text(RejectReason reason) {
-  constexpr std::array<std::string_view, 4> k_texts = {"no room for its thickness beyond its travel",
-                                                       "no way out along its half after its travel",
-                                                       "its body hits the part", "its body hits another one"};
+  constexpr std::array<std::string_view, 5> k_texts = {
+      "no room for its thickness beyond its travel", "no way out along its half after its travel",
+      "its body hits the part", "its body hits another one", "the rest of its undercut is not released"};
   return k_texts[static_cast<std::size_t>(reason)];
 }
 
@@ -58,10 +58,7 @@ bool is_stuck(double left, double area, double lateral) {
 
 ActionTotals totals_of(const ActionPlan& plan, double lateral) {
   ActionTotals totals{.unreleased_area = plan.unreleased_area};
-  for (const SideAction& action : plan.actions) {
-    ++totals.counts[static_cast<std::size_t>(action.kind)];
-    totals.crowded += has_room(action) ? 0 : 1;
-  }
+  for (const SideAction& action : plan.actions) ++totals.counts[static_cast<std::size_t>(action.kind)];
   for (std::size_t k = 0; k < plan.unreleased.size(); ++k) {
     const double left = plan.unreleased_areas[k];
     if (!is_stuck(left, plan.undercuts[plan.unreleased[k]].undercut.area, lateral)) continue;

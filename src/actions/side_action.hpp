@@ -30,8 +30,8 @@ struct Revolution {
 
 /// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel. Its body hits the part, or another action's.
-enum class RejectReason : std::uint8_t { no_room, no_way_out, hits_part, hits_body };
+/// travel. Its body hits the part, or another action's. The rest of its undercut keeps the part in the mold.
+enum class RejectReason : std::uint8_t { no_room, no_way_out, hits_part, hits_body, leaves_rest };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
 
@@ -72,12 +72,11 @@ struct SideAction {
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
-  std::optional<RejectReason> lack = {};        // of a lifter that was taken for want of a better one
   std::string feature = {};                     // what it forms: "8 vents"
   std::optional<BodyFigures> body = {};         // of what has one, but in rough plans
 };
 
-/// Whether a lifter can move by its travel, and has the room that it needs beyond that; true of others.
+/// Whether a lifter has the room that it needs beyond its travel; true of others. All of a plan have it.
 [[nodiscard]] bool has_room(const SideAction& action);
 
 /// Lengths are in the part's unit.
@@ -92,6 +91,7 @@ struct RejectedAction {
   double room = 0.0;      // of a lifter: beyond the travel from there; what is needed is the lifter's
   double depth = 0.0;     // of a body that hits
   HitStage when = HitStage::rest;  // likewise
+  double left = 0.0;               // area of its undercut that nothing would release beside it
 };
 
 /// An undercut and what was found out about it.
@@ -113,8 +113,8 @@ struct ActionPlan {
   std::vector<UndercutReport> undercuts;  // the largest first
   std::vector<Speck> specks;              // what counts as no undercut, the largest first
   std::vector<SideAction> actions;        // the largest area first
-  /// Of each undercut that nothing else releases well the shortest lifter that fails, also where it was taken
-  /// for want of others, and what of each kind was not taken since its body hits.
+  /// Of each undercut that nothing else releases well the shortest lifter that fails, and what of each kind
+  /// was not taken since its body hits.
   std::vector<RejectedAction> rejected;
   std::vector<std::size_t> unreleased;        // undercuts that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
@@ -138,7 +138,6 @@ struct ActionTotals {
   double unreleased_area = 0.0;
   std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
   double stuck_area = 0.0;  // what is left of these
-  std::size_t crowded = 0;  // lifters without the room that they need
 };
 /// `lateral` is the lateral tolerance in the part's unit.
 [[nodiscard]] ActionTotals totals_of(const ActionPlan& plan, double lateral);

@@ -101,7 +101,7 @@ class Job {
   /// Of the work that runs or waits.
   [[nodiscard]] JobStatus status() const {
     const std::lock_guard lock(mutex_);
-    return current() != nullptr ? current()->told() : JobStatus();
+    return current() != nullptr ? current()->last_status() : JobStatus();
   }
   /// The newest outcome, once.
   [[nodiscard]] std::optional<Outcome> take() {
@@ -122,7 +122,7 @@ class Job {
             }
             wake();
           }) {}
-    [[nodiscard]] JobStatus told() const {
+    [[nodiscard]] JobStatus last_status() const {
       const std::lock_guard lock(mutex);
       return status;
     }

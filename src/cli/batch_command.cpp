@@ -222,7 +222,7 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
 
 // --- status and merge
 
-void tell_refused(Console& console, const std::vector<std::string>& refused) {
+void print_refused(Console& console, const std::vector<std::string>& refused) {
   constexpr std::size_t k_most = 5;
   for (std::size_t k = 0; k < std::min(refused.size(), k_most); ++k)
     console.warning(refused[k] + "; it is set aside, and the next run makes a new result");
@@ -244,7 +244,7 @@ int run_status(const StatusFlags& flags, Console& console, const Progress& progr
         console, flags.json, [&] { return status_json(manifest, status); },
         [&] { return status_text(manifest, status); });
   }
-  tell_refused(console, status.refused);
+  print_refused(console, status.refused);
   if (manifest.version != MOLDLIGHT_VERSION) {
     console.warning(fmt::format("it was planned by moldlight {}, and this is {}", one_line(manifest.version),
                                 MOLDLIGHT_VERSION));
@@ -273,7 +273,7 @@ int run_merge(const MergeFlags& flags, Console& console, const Progress& progres
   console.result(fmt::format("{} merged: {} done, {} failed, {} missing\n", plural(manifest.rows, "part"),
                              counts.done, counts.failed, counts.missing) +
                  (baseline ? baseline->table() : ""));
-  tell_refused(console, counts.refused);
+  print_refused(console, counts.refused);
   if (counts.missing > 0)
     console.warning(fmt::format("{} no result yet", counts.missing == 1
                                                         ? "1 part has"

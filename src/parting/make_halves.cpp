@@ -193,11 +193,11 @@ class Trial {
                            : diagonal * std::max({box.min.x - surface.low.x, box.min.y - surface.low.y,
                                                   surface.high.x - box.max.x, surface.high.y - box.max.y});
     halves_.land = wish.shape.land * diagonal;
-    tell_surface(surface.forced);
+    report_surface(surface.forced);
     return std::nullopt;
   }
 
-  void tell_surface(const ForcedSlope& forced) {
+  void report_surface(const ForcedSlope& forced) {
     const double square = frame_.diagonal * frame_.diagonal;
     halves_.surface = surface_figures(
         sheets_,
@@ -221,12 +221,12 @@ class Trial {
       contact.area *= square;
       halves_.contact_area += contact.area;
     }
-    const double lean = tell_missed();
+    const double lean = report_missed();
     halves_.missed_leaning = noted(lean, hand_.leaning_at);
   }
 
   /// What of the faces given by hand the halves form otherwise; returns the area of those that lean.
-  double tell_missed() {
+  double report_missed() {
     const MissedWalls missed = missed_walls(sheets_, hand_.walls, k_wall_reach * attempt_.tolerance);
     halves_.missed_upright = noted(missed.area, missed.at);
     double leaning = hand_.leaning_area;

@@ -170,11 +170,7 @@ class Judge {
                                         ? "both undercuts"
                                         : fmt::format("all {} undercuts", verdict_.undercuts);
       const std::string what = fmt::format("{} ({})", undercuts, area(verdict_.undercut_area));
-      if (actions.crowded > 0) {
-        set(VerdictState::not_releasable,
-            fmt::format("Not releasable: {}; {} would release {}.", room_text(actions.crowded),
-                        listed(actions.counts), what));
-      } else if (number > k_most_actions) {
+      if (number > k_most_actions) {
         set(VerdictState::side_actions,
             fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts), what));
       } else {
@@ -182,7 +178,6 @@ class Judge {
             fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
       }
     }
-    if (actions.stuck > 0 && actions.crowded > 0) add(room_text(actions.crowded) + ".");
     if (facts_.plan != nullptr) add_plan(*facts_.plan);
   }
 
@@ -191,11 +186,6 @@ class Judge {
         std::ranges::count_if(plan.actions, [](const SideAction& action) { return !action.meets.empty(); });
     if (meeting > 0)
       add(fmt::format("The ways of {} cross.", plural(static_cast<std::size_t>(meeting), "action")));
-  }
-
-  [[nodiscard]] static std::string room_text(std::size_t lifters) {
-    return lifters == 1 ? "1 lifter has less room than it needs"
-                        : fmt::format("{} lifters have less room than they need", lifters);
   }
 
   void add_specks() {

@@ -37,7 +37,6 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
     if (!action.undercuts.empty())
       counts *= released[std::ranges::max(action.undercuts, {}, [&](std::size_t k) { return released[k]; })];
     found.in_vain += (1.0 - counts) * facts(action.kind).weight;
-    if (!has_room(action)) found.without_room += action.area;
   }
   // By kinds, so that the same set has the same weight in whatever order it is found.
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind)

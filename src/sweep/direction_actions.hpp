@@ -23,12 +23,11 @@ namespace moldlight {
 struct DirectionActions {
   UndercutTotals undercuts = {};
   ActionTotals totals = {};
-  double weight = 0.0;        // of their kinds, summed up
-  double in_vain = 0.0;       // of the weight what does not count
-  double travel = 0.0;        // of the one that travels farthest, part's unit; 0 without any
-  double formed_area = 0.0;   // of undercuts that the actions release
-  double without_room = 0.0;  // of that, by lifters that lack the room to move
-  bool given_up = false;      // only the weight is known, which is no less than this
+  double weight = 0.0;       // of their kinds, summed up
+  double in_vain = 0.0;      // of the weight what does not count
+  double travel = 0.0;       // of the one that travels farthest, part's unit; 0 without any
+  double formed_area = 0.0;  // of undercuts that the actions release
+  bool given_up = false;     // only the weight is known, which is no less than this
 
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }

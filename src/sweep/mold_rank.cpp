@@ -59,7 +59,7 @@ std::string per_cent(double share) {
 }
 
 constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
-constexpr double k_least_climb = 5e-3;  // of the diagonal, that a line is worse by to be told of
+constexpr double k_least_climb = 5e-3;  // of the diagonal, by which a line is worse, to be named
 constexpr double k_least_gain = 0.02;   // of surface or diagonal: a reason to turn
 
 /// A figure in which two directions may differ, as shown for the one.
@@ -83,16 +83,12 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
 
 std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
   const double by_formed = one.formed - other.formed;
-  const double by_room = one.without_room - other.without_room;
   return {difference(found, one, other),
           difference(unreleased, one, other, k_least_left),
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},
           {k_effort_of_formed * by_formed / mold_band(effort),
            fmt::format("its side actions form {} % of the surface {}", per_cent(std::abs(by_formed)),
                        by_formed > 0.0 ? "more" : "less")},
-          {by_room / mold_band(unreleased),
-           fmt::format("lifters without room to move form {} % of the surface {}",
-                       per_cent(std::abs(by_room)), by_room > 0.0 ? "more" : "less")},
           difference(line, one, other, k_least_climb),
           difference(draft, one, other),
           difference(undercut, one, other),
@@ -103,10 +99,7 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 
 double mold_effort(const MoldCost& cost) {
   constexpr double k_weight_of_rest = 4;  // more than any one side action
-  // Lifters without room release nothing unless the part changes: what they form is a rest, the sooner the
-  // more of it there is.
-  const double rest = k_weight_of_rest * std::max(cost.of(unreleased) > k_least_left ? 1.0 : 0.0,
-                                                  std::min(1.0, cost.without_room / mold_band(unreleased)));
+  const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
   return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed +
          effort_on_its_side(cost.formed) + k_effort_of_draft * cost.of(draft) +
          std::min(k_most_of_line, cost.of(line));

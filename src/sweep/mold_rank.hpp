@@ -33,7 +33,6 @@ struct MoldCost {
   double in_vain = 0.0;                              // of it, what does not count as effort
   double formed = 0.0;                               // by them, share of the part's surface
   std::array<std::size_t, k_action_kinds> counts{};  // of side actions, by kind
-  double without_room = 0.0;                         // of formed, by lifters that lack the room to move
 
   [[nodiscard]] double of(MoldCriterion criterion) const {
     return values[static_cast<std::size_t>(criterion)];
@@ -53,8 +52,8 @@ inline constexpr double k_effort_of_draft = 2.0;
 inline constexpr double k_most_of_line = 2.0;
 /// Added where the part's shape does not name the direction: no wall is upright or level in such a mold.
 inline constexpr double k_effort_of_found = 4.0;
-/// The weight of side actions that counts, with what they form, the room that they lack, the draft that is
-/// missing, the climb of the line, and more than any one action where something is left unreleased: few
+/// The weight of side actions that counts, with what they form, the draft that is missing,
+/// the climb of the line, and more than any one action where something is left unreleased: few
 /// slides are no gain where the part lies on its side in the mold. Set the other figures before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
 

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t k_together = 4;     // between two looks at what is certain to be heavier
 constexpr double k_same_place_deg = 3.0;  // beside a canonical direction that costs no more nothing is listed
-constexpr double k_beside_deg = 10.0;     // where a canonical direction stands for one found by search
+constexpr std::size_t k_most_overtaken = 6;  // beside those listed, of which all is found
+constexpr double k_beside_deg = 10.0;        // where a canonical direction stands for one found by search
 
 double angle_deg(const Contender& a, const Contender& b) {
   return line_angle_deg(a.candidate.direction, b.candidate.direction);
@@ -35,7 +36,6 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   cost.weight = actions.weight;
   cost.in_vain = actions.in_vain;
   cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
-  cost.without_room = actions.without_room / area;
   cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;
@@ -252,22 +252,27 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   return list;
 }
 
-void MoldRanking::confirm(Listed& list, std::size_t most) {
-  std::vector<Contender>& contenders = list.contenders;
-  for (std::size_t k = 0; k < std::min(most, contenders.size()); ++k) {
-    Contender& contender = contenders[k];
-    if (!contender.cost || contender.actions->weight <= 0.0) continue;
+MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, std::size_t most) {
+  const auto is_open = [](const Contender& contender) {
+    return contender.cost && !contender.whole && contender.actions->weight > 0.0;
+  };
+  for (std::size_t looked_at = 0;; ++looked_at) {
+    Listed list = listed(contenders);
+    const auto leading = std::span(list.contenders).first(std::min(most, list.contenders.size()));
+    const auto open = std::ranges::find_if(leading, is_open);
+    if (open == leading.end() || (looked_at >= most + k_most_overtaken && open != leading.begin()))
+      return list;
     const auto found = actions_.find(
-        std::array{contender.candidate.direction}, {}, clock_.until_cancelled(),
+        std::array{open->candidate.direction}, {}, clock_.until_cancelled(),
         [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
-    if (!found.front()) return;
+    if (!found.front()) return list;
+    Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
+      return each.candidate.direction == open->candidate.direction;
+    });
+    contender.whole = true;
     contender.actions = found.front();
     contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
     contender.cost = cost(contender);
-    for (const std::size_t place : {k, k + 1}) {
-      if (place == 0 || place >= contenders.size() || !contenders[place].cost) continue;
-      list.reasons[place] = rank_reasons(*contenders[place].cost, *contenders[place - 1].cost);
-    }
   }
 }
 

@@ -55,9 +55,9 @@ class MoldRanking {
   };
   [[nodiscard]] Listed listed(std::vector<Contender> contenders) const;
 
-  /// Finds the side actions of the first so many again, by what their bodies allow. Their place stays: all
-  /// are ranked without their bodies, which take longer than all else.
-  void confirm(Listed& list, std::size_t most);
+  /// The same once the side actions of the first so many are found again, by what their bodies allow, which
+  /// takes longer than all else: so the first may give its place to one that came behind it.
+  [[nodiscard]] Listed confirmed(std::vector<Contender> contenders, std::size_t most);
 
  private:
   /// A canonical direction of which side actions release all of its undercuts, but for what ties.

@@ -59,7 +59,7 @@ class SweepRun {
     if (settings_.rank == SweepRank::mold) {
       if (best_alone) molds_.seek_best_alone();
       look_at_named(candidates);
-      tell_named();
+      report_named();
       if (!best_alone || !molds_.is_free()) look_at_others(candidates, best_alone);
       list_as_molds(best_alone);
     } else {
@@ -88,7 +88,7 @@ class SweepRun {
  private:
   [[nodiscard]] std::vector<Candidate> candidates_of_the_part();
   void look_at_named(std::vector<Candidate>& candidates);
-  void tell_named();
+  void report_named();
   void look_at_others(std::vector<Candidate>& candidates, bool best_alone);
   void list_as_molds(bool best_alone);
   void prove();
@@ -142,17 +142,17 @@ void SweepRun::look_at_named(std::vector<Candidate>& candidates) {
 }
 
 /// What needs no side action stays the best, whatever the others are.
-void SweepRun::tell_named() {
-  constexpr std::size_t k_told = 3;
+void SweepRun::report_named() {
+  constexpr std::size_t k_reported = 3;
   if (!tools_.listener.named || tools_.clock.stopped()) return;
   MoldRanking::Listed listed = molds_.listed(search_.named());
-  listed.cut_to(k_told);
-  SweepResult told;
-  told.settings = settings_;
-  told.complete = false;
-  told.candidates = listed_as_molds(tools_, std::move(listed), false);
-  recommend(told, !molds_.is_free());
-  tools_.listener.named(std::move(told));
+  listed.cut_to(k_reported);
+  SweepResult so_far;
+  so_far.settings = settings_;
+  so_far.complete = false;
+  so_far.candidates = listed_as_molds(tools_, std::move(listed), false);
+  recommend(so_far, !molds_.is_free());
+  tools_.listener.named(std::move(so_far));
 }
 
 /// Of the others those found by search, and what has least undercut.
@@ -181,8 +181,8 @@ void SweepRun::list_as_molds(bool best_alone) {
   std::vector<Contender>& contenders = search_.contenders();
   contenders.insert(contenders.begin(), search_.named().begin(), search_.named().end());
   drop_unmeasured();
-  MoldRanking::Listed listed = molds_.listed(std::move(contenders));
-  molds_.confirm(listed, seeks_actions(settings_) ? listed.contenders.size() : 1);
+  MoldRanking::Listed listed =
+      molds_.confirmed(std::move(contenders), seeks_actions(settings_) ? tools_.top() : 1);
   if (best_alone) listed.cut_to(2);
   tools_.clock.report(sweep_stage::k_final, 0.0);
   result_.candidates = listed_as_molds(tools_, std::move(listed), !best_alone);

@@ -51,11 +51,11 @@ class ResultsTest(DocumentCase):
         self.body.Shape = models.facing_pockets(12)
         found = results.actions_of(self.regions)
         self.recompute()
-        self.assertEqual(actions.troubles(found), ([(1, 2)], []))
+        self.assertEqual(actions.meetings(found), [(1, 2)])
         self.body.Shape = models.facing_pockets(16)
         self.recompute()
         self.assertEqual([row[0] for row in actions.action_table(found)], ["lifter", "lifter"])
-        self.assertEqual(actions.troubles(found), ([], []))
+        self.assertEqual(actions.meetings(found), [])
         self.assertEqual(actions.hits(found), [])
 
     def test_actions(self):

@@ -115,7 +115,8 @@ TEST_F(CardWindow, StartAnewWhenSettingsOfSideActionsChange) {
   window.wait_until_swept();
   const auto former = sweep().result;
   allow_least_travel(1000.0);
-  EXPECT_TRUE(sweep().cards.empty()) << "of other settings";
+  // A quick machine has found the new ones already.
+  EXPECT_TRUE(sweep().cards.empty() || sweep().result != former) << "of other settings";
   window.wait_until_measured();
   window.wait_until_swept();
   ASSERT_TRUE(sweep().result);

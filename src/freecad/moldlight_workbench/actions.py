@@ -103,11 +103,10 @@ def action_table(obj):
     ]
 
 
-def troubles(obj):
-    """Rows of the table from 1: pairs of actions whose ways cross, and lifters that lack room."""
+def meetings(obj):
+    """Pairs of actions whose ways cross, as rows of the table from 1."""
     found = report(obj).get("actions", ())
-    meet = [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
-    return meet, [row for row, action in enumerate(found, 1) if not action["has_room"]]
+    return [(row, other) for row, action in enumerate(found, 1) for other in action["meets"] if other > row]
 
 
 def hits(obj):

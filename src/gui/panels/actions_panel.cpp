@@ -69,11 +69,8 @@ std::string detail_text(const SideAction& action, const std::string& unit) {
     case ActionKind::strip:
       return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
     case ActionKind::lifter:
-      return fmt::format("stroke {:.1f} {} · free {}{}", *action.stroke, unit,
-                         turn_text(action.interval.from_deg, action.interval.to_deg),
-                         has_room(action)
-                             ? std::string()
-                             : fmt::format(" · room {:.2f} {}", action.clear_to - action.travel, unit));
+      return fmt::format("stroke {:.1f} {} · free {}", *action.stroke, unit,
+                         turn_text(action.interval.from_deg, action.interval.to_deg));
     case ActionKind::insert:
       return "taken off by hand";
     default:
@@ -189,11 +186,10 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
     if (action->body) tip += " · " + clear_text(*action, plan, unit);
   }
   if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
-  if (const auto& changes = state.actions.changes) {
-    const DesignChange& change = (*changes)[undercut];
-    if (change.depth || change.window)
-      tip += "\nWithout an action: " + mouth_text(*state.model, state.settings.actions, plan, undercut) +
-             change_text(*state.model, change);
+  if (const auto& changes = state.actions.changes; changes && state.figures.shown) {
+    const std::string change =
+        change_text({*state.model, *state.figures.shown, state.settings.actions, plan, *changes}, undercut);
+    if (change != "-") tip += "\nWhat to change of the part: " + change;
   }
   return tip + "\nClick to look at it and see its action move.";
 }

@@ -20,7 +20,7 @@ inline constexpr double k_narrow = 1e-5;
 struct SurfaceWish {
   glm::dvec2 low{0.0}, high{0.0};  // the block's least rectangle, on the grid of columns
   bool grows = true;               // for a level rim
-  double height = 0.0;             // where the halves are to meet if nothing else tells
+  double height = 0.0;             // where the halves are to meet if nothing else says
   ShelfShape shape = {};
   double tolerance = 1e-7;
   double cone_margin = 0.0;  // over 0: cones in the corners, sized for a block with this margin

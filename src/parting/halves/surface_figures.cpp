@@ -56,8 +56,8 @@ std::vector<SurfaceFacet> facets_of(const Sheets& sheets) {
   return facets;
 }
 
-void tell_slopes(const Sheets& sheets, const std::vector<SurfaceFacet>& facets, const SlopeLimit& limit,
-                 SurfaceFigures& figures) {
+void add_slopes(const Sheets& sheets, const std::vector<SurfaceFacet>& facets, const SlopeLimit& limit,
+                SurfaceFigures& figures) {
   double steepest = 0.0;
   for (const SurfaceFacet& facet : facets) {
     (facet.around ? figures.parting_area : figures.shut_off_area) += facet.area();
@@ -75,7 +75,7 @@ void tell_slopes(const Sheets& sheets, const std::vector<SurfaceFacet>& facets, 
 }
 
 /// The heights of the surface around the part, and the plane across z with the most of it.
-void tell_heights(const Sheets& sheets, const std::vector<SurfaceFacet>& facets, SurfaceFigures& figures) {
+void add_heights(const Sheets& sheets, const std::vector<SurfaceFacet>& facets, SurfaceFigures& figures) {
   glm::dvec2 low(INFINITY), high(-INFINITY);
   figures.low = figures.rim_low = INFINITY;
   figures.high = figures.rim_high = -INFINITY;
@@ -142,8 +142,8 @@ SurfaceFigures surface_figures(const Sheets& sheets, const SlopeLimit& limit) {
   SurfaceFigures figures;
   const std::vector<SurfaceFacet> facets = facets_of(sheets);
   if (facets.empty()) return figures;
-  tell_slopes(sheets, facets, limit, figures);
-  tell_heights(sheets, facets, figures);
+  add_slopes(sheets, facets, limit, figures);
+  add_heights(sheets, facets, figures);
   figures.faces = count_faces(facets);
   return figures;
 }

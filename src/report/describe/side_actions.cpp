@@ -41,8 +41,7 @@ Section plan_section(const ActionsReport& found) {
     return section;
   }
   if (!plan.actions.empty()) section.blocks.emplace_back(actions_table(found.model, plan, "/actions"));
-  for (const std::string& notice :
-       {meetings_text(plan), rejected_text(plan, length_unit(found.model.part))}) {
+  for (const std::string& notice : {meetings_text(plan), rejected_text(found.model, plan)}) {
     if (!notice.empty()) section.blocks.emplace_back(Text{notice, TextLook::notice});
   }
   if (!plan.unreleased.empty())
@@ -72,9 +71,7 @@ Section changes_section(const ActionsReport& found) {
   }
   Table table{{{"#"}, {"change of the part", true}}, {}};
   for (std::size_t k = 0; k < found.changes.size(); ++k)
-    table.rows.push_back({{{fmt::format("{}", k + 1)},
-                           {with_minus(mouth_text(found.model, found.settings, found.plan, k) +
-                                       change_text(found.model, found.changes[k]))}}});
+    table.rows.push_back({{{fmt::format("{}", k + 1)}, {with_minus(change_text(found, k))}}});
   section.blocks.emplace_back(std::move(table));
   return section;
 }

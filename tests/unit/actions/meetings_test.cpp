@@ -60,7 +60,7 @@ TEST(Meetings, OfSlidesWhoseBodiesHitEachOtherLeaveOne) {
   EXPECT_EQ(json["depth"], rejected.depth);
   EXPECT_EQ(json["when"], stage_text(rejected.when));
   EXPECT_TRUE(json["room"].is_null());
-  EXPECT_TRUE(rejected_text(planned.plan, "mm").starts_with("Actions that cannot be built, for undercuts: "));
+  EXPECT_TRUE(rejected_text(*planned.model, planned.plan).starts_with("Refused: slide for undercut "));
 }
 
 /// A lifter within the angle does without the way of a slide.

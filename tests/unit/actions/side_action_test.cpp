@@ -243,12 +243,15 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
         Case{k_hook + 0.5, k_room - 0.5, 0.0, false}}) {
     SCOPED_TRACE(::testing::Message() << ahead << " ahead, " << beside << " beside");
     const Planned planned = plan_of(box_with_hook(k_hook, ahead, beside));
-    EXPECT_EQ(rejected_text(planned.plan, "mm").empty(), has_room);
+    EXPECT_EQ(rejected_text(*planned.model, planned.plan).empty(), has_room);
     ASSERT_EQ(planned.plan.rejected.size(), has_room ? 0U : 1U);
     if (!has_room) {
       const RejectedAction& rejected = planned.plan.rejected[0];
-      EXPECT_TRUE(rejected_text(planned.plan, "mm")
-                      .starts_with("Lifters that cannot be built, for undercuts: 1 (3 mm: no room"));
+      EXPECT_TRUE(rejected_text(*planned.model, planned.plan)
+                      .starts_with("Refused: lifter for undercut 1 (travels 3.00 mm and has "))
+          << rejected_text(*planned.model, planned.plan);
+      EXPECT_EQ(actions_text(planned.plan), "none") << "what cannot be built is no action";
+      EXPECT_GT(planned.plan.unreleased_area, 0.9 * planned.plan.undercuts[0].undercut.area);
       EXPECT_EQ(rejected.kind, ActionKind::lifter);
       EXPECT_EQ(rejected.reason, RejectReason::no_room);
       EXPECT_NEAR(rejected.direction.x, 1.0, 1e-9);

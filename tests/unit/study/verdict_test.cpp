@@ -65,24 +65,6 @@ TEST(VerdictOf, AVoidIsNotReleasableAndItsAreaIsSaidFirst) {
   EXPECT_FALSE(verdict.releasable());
 }
 
-TEST(VerdictOf, ASetWithALifterWithoutRoomIsNotReleasable) {
-  Study study(model_of(test::plate_with_side_pocket({}).mesh), {});
-  ActionTotals totals;
-  totals.counts[static_cast<std::size_t>(ActionKind::lifter)] = 1;
-  const VerdictFacts facts{.model = study.model(),
-                           .regions = study.find<Classification>(Progress()),
-                           .undercuts = {.count = 1, .area = 5.0},
-                           .actions = totals};
-  EXPECT_EQ(verdict_of(facts).state, VerdictState::side_actions);
-  VerdictFacts crowded = facts;
-  crowded.actions->crowded = 1;
-  const Verdict verdict = verdict_of(crowded);
-  EXPECT_EQ(verdict.state, VerdictState::not_releasable);
-  EXPECT_TRUE(verdict.sentence.starts_with(
-      "Not releasable: 1 lifter has less room than it needs; 1 lifter would release the undercut ("))
-      << verdict.sentence;
-}
-
 TEST(VerdictOf, AnOpenMeshIsNeverATwoPlateMold) {
   TriangleMesh box = test::box_shape({}).mesh;
   box.facets.pop_back();

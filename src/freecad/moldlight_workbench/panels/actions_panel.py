@@ -43,15 +43,11 @@ class ActionsPanel(task.Panel):
         self.summary.setText("\n".join(self._remarks()))
 
     def _remarks(self):
-        """The verdict, and a sentence on actions that meet, on lifters without room and on bodies that hit."""
+        """The verdict, and a sentence on actions that meet and on bodies that hit."""
         sentences = [self.found.Verdict]
-        meet, crowded = actions.troubles(self.found)
-        if meet:
+        if meet := actions.meetings(self.found):
             sentences.append(translate("Moldlight", "Would meet on their ways: rows {}.").format(
                 ", ".join(f"{one} + {other}" for one, other in meet)))
-        if crowded:
-            sentences.append(translate("Moldlight", "Lifters without room for their own thickness: rows {}.").format(
-                ", ".join(str(row) for row in crowded)))
         for row, other, depth in actions.hits(self.found):
             sentences.append(translate("Moldlight", "The body of row {} reaches {} into {}.").format(
                 row, quantity(depth, "length"), translate("Moldlight", "the part") if other == "part" else
