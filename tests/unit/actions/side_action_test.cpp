@@ -174,9 +174,9 @@ TEST(SideAction, UnderAHookInABoxIsALifter) {
   }
 }
 
-/// A sill on the floor keeps what lies behind it from following: the lifter forms the rest, and what is left
-/// an insert, or it is reported.
-TEST(SideAction, UnderAHookBehindASillIsALifterForTheRest) {
+/// A sill on the floor keeps what lies behind it from following: a lifter that forms the rest is no use, but
+/// where the user asks for one.
+TEST(SideAction, ThatLeavesTheRestOfItsUndercutIsRefused) {
   const TriangleMesh mesh = block_with_cavity({{2, 20},
                                                {2, 16},
                                                {5, 16},
@@ -190,19 +190,26 @@ TEST(SideAction, UnderAHookBehindASillIsALifterForTheRest) {
                                                {38, 2},
                                                {38, 20}},
                                               {40, 20}, 30.0);
-  const Planned planned = plan_of(mesh);
-  ASSERT_FALSE(planned.plan.actions.empty());
-  const SideAction& action = planned.plan.actions.front();
-  EXPECT_EQ(action.kind, ActionKind::lifter);
-  EXPECT_NEAR(action.travel, 3.0, 0.1);
-  EXPECT_GT(action.direction.x, 1.0 - 1e-6);
-  double rest = planned.plan.unreleased_area;
-  for (std::size_t k = 1; k < planned.plan.actions.size(); ++k) {
-    EXPECT_EQ(planned.plan.actions[k].kind, ActionKind::insert);
-    rest += planned.plan.actions[k].area;
-  }
   // Behind the sill: the floor, the wall up to its height, and the sill's back.
-  EXPECT_NEAR(rest, 30.0 * (2.0 + 1.0 + 1.0), 10.0);
+  constexpr double k_rest = 30.0 * (2.0 + 1.0 + 1.0);
+  const Planned planned = plan_of(mesh);
+  EXPECT_EQ(actions_text(planned.plan), "none");
+  const UndercutReport& found = planned.plan.undercuts.at(0);
+  EXPECT_NEAR(planned.plan.unreleased_area, found.undercut.area, 1e-6);
+  const auto refused = std::ranges::find(planned.plan.rejected, ActionKind::lifter, &RejectedAction::kind);
+  ASSERT_NE(refused, planned.plan.rejected.end());
+  EXPECT_EQ(refused->reason, RejectReason::leaves_rest);
+  EXPECT_NEAR(refused->travel, 3.0, 0.1);
+  EXPECT_GT(refused->direction.x, 1.0 - 1e-6);
+  EXPECT_NE(rejected_text(*planned.model, planned.plan).find("lifter for undercut 1 (leaves "),
+            std::string::npos);
+
+  ActionSettings asked;
+  asked.pins = {{.point = found.point, .area = found.undercut.area, .kind = ActionKind::lifter}};
+  const Planned wished = plan_of(mesh, asked);
+  ASSERT_EQ(actions_text(wished.plan), "1 lifter");
+  EXPECT_NEAR(wished.plan.actions[0].travel, 3.0, 0.1);
+  EXPECT_NEAR(wished.plan.unreleased_area, k_rest, 10.0);
 }
 
 /// A hook over the whole width may turn by no more than the draft of the ends; one that stands alone until
@@ -244,7 +251,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
     SCOPED_TRACE(::testing::Message() << ahead << " ahead, " << beside << " beside");
     const Planned planned = plan_of(box_with_hook(k_hook, ahead, beside));
     EXPECT_EQ(rejected_text(*planned.model, planned.plan).empty(), has_room);
-    ASSERT_EQ(planned.plan.rejected.size(), has_room ? 0U : 1U);
+    ASSERT_EQ(planned.plan.rejected.empty(), has_room);
     if (!has_room) {
       const RejectedAction& rejected = planned.plan.rejected[0];
       EXPECT_TRUE(rejected_text(*planned.model, planned.plan)
