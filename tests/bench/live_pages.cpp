@@ -73,7 +73,7 @@ constexpr const char* k_areas = R"js(((direction, rest) => {
 constexpr const char* k_frames = R"js((() => {
   const live = view.director, {gl} = view, pixel = new Uint8Array(4), times = [[], []];
   view.canvas.parentElement.getBoundingClientRect = () => ({left: 0, top: 0, bottom: 600, width: 800, height: 600});
-  for (let k = 0; k < 400; ++k) {
+  for (let k = 0; k < 160; ++k) {
     const angle = 0.02 * k, direction = unit([Math.sin(angle), 0.4 * Math.cos(1.3 * angle), Math.cos(angle)]);
     const byMaps = k >> 3 & 1, start = performance.now();
     if (byMaps) live.go(direction, false);

@@ -19,7 +19,7 @@ namespace {
 using Json = Browser::Json;
 using namespace std::string_literals;
 
-constexpr int k_answer_limit_ms = 60'000;
+constexpr int k_answer_limit_ms = 180'000;
 
 std::string browser() { return program_path({"chromium", "chromium-browser", "google-chrome"}); }
 

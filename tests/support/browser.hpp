@@ -17,7 +17,7 @@ namespace moldlight::test {
 
 [[nodiscard]] bool has_browser();
 
-/// A running browser with one page. Throws std::runtime_error where it does not answer within a minute.
+/// A running browser with one page. Throws std::runtime_error where it does not answer within three minutes.
 class Browser {
  public:
   using Json = nlohmann::ordered_json;
