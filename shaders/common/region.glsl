@@ -90,8 +90,7 @@ uint accessible_past(Sight sight, uint plus, uint minus) {
   return bits & (sight.class_of_facet == k_up ? k_accessible_plus : k_accessible_minus);
 }
 
-uint accessible_of(Sight sight) {
-  ivec2 texel = ivec2(floor(sight.position));
+uint accessible_at(Sight sight, ivec2 texel) {
 #ifdef GL_ES
   // A browser's software GL goes through all branches, but only as often round a loop as is needed.
   uint bits = 0u, met = 0u;
@@ -109,6 +108,8 @@ uint accessible_of(Sight sight) {
   return accessible_past(sight, plus_entry(plus_texel), minus_entry(minus_texel));
 #endif
 }
+
+uint accessible_of(Sight sight) { return accessible_at(sight, ivec2(floor(sight.position))); }
 
 uint accessible_from(vec3 point, uint facet) { return accessible_of(sight_of(point, facet)); }
 #endif

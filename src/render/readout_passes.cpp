@@ -29,11 +29,13 @@ SamplePass::SamplePass(const gl::Functions& gl)
       verdicts_(gl::make_texture_2d(gl, GL_R8UI, k_block_width, k_block_height)),
       framebuffer_(gl::make_framebuffer(gl, verdicts_)) {}
 
-std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const ShadowMaps& maps) {
+std::vector<std::uint8_t> SamplePass::run(std::span<const SurfaceSample> samples, const ShadowMaps& maps,
+                                          Doubt doubt) {
   std::vector<std::uint8_t> verdicts(samples.size());
   const gl::Program& program =
       tools_.programs.use("common/fullscreen.vert", "measure/samples.frag",
-                          {maps.settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : ""});
+                          {maps.settings().symmetric_kernel ? "SYMMETRIC_KERNEL" : "",
+                           doubt == Doubt::marked ? "WITH_DOUBT" : ""});
   maps.bind(program, 1);
   program.set_texture("t_samples", 0, GL_TEXTURE_2D, samples_);
   tools_.gl.ActiveTexture(GL_TEXTURE0);

@@ -14,14 +14,20 @@
 
 namespace moldlight {
 
+/// Whether a verdict says that it depends on which of the texels around the sample is looked up.
+enum class Doubt : std::uint8_t { unmarked, marked };
+/// Added to such a verdict; as in shaders/measure/samples.frag.
+inline constexpr std::uint8_t k_doubtful = 4;
+
 /// Looks every surface sample up in the shadow maps, one fragment a sample. Needs its context current.
 class SamplePass {
  public:
   explicit SamplePass(const gl::Functions& gl);
 
   /// One verdict (mold/measure.hpp) a sample, in order. Uploads and reads back in blocks, so that memory
-  /// stays bounded.
-  [[nodiscard]] std::vector<std::uint8_t> run(std::span<const SurfaceSample> samples, const ShadowMaps& maps);
+  /// stays bounded. Doubt is marked with the one-sided kernel alone.
+  [[nodiscard]] std::vector<std::uint8_t> run(std::span<const SurfaceSample> samples, const ShadowMaps& maps,
+                                              Doubt doubt = Doubt::unmarked);
 
  private:
   gl::Tools tools_;

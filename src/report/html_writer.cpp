@@ -242,8 +242,8 @@ std::string view_html(const Report& report) {
   if (report.view) {
     html +=
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
-        "it, "
-        "the wheel zooms once it is clicked\"></canvas><div class=\"tags\" hidden></div>";
+        "it, the wheel zooms once it is clicked\"></canvas>"
+        "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span></div>";
     if (report.live) html += live_stage_html();
   }
   html += "</div>\n";

@@ -86,7 +86,8 @@ Json packed(const LiveView& live) {
                              {"verdict", known.verdict}});
   }
   json["errors"] = Json::array();
-  for (const LiveError& error : live.errors) json["errors"].push_back({error.resolution, error.share});
+  for (const LiveError& error : live.errors)
+    json["errors"].push_back({error.resolution, error.moving, error.resting});
   json["measured"] = live.measured;
   json["sphere"] = sphere_json(live.sphere);
   json["data"] = bytes.deflated_base64();
@@ -134,19 +135,20 @@ std::string live_controls_html(const LiveView& live) {
                          error.resolution == live.method.resolution ? " selected" : "", error.resolution);
   html += fmt::format(
       "<details class=\"settings\"><summary>Shadow maps</summary><div class=\"controls\">\n"
-      "<label><span>Near-vertical below <output id=\"tau-is\"></output></span><input id=\"tau\" "
+      "<label><span>Near-vertical below <output id=\"tau-is\">{0}</output>°</span><input id=\"tau\" "
       "type=\"range\" min=\"0\" max=\"10\" "
       "step=\"0.1\" "
-      "value=\"{}\"></label>\n"
+      "value=\"{0}\"></label>\n"
       "<label>PCF kernel<select id=\"kernel\"><option value=\"0\">lateral tolerance of the report</option>"
       "<option value=\"3\">3 texels</option><option value=\"5\">5 texels</option><option value=\"7\">7 "
       "texels</option>"
       "<option value=\"9\">9 texels</option></select></label>\n"
-      "<label><span>Edge thickness <output id=\"thickness-is\"></output></span><input id=\"thickness\" "
+      "<label><span>Edge thickness <output id=\"thickness-is\">{1}</output> texels</span><input "
+      "id=\"thickness\" "
       "type=\"range\" min=\"0\" max=\"8\" "
       "step=\"0.5\" "
-      "value=\"{}\"></label>\n"
-      "<label>Map resolution<select id=\"resolution\">{}</select></label>\n"
+      "value=\"{1}\"></label>\n"
+      "<label>Map resolution<select id=\"resolution\">{2}</select></label>\n"
       "<label class=\"check\"><span><input id=\"bymaps\" type=\"checkbox\"> maps along the report's "
       "direction, "
       "too</span></label>\n</div></details>\n<p id=\"picked\" role=\"status\"></p>\n</div>\n",
@@ -166,7 +168,7 @@ Json page_shaders(bool live) {
   add("live_surface", "page/surface.vert", "page/surface.frag", {{"LIVE", ""}});
   add("facet_map", "maps/second_depth.vert", "maps/second_depth.frag");
   add("strip_map", "maps/contour_edge.vert", "maps/contour_edge.frag");
-  add("counts", "common/fullscreen.vert", "measure/sample_counts.frag");
+  add("samples", "common/fullscreen.vert", "measure/samples.frag", {{"WITH_DOUBT", ""}});
   add("ball", "page/ball.vert", "page/ball.frag");
   return json;
 }

@@ -30,9 +30,10 @@ struct LiveDirection {
 };
 
 /// Of maps with this resolution: what an area by them is off the exact one at most, a share of the surface.
+/// While the direction rests, samples at the maps' borders are settled by rays.
 struct LiveError {
   int resolution = 2048;
-  double share = 0.0;
+  double moving = 0.0, resting = 0.0;
 };
 
 struct LiveView {

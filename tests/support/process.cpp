@@ -38,6 +38,10 @@ std::array<int, 2> make_pipe() {
     const rlimit limit{settings.file_size_limit, settings.file_size_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
+  // Away from the numbers that they get, first.
+  std::vector<int> aside;
+  for (const int descriptor : settings.descriptors) aside.push_back(::fcntl(descriptor, F_DUPFD_CLOEXEC, 64));
+  for (std::size_t k = 0; k < aside.size(); ++k) ::dup2(aside[k], 3 + static_cast<int>(k));
   for (const std::string& name : settings.removed_environment) ::unsetenv(name.c_str());
   for (const std::string& entry : settings.environment) {
     const std::size_t equals = entry.find('=');

@@ -18,6 +18,7 @@ struct ProcessSettings {
   std::vector<std::string> environment;          // "NAME=value", in addition to ours
   std::vector<std::string> removed_environment;  // names
   std::string folder;                            // to run in; empty: ours
+  std::vector<int> descriptors;                  // of ours, which it has as 3, 4 …
 };
 
 struct ProcessResult {

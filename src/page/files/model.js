@@ -7,23 +7,32 @@ const scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
 const plus = (...vectors) => vectors.reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
 const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
 const at = (list, k) => [list[3 * k], list[3 * k + 1], list[3 * k + 2]];
-function times(a, b) {
-  const c = new Float32Array(16);
-  for (let k = 0; k < 16; ++k) for (let i = 0; i < 4; ++i) c[k] += a[k % 4 + 4 * i] * b[(k >> 2) * 4 + i];
-  return c;
+const between = (value, least, most) => Math.max(least, Math.min(most, value));
+const moved = (m, p) => [0, 1, 2].map((i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i]);
+const times = (a, b) => new DOMMatrix(a).multiply(new DOMMatrix(b)).toFloat32Array();
+// By an angle about an axis through the origin.
+const turning = (axis, angle) => [...new DOMMatrix().rotateAxisAngle(...axis, angle * 180 / Math.PI).toFloat64Array()];
+// Least and greatest coordinates of places that begin so many numbers after each other.
+function boxed(list, step) {
+  const low = [Infinity, Infinity, Infinity], high = scaled(low, -1);
+  for (let k = 0; k < list.length; k += step) for (let axis = 0; axis < 3; ++axis) {
+    low[axis] = Math.min(low[axis], list[k + axis]);
+    high[axis] = Math.max(high[axis], list[k + axis]);
+  }
+  return [low, high];
 }
-function moved(m, p) { return [0, 1, 2].map((i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i]); }
 
-// The bytes in an element of the page, and numbers among them, seven bits a byte.
+const pageData = (id) => JSON.parse(document.getElementById(id)?.textContent ?? null);
+// The bytes in a text of the page, and numbers among them, seven bits a byte.
 async function inflated(base64) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
-function reader(data, at = 0) {
+function reader(data, place = 0) {
   const number = () => {
     for (let value = 0, scale = 1; ; scale *= 128) {
-      const byte = data[at++];
+      const byte = data[place++];
       value += (byte & 127) * scale;
       if (byte < 128) return value;
     }
@@ -31,13 +40,8 @@ function reader(data, at = 0) {
   const difference = () => { const value = number(); return value % 2 ? -(value + 1) / 2 : value / 2; };
   // Corners of facets: new ones in order, others by how far back they are.
   const indices = (facets) => {
-    const list = new Uint32Array(3 * facets);
-    for (let k = 0, next = 0; k < list.length; ++k) {
-      const back = number();
-      list[k] = next - back;
-      if (back === 0) ++next;
-    }
-    return list;
+    let next = 0;
+    return Uint32Array.from({length: 3 * facets}, () => { const back = number(); return back ? next - back : next++; });
   };
   return {difference, indices};
 }
@@ -45,18 +49,15 @@ function reader(data, at = 0) {
 async function unpacked(model) {
   const {difference, indices} = reader(await inflated(model.data));
   const points = (count, low, high) => {
-    const list = new Float32Array(3 * count), last = [0, 0, 0];
-    for (let k = 0; k < 3 * count; ++k) {
-      last[k % 3] += difference();
-      list[k] = (low[k % 3] + (high[k % 3] - low[k % 3]) * last[k % 3] / 65535) / model.diagonal;
-    }
-    return list;
+    const last = [0, 0, 0], scale = [0, 1, 2].map((axis) => (high[axis] - low[axis]) / 65535);
+    return Float32Array.from({length: 3 * count},
+      (_, k) => (low[k % 3] + scale[k % 3] * (last[k % 3] += difference())) / model.diagonal);
   };
   for (const surface of model.surfaces) {
     surface.points = points(surface.corners, surface.low, surface.high);
     surface.indices = indices(surface.facets);
-    surface.groups = new Uint16Array(surface.facets);
-    for (let k = 0, last = 0; k < surface.facets; ++k) surface.groups[k] = last += difference();
+    let last = 0;
+    surface.groups = Uint16Array.from({length: surface.facets}, () => last += difference());
   }
   // Lines share one box and one chain of differences.
   const total = model.lines.reduce((sum, line) => sum + line.points, 0);
@@ -67,51 +68,54 @@ async function unpacked(model) {
 }
 
 // A surface's facets: vectors along their normals as long as twice their areas, unit normals, the half-edge across each
-// (-1: none; half-edge e of facet f, 3 f + e, begins at its corner e), and which half-edges begin at a point: those of
-// point v are fan[first[v]] to fan[first[v + 1]]. In double, by the program's own steps.
+// (-1: none; half-edge e of facet f, 3 f + e, begins at its corner e), and which half-edges begin at a point (those of
+// point v are fan[first[v]] to fan[first[v + 1]]). In double, by the program's own steps.
 function meshed(points, indices) {
   const facets = indices.length / 3, count = points.length / 3;
   const vectors = new Float64Array(3 * facets), normals = new Float64Array(3 * facets);
-  const first = new Uint32Array(count + 1), fan = new Uint32Array(3 * facets), across = new Int32Array(3 * facets).fill(-1);
-  for (let f = 0; f < facets; ++f) {
-    const a = 3 * indices[3 * f], b = 3 * indices[3 * f + 1], c = 3 * indices[3 * f + 2];
+  const first = new Uint32Array(count + 1), fan = new Uint32Array(3 * facets);
+  const across = new Int32Array(3 * facets).fill(-1);
+  for (let f = 0; f < 3 * facets; f += 3) {
+    const a = 3 * indices[f], b = 3 * indices[f + 1], c = 3 * indices[f + 2];
     const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
     const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
-    const x = uy * vz - vy * uz, y = uz * vx - vz * ux, z = ux * vy - vx * uy, long = Math.sqrt(x * x + y * y + z * z);
-    for (let axis = 0; axis < 3; ++axis) {
-      vectors[3 * f + axis] = axis === 0 ? x : axis === 1 ? y : z;
-      if (long > 0) normals[3 * f + axis] = vectors[3 * f + axis] / long;
-    }
+    vectors[f] = uy * vz - vy * uz;
+    vectors[f + 1] = uz * vx - vz * ux;
+    vectors[f + 2] = ux * vy - vx * uy;
+    const long = Math.sqrt(vectors[f] ** 2 + vectors[f + 1] ** 2 + vectors[f + 2] ** 2);
+    for (let k = f; k < f + 3 && long > 0; ++k) normals[k] = vectors[k] / long;
   }
   for (const v of indices) ++first[v + 1];
   for (let v = 0; v < count; ++v) first[v + 1] += first[v];
-  const fill = first.slice();
+  const fill = first.slice(), end = (h) => indices[h % 3 === 2 ? h - 2 : h + 1];
   for (let h = 0; h < indices.length; ++h) fan[fill[indices[h]]++] = h;
-  const end = (h) => indices[h % 3 === 2 ? h - 2 : h + 1];
-  const between = (v, w) => {
-    let found = -1, many = 0;
-    for (let k = first[v]; k < first[v + 1]; ++k) if (end(fan[k]) === w) { found = fan[k]; ++many; }
-    return many === 1 ? found : -1;
+  const only = (v, w) => {
+    let found = -1;
+    for (let k = first[v]; k < first[v + 1]; ++k)
+      if (end(fan[k]) === w) { if (found >= 0) return -1; found = fan[k]; }
+    return found;
   };
   for (let h = 0; h < indices.length; ++h) {
     if (across[h] >= 0) continue;
-    const back = between(end(h), indices[h]);
-    if (back < 0 || between(indices[h], end(h)) !== h) continue;
+    const back = only(end(h), indices[h]);
+    if (back < 0 || only(indices[h], end(h)) !== h) continue;
     across[h] = back;
     across[back] = h;
   }
-  return {points, indices, facets, vectors, normals, first, fan, across, end};
+  const cornersOf = (facet) => [0, 1, 2].map((i) => at(points, indices[3 * facet + i]));
+  return {points, indices, facets, vectors, normals, first, fan, across, end, cornersOf};
 }
 
-// Position and normal of every corner of the facets, smooth where the surface bends by less than 30 degrees.
 const sharp = Math.cos(Math.PI / 6);
-function corners(mesh, centre = [0, 0, 0], diagonal = 1) {
-  const {points, indices, facets, vectors, normals, first, fan} = mesh, list = new Float32Array(18 * facets);
+// Position and normal of every corner of the facets, smooth where the surface bends by less than 30 degrees.
+function corners({points, indices, facets, vectors, normals, first, fan}, centre = [0, 0, 0], diagonal = 1) {
+  const list = new Float32Array(18 * facets);
   for (let h = 0; h < indices.length; ++h) {
     const f = 3 * Math.floor(h / 3), v = indices[h], sum = [0, 0, 0];
     for (let k = first[v]; k < first[v + 1]; ++k) {
       const g = 3 * Math.floor(fan[k] / 3);
-      if (normals[f] * normals[g] + normals[f + 1] * normals[g + 1] + normals[f + 2] * normals[g + 2] <= sharp) continue;
+      if (normals[f] * normals[g] + normals[f + 1] * normals[g + 1] + normals[f + 2] * normals[g + 2] <= sharp)
+        continue;
       for (let axis = 0; axis < 3; ++axis) sum[axis] += vectors[g + axis];
     }
     const long = Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) || 1;
@@ -122,40 +126,37 @@ function corners(mesh, centre = [0, 0, 0], diagonal = 1) {
   }
   return list;
 }
-
-// Calls use(half-edge, the one across) for every edge that bends by more.
-function creases({indices, normals, across}, use) {
+// Calls use(half-edge, its facet, the facet across, whether it bends by more) for every edge between two facets.
+function eachEdge({indices, normals, across}, use) {
   for (let h = 0; h < indices.length; ++h) {
     if (across[h] <= h) continue;
-    if (dot(at(normals, Math.floor(h / 3)), at(normals, Math.floor(across[h] / 3))) <= sharp) use(h, across[h]);
+    const left = Math.floor(h / 3), right = Math.floor(across[h] / 3);
+    use(h, left, right, dot(at(normals, left), at(normals, right)) <= sharp);
   }
 }
 
-// For every group its corners, its sharp edges, its lines and its box.
-function shaped(model) {
-  const groups = model.groups.map(() => ({filled: 0, edges: [], lines: [], low: [9, 9, 9], high: [-9, -9, -9]}));
+// For every group its surface, sharp edges and lines as `tools` draw them, and the corners of its box.
+function shaped(model, tools) {
+  const groups = model.groups.map(() => ({filled: 0, edges: [], lines: []}));
   for (const surface of model.surfaces) for (const owner of surface.groups) groups[owner].filled += 18;
-  for (const group of groups) { group.corners = new Float32Array(group.filled); group.filled = 0; }
+  for (const group of groups) group.corners = new Float32Array(group.filled);
   for (const {points, indices, groups: owner} of model.surfaces) {
     const mesh = meshed(points, indices), all = corners(mesh);
-    for (let f = 0; f < mesh.facets; ++f) {
+    for (let f = mesh.facets - 1; f >= 0; --f) {
       const group = groups[owner[f]];
-      group.corners.set(all.subarray(18 * f, 18 * f + 18), group.filled);
-      group.filled += 18;
-      for (let k = 0; k < 9; ++k) {
-        const value = points[3 * indices[3 * f + Math.floor(k / 3)] + k % 3];
-        group.low[k % 3] = Math.min(group.low[k % 3], value);
-        group.high[k % 3] = Math.max(group.high[k % 3], value);
-      }
+      group.corners.set(all.subarray(18 * f, 18 * f + 18), group.filled -= 18);
     }
-    creases(mesh, (h, back) => {
-      for (const side of new Set([owner[Math.floor(h / 3)], owner[Math.floor(back / 3)]]))
+    eachEdge(mesh, (h, left, right, bent) => {
+      for (const side of new Set(bent ? [owner[left], owner[right]] : []))
         groups[side].edges.push(...at(points, indices[h]), ...at(points, mesh.end(h)));
     });
   }
-  for (const line of model.lines) {
-    for (let k = 0; k + (line.closed ? 0 : 1) < line.points; ++k)
-      for (const i of [k, (k + 1) % line.points]) groups[line.group].lines.push(...line.place.subarray(3 * i, 3 * i + 3));
-  }
-  return groups;
+  for (const {place, points, closed, group} of model.lines)
+    for (let k = closed ? 0 : 1; k < points; ++k)
+      groups[group].lines.push(...at(place, (k || points) - 1), ...at(place, k));
+  return groups.map(({corners, edges, lines}) => {
+    const box = boxed(corners, 6), eight = corners.length ? [0, 1, 2, 3, 4, 5, 6, 7] : [];
+    return {box: eight.map((k) => [0, 1, 2].map((axis) => box[k >> axis & 1][axis])),
+      surface: tools.buffer(corners, [3, 3]), edge: tools.buffer(edges, [3]), thick: tools.buffer(lines, [3])};
+  });
 }

@@ -13,9 +13,12 @@
 #include "classify/classifier.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
+#include "mold/draft.hpp"
 #include "mold/map_frame.hpp"
+#include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/readout_passes.hpp"
+#include "sweep/sample_rays.hpp"
 
 namespace moldlight::report {
 
@@ -60,15 +63,41 @@ double greatest_difference(const RegionValues& found, const RegionValues& exact)
   return greatest;
 }
 
+RegionValues areas_of(const std::vector<std::uint8_t>& verdicts, double total_area) {
+  SampleCounts counts;
+  for (const std::uint8_t verdict : verdicts)
+    ++counts.regions[static_cast<std::size_t>(verdict_region(verdict))];
+  return counts.areas(total_area);
+}
+
+/// Gives samples whose verdict is in doubt that of exact rays.
+void settle_by_rays(const PartModel& model, const Query& query, const std::vector<SurfaceSample>& samples,
+                    std::vector<std::uint8_t>& verdicts) {
+  const glm::dvec3 direction = query.direction.unit();
+  SampleRays rays;
+  rays.begin({direction, lateral_tolerance(query.method, model.frame.diagonal) / model.frame.diagonal});
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if ((verdicts[k] & k_doubtful) == 0) continue;
+    const glm::dvec3& normal = model.geometry.normals[samples[k].facet];
+    rays.add(k, samples[k].position, normal, facet_class(normal, direction, query.method.tau_deg));
+  }
+  rays.ask(model.rays());
+  rays.for_each([&verdicts](std::size_t k, bool plus, bool minus, float) {
+    verdicts[k] = static_cast<std::uint8_t>((plus ? verdict::k_accessible_plus : 0) |
+                                            (minus ? verdict::k_accessible_minus : 0));
+  });
+}
+
 void measure_errors(const ReportContext& context, const std::vector<LiveDirection>& known, LiveView& live) {
   const PartModel& model = *context.model;
+  const double total_area = model.geometry.total_area;
   std::set<int> resolutions(k_resolutions.begin(), k_resolutions.end());
   resolutions.insert(live.method.resolution);
-  for (const int resolution : resolutions) live.errors.push_back({resolution, 0.0});
+  for (const int resolution : resolutions) live.errors.push_back({resolution});
   PartMaps maps(*context.gl, context.model);
   const SurfaceSamples samples =
       sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
-  SampleCounting counting(context.gl->functions(), samples.samples, 1);
+  SamplePass pass(context.gl->functions());
   std::vector<LiveDirection> directions = known;
   for (const glm::dvec3& direction : measured_directions(known.front().direction, live.method.tau_deg))
     directions.push_back({"", direction, {}});
@@ -80,12 +109,18 @@ void measure_errors(const ReportContext& context, const std::vector<LiveDirectio
       directions[k].areas = classify_exact(model, query, Progress(&context.progress)).areas;
     for (LiveError& error : live.errors) {
       maps.draw_maps(page_query(model, query, error.resolution));
-      const RegionValues found = counting.run(maps.maps(), 1).front().areas(model.geometry.total_area);
-      error.share =
-          std::max(error.share, greatest_difference(found, directions[k].areas) / model.geometry.total_area);
+      std::vector<std::uint8_t> verdicts = pass.run(samples.samples, maps.maps(), Doubt::marked);
+      const auto off = [&] {
+        return greatest_difference(areas_of(verdicts, total_area), directions[k].areas) / total_area;
+      };
+      error.moving = std::max(error.moving, off());
+      settle_by_rays(model, query, samples.samples, verdicts);
+      error.resting = std::max(error.resting, off());
     }
   }
-  for (LiveError& error : live.errors) error.share = k_margin * error.share + k_sampling_share;
+  for (LiveError& error : live.errors) {
+    for (double* share : {&error.moving, &error.resting}) *share = k_margin * *share + k_sampling_share;
+  }
   live.measured = directions.size();
 }
 

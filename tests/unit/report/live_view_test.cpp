@@ -18,7 +18,7 @@ LiveView live_of(const TriangleMesh& mesh) {
   LiveView live;
   live.mesh = mesh;
   live.known = {{"+z", {0, 0, 1}, {}}};
-  live.errors = {{512, 0.01}, {2048, 0.001}};
+  live.errors = {{512, 0.01, 0.005}, {2048, 0.001, 0.001}};
   return live;
 }
 
@@ -77,9 +77,10 @@ TEST(LiveView, ItsShadersAreThePrograms) {
       EXPECT_EQ(text.find("#include"), std::string::npos) << name;
     }
   }
-  const std::string looked_up = gl::expand_shader("measure/sample_counts.frag", {}, gl::shader_files()).text;
-  EXPECT_TRUE(shaders["counts"][1].get<std::string>().ends_with(looked_up.substr(looked_up.find('\n') + 1)));
-  EXPECT_FALSE(page_shaders(false).contains("counts"));
+  const std::string looked_up =
+      gl::expand_shader("measure/samples.frag", {{"WITH_DOUBT", ""}}, gl::shader_files()).text;
+  EXPECT_TRUE(shaders["samples"][1].get<std::string>().ends_with(looked_up.substr(looked_up.find('\n') + 1)));
+  EXPECT_FALSE(page_shaders(false).contains("samples"));
 }
 
 TEST(LiveView, ControlsStartAtTheSettings) {
