@@ -131,7 +131,6 @@ void App::frame(const FrameInput& input) {
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
   state_.can_undo = history_.can_undo();
   state_.can_redo = history_.can_redo();
-  state_.mold_open = state_.model && has_mold_bar(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
   take_dropped(input.dropped, edits);

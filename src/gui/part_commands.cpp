@@ -233,8 +233,6 @@ void Commands::move_hovered_face() {
   if (app.state_.hover) move_face(app.state_.hover->point.facet);
 }
 
-void Commands::unfold_mold() { app.layout_.fold_bottom("Mold", app.state_.mold_open); }
-
 void Commands::export_mold(const MoldPaths& paths) {
   const MoldState& mold = app.state_.mold;
   if (app.export_.running() || !is_settled(mold)) return;

@@ -86,7 +86,9 @@ TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
 TEST_F(Bodies, KeepDirectionAndDraft) {
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
+  enter(Step::direction);
   click("+X");
+  enter(Step::part);
   click("next body");
   wait();
   EXPECT_EQ(method().tau_deg, tau);
@@ -94,6 +96,7 @@ TEST_F(Bodies, KeepDirectionAndDraft) {
 }
 
 TEST_F(WindowWithPart, AUnitIsNamedAndThenConvertsNothing) {
+  enter(Step::part);
   window.wait_until_measured();
   const double before = state().figures.shown->total_area;
   EXPECT_EQ(state().model->part.unit, "");

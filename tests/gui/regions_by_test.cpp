@@ -28,6 +28,7 @@ class RegionsAre : public WindowWithPart {
 
 TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   EXPECT_EQ(by(), RegionsBy::exact);
+  turn_maps_drawer();
   const std::vector<std::pair<std::string, float>> sliders = {
       {"Kernel", 0.9F}, {"Edge thickness", 0.9F}, {"Map resolution", 0.05F}};
   for (const auto& [control, share] : sliders) {
@@ -51,6 +52,9 @@ TEST_F(RegionsAre, SwitchedInTheLegend) {
 }
 
 TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
+  turn_maps_drawer();
+  move_to({640, 60});
+  window.settle();
   const std::vector<std::uint8_t> exact = window.pixels();
   // Maps so coarse that they show; the picture changes while the slider is still held.
   const ScreenBox place = window.control("Map resolution");
@@ -68,6 +72,7 @@ TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
 }
 
 TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
+  turn_maps_drawer();
   slide("Map resolution", 0.0F);
   window.wait_until_measured();
   const std::vector<std::uint8_t> plain = window.pixels();
@@ -121,6 +126,7 @@ TEST_F(MapsAreCompared, ByTheSamplesOfTheSplitMeshWhileTheyTellTheRegions) {
 }
 
 TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
+  turn_maps_drawer();
   slide("Map resolution", 0.05F);
   window.wait_until_measured();
   std::string before = text();

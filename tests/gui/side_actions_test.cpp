@@ -43,7 +43,7 @@ class SideActions : public ::testing::Test {
     window.app().open(path);
     window.wait_until_loaded();
     window.wait_until_measured();
-    click("fold actions");
+    key({.key = '3'});
     window.settle();
   }
 
@@ -281,7 +281,7 @@ TEST_F(SideActions, TakeADirectionThatIsDraggedAndFree) {
   ASSERT_TRUE(side_arrow(state())->free);
   EXPECT_GT(side_arrow(state())->free->to_deg, 80.0);
   // From above it turns as the hand does.
-  key({.key = '7'});
+  key({.key = '7', .shift = true});
   window.frames(30);
   const glm::vec2 tip = window.control("side arrow").centre();
   drag(tip, tip + glm::vec2(-40.0F, -60.0F));

@@ -64,7 +64,7 @@ class SlowFrames : public WindowWithPart {
   void begin() {
     window.app().set_notes(notes_);
     key({.key = GLFW_KEY_ESCAPE});
-    key({.key = '1'});
+    key({.key = '1', .shift = true});
     key({.key = 'F'});
     window.move_mouse({2, 2});
     window.frames(4);  // the pictures need not be refined
