@@ -43,6 +43,8 @@ struct Commands {
   void look_along_direction();
   /// Flies to where most of the undercuts is seen; without any to the largest mark that counts as none.
   void look_at_undercuts();
+  /// Flies to the largest mark that counts as no undercut, and says why it is none.
+  void look_at_speck();
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);
   /// And for one loop of the parting line.

@@ -50,10 +50,26 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
     key({.key = k_tab, .shift = true});
     EXPECT_NE(window.app().focused(), first);
   }
-  for (const char* control :
-       {"cup.obj##part", "open", "help", "settings", "+X", "−Z", "flip", "bookmark", "x", "elevation",
-        "Near-vertical below", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
-        "Section", "Find directions", "step Part", "step Report"})
+  for (const char* control : {"cup.obj##part",
+                              "open",
+                              "help",
+                              "settings",
+                              "+X",
+                              "−Z",
+                              "flip",
+                              "bookmark",
+                              "x",
+                              "elevation",
+                              "Near-vertical below",
+                              "Kernel",
+                              "Map resolution",
+                              "Mark the difference",
+                              "Hatching",
+                              "Open the mold",
+                              "Section",
+                              "Find directions",
+                              "step Part",
+                              "step Report"})
     EXPECT_TRUE(seen.contains(control)) << control;
 }
 

@@ -66,13 +66,8 @@ class TextOrder {
   std::string where_;
 };
 
-constexpr std::array<glm::ivec2, 7> k_sizes = {{{1024, 640},
-                                                {1100, 700},
-                                                {1280, 800},
-                                                {1440, 900},
-                                                {1920, 1080},
-                                                {2560, 1440},
-                                                {3840, 2160}}};
+constexpr std::array<glm::ivec2, 7> k_sizes = {
+    {{1024, 640}, {1100, 700}, {1280, 800}, {1440, 900}, {1920, 1080}, {2560, 1440}, {3840, 2160}}};
 constexpr std::array<float, 3> k_scales = {1.0F, 1.5F, 2.0F};
 
 class LayoutGrid : public WindowSceneries {};

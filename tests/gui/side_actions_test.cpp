@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "gui/panels/panels.hpp"
-#include "gui/quick_options.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/view/side_arrow.hpp"
+#include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int k_escape = 256, k_delete = 261;
+constexpr int k_delete = 261;
 
 class SideActions : public ::testing::Test {
  protected:

@@ -11,8 +11,8 @@ namespace moldlight::gui::test {
 namespace {
 
 /// Controls that only one step has, in the strip's order.
-constexpr std::array<const char*, 7> k_of_steps = {"Unit=mm", "ball",          "action options", "Move faces",
-                                                   "draft chart", "Open the mold", "Copy the command"};
+constexpr std::array<const char*, 7> k_of_steps = {
+    "Unit=mm", "ball", "action options", "Move faces", "draft chart", "Open the mold", "Copy the command"};
 
 class Steps : public WindowSceneries {
  protected:
@@ -82,6 +82,9 @@ TEST_F(Steps, TakeTheirViewWithThem) {
 
 TEST_F(Steps, LeaveThePartMostOfTheWindow) {
   window.resize({1440, 900});
+  click("settings");
+  click("Put the panels back in place");  // as shipped: the look is folded up
+  key({.key = k_escape});
   for (const StepRow& row : step_rows()) {
     enter(row.step);
     settle();
@@ -97,7 +100,8 @@ TEST_F(Steps, TheLightIsNotGreenWhileThereIsRed) {
   for (const VerdictState verdict :
        {VerdictState::two_plate, VerdictState::side_actions, VerdictState::undercuts,
         VerdictState::not_releasable, VerdictState::unknown}) {
-    VerdictCard shown{.verdict = Verdict{.state = verdict}, .sentence = {}, .red = true};
+    VerdictCard shown{.verdict = Verdict(), .sentence = {}, .red = true};
+    shown.verdict->state = verdict;
     EXPECT_NE(shown.light(), VerdictLight::green) << state_name(verdict);
     EXPECT_FALSE(shown.good());
     shown.red = false;

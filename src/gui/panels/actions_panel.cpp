@@ -21,7 +21,7 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_action_row = 44.0F;    // layout units
+constexpr float k_action_row = 60.0F;    // layout units
 constexpr float k_actions_share = 0.5F;  // of the window's height, that the table takes at most
 constexpr float k_pin_width = 88.0F;
 
@@ -207,21 +207,28 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   draw_cell(ui, upper, k_action_columns[1], {ui.fonts.body, normal},
             grouped(style.text(FigureKind::area, found.undercut.area)));
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
-  std::string more = found.depth > 0.0 ? fmt::format("deep {} · ", length(found.depth)) : std::string();
   const float at = row.min.x + ui.px(k_action_columns[2].at), room = row.max.x - ui.px(k_pin_width + 6) - at;
+  const std::string deep = found.depth > 0.0 ? "deep " + length(found.depth) : std::string();
+  std::vector<std::string> lines;  // below
   if (action != nullptr) {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);
     const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
     ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at - ui.px(10), upper.centre().y), 4.0F * ui.scale,
                                                 packed(body));
-    if (left_over) more = "some is left · " + more;
-    more += fmt::format("travel {} · {}", length(action->travel), detail_text(*action, unit)) +
-            shared_text(*action, undercut) + others_text(plan, undercut, *action);
+    lines = {
+        fmt::format("{}{}travel {}", deep, deep.empty() ? "" : " · ", length(action->travel)),
+        detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
+    if (left_over) lines.front() += " · some is left";
   } else {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "nothing", room);
-    more = unreleased_text(plan, undercut);
+    lines =
+        lines_within(ui.fonts.small, unreleased_text(plan, undercut), row.max.x - row.min.x - ui.px(30), 2);
   }
-  draw_second_line(ui, row, 24.0F, more);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    draw_second_line(
+        ui,
+        {row.min, row.min + glm::vec2(row.max.x - row.min.x, ui.px(42.0F + 15.0F * static_cast<float>(k)))},
+        24.0F, lines[k]);
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
   ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), row.min.y + ui.px(1)));
   draw_pin(context, undercut);
@@ -237,7 +244,8 @@ void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
                               .chosen = context.edits.action_choices.chosen,
                               .look = &Commands::look_at_undercut,
                               .beside = k_pin_width + 6,
-                              .tiny = tiny_text(speck_count(plan))};
+                              .tiny = tiny_text(speck_count(plan)),
+                              .look_at_tiny = &Commands::look_at_speck};
   draw_choices(context, undercuts, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
   draw_own_directions(context);

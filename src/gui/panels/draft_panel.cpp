@@ -25,7 +25,7 @@ constexpr std::array<ListColumn, 4> k_draft_columns = {{
     {"formed by", "The half that forms the wall.", 36.0F, false},
     {"draft", "Least draft of the wall. Negative: reverse draft.", 164.0F, true},
     {"takes", "Thickness that the turn about the wall's foot costs at its other end, in the part's unit.",
-     244.0F, true},
+     236.0F, true},
 }};
 
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
@@ -169,7 +169,7 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
   const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
-  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
+  const FigureColumn lengths(10.0 * state.model->frame.diagonal);
   const std::array<std::string, k_draft_columns.size()> texts = {
       std::to_string(number + 1), std::string(side_name(wall.side)), draft_text(wall.least_deg),
       grouped(lengths.text(wall.thickness))};
@@ -181,13 +181,9 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
   const std::string unit = length_unit(state.model->part);
-  const std::string more = fmt::format("{}{} {} · {} {} high · turn {:.2f}°",
-                                       state.model->part.has_cad_faces
-                                           ? fmt::format("face {} · ", grouped(std::to_string(wall.face)))
-                                           : std::string(),
-                                       grouped(areas.text(wall.area)), powered_unit(state.model->part, 2),
-                                       grouped(lengths.text(wall.height)), unit, wall.turn_deg);
-  draw_second_line(ui, row.box, k_draft_columns[1].at, more);
+  draw_second_line(ui, row.box, 24.0F,
+                   fmt::format("{:.4g} {} · {:.4g} {} high · turn {:.3g}°", wall.area,
+                               powered_unit(state.model->part, 2), wall.height, unit, wall.turn_deg));
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));

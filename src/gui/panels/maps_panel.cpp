@@ -77,7 +77,7 @@ void draw_map_comparison(const PanelContext& context) {
 
 void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) {
   constexpr const char* k_name = "Shadow maps";
-  constexpr float k_button = 72.0F, k_column = 200.0F;  // layout units
+  constexpr float k_button = 72.0F, k_column = 250.0F;  // layout units
   const Ui& ui = context.ui;
   const float tab = text_size(ui.fonts.strong, k_name).x + ui.px(k_button);
   const bool open = context.layout.begin_bottom(ui, k_name, tab);

@@ -93,7 +93,11 @@ void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCurs
       choose(k);
   });
   if (pressed) choose(*pressed);
-  if (!table.tiny.empty()) hint(ui, table.tiny);
+  if (table.tiny.empty()) return;
+  if (table.look_at_tiny == nullptr) return hint(ui, table.tiny);
+  if (disclosure(ui, table.tiny, false)) context.edits.ask(table.look_at_tiny);
+  name_item(ui, "tiny");
+  tooltip(ui, {}, "Click to look at the largest of them.");
 }
 
 RowOptions typed_numbers(const PanelContext& context) {

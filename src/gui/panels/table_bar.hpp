@@ -65,10 +65,11 @@ struct ChoiceTable {
   const char* row;  // its rows are the controls "row 1", "row 2" …
   std::optional<std::size_t>& chosen;
   void (Commands::*look)(std::size_t);
-  std::optional<std::size_t> pointed = {};    // the row that the mouse means elsewhere
-  float beside = 0.0F;                        // of a row's right end, another control's; layout units
-  std::span<const std::size_t> numbers = {};  // of the rows; empty: each its own
-  std::string tiny = {};                      // the last row, which cannot be chosen
+  std::optional<std::size_t> pointed = {};     // the row that the mouse means elsewhere
+  float beside = 0.0F;                         // of a row's right end, another control's; layout units
+  std::span<const std::size_t> numbers = {};   // of the rows; empty: each its own
+  std::string tiny = {};                       // the last row, which cannot be chosen
+  void (Commands::*look_at_tiny)() = nullptr;  // what a click on it asks for
 };
 /// `draw_row` fills a row; the cursor may be anywhere afterwards.
 void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,
