@@ -213,7 +213,7 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'U'},
        asks(&Commands::look_at_undercuts)},
-      {{view, "Shift + 5", "parallel or perspective; as the views on the number pad, too"},
+      {{view, "Shift + 5", "parallel or perspective"},
        part,
        {GLFW_KEY_KP_5},
        asks(&Commands::toggle_projection)},

@@ -33,6 +33,7 @@ class Bodies : public WindowWithPart {
   Bodies() {
     window.app().open(part.folder().write("cubes.stl", cubes(3)));
     window.wait_until_loaded();
+    enter(Step::part);
     window.settle();
   }
   void wait() {
@@ -133,6 +134,7 @@ TEST_F(WindowWithPart, LengthsKeepTheirSizeInAnotherUnit) {
   window.wait_until_measured();
   ASSERT_EQ(state().model->part.unit, "in");
   const double diagonal = state().model->frame.diagonal;
+  enter(Step::part);
   click("Unit=mm");
   window.wait_until_loaded();
   window.wait_until_measured();

@@ -140,6 +140,7 @@ TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
 
 TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
   open_lid();
+  key({.key = '6'});
   const glm::vec2 slider = window.control("Open the mold").centre();
   const auto open_to = [&](float share) {
     const ScreenBox box = window.control("Open the mold");
@@ -211,9 +212,11 @@ TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
   window.wait_until_measured();
   EXPECT_TRUE(settings().pins.empty());
   EXPECT_EQ(sentence(), free);
+  key({.key = '2'});
   click("bookmark");
   click("go");
   key({.key = k_escape});
+  key({.key = '3'});
   window.wait_until_measured();
   ASSERT_EQ(settings().pins.size(), 1U) << "the bookmark restores it";
   EXPECT_TRUE(plan().undercuts[2].pin);

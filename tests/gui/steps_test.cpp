@@ -82,7 +82,9 @@ TEST_F(Steps, TakeTheirViewWithThem) {
 
 TEST_F(Steps, LeaveThePartMostOfTheWindow) {
   window.resize({1440, 900});
+  settle();
   click("settings");
+  settle();
   click("Put the panels back in place");  // as shipped: the look is folded up
   key({.key = k_escape});
   for (const StepRow& row : step_rows()) {
