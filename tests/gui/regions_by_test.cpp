@@ -16,7 +16,8 @@ class RegionsAre : public WindowWithPart {
     std::size_t count = 0;
     for (std::size_t k = 0; k < now.size(); k += 4) {
       const std::size_t x = k / 4 % static_cast<std::size_t>(window.size().x);
-      if (x < 300 || x > 980) continue;  // panels
+      const std::size_t y = k / 4 / static_cast<std::size_t>(window.size().x);
+      if (x < 300 || x > 980 || y > 500) continue;  // panels, and the drawer
       int most = 0;
       for (std::size_t c = 0; c < 3; ++c)
         most = std::max(most, std::abs(int(now[k + c]) - int(before[k + c])));

@@ -120,7 +120,7 @@ void draw_place(const PanelContext& context, const StepPlace& place) {
               colour);
     x += ui.px(k_icon + k_badge_gap);
   }
-  if (!place.badge.count.empty()) write({ui.fonts.small, colour}, place.badge.count);
+  if (!place.badge.count.empty()) write({ui.fonts.small, ui.colours->text}, place.badge.count);
   if (item.clicked) context.edits.enter(place.row.step);
 }
 
