@@ -227,15 +227,15 @@ void draw_line_panel(const PanelContext& context, TableBar& bar) {
 void draw_mold_panel(const PanelContext& context, TableBar& bar) {
   const Ui& ui = context.ui;
   const MoldState& mold = context.state.mold;
+  // Above what changes its height while a hand is at the slider.
+  draw_opening(context);
+  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
   TableBarParts parts{.options = "mold options",
                       .options_hint = "Settings of the mold",
                       .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
                                         mold.line ? mold.line->verdict : ""),
                       .settings = [&] { draw_mold_settings(context); }};
   parts.table = [&](RowCursor&) {
-    draw_opening(context);
-    option_row(ui, option_named(window_options(), "halves"), context.edits.window);
-    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     draw_halves(context);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     if (button(ui, "Export the mold…", {.width = ImGui::GetContentRegionAvail().x}))
